@@ -28,7 +28,7 @@ texts! {
     all: "The whole image", "A imagem inteira";
     shown: "Shown in the picture", "Na imagem";
     none_shown: "A click on a stage, here or in the strip (F10), shows in the picture what goes in and what comes out.", "Um clique numa etapa, aqui ou na faixa (F10), mostra na imagem o que entra e o que sai.";
-    show: "Click, Enter: show it in the picture, or stop showing it · F1: its note", "Clique, Enter: mostrar na imagem, ou deixar de mostrar · F1: sua nota";
+    show: "Click, Enter: show it in the picture, or stop showing it · F1: its reference page", "Clique, Enter: mostrar na imagem, ou deixar de mostrar · F1: seu verbete";
     boxes: "The boxes around the objects: dashed, those that are dropped.", "As caixas em volta dos objetos: tracejadas, as que são descartadas.";
     normals: "The normal at each vertex, as it is in the world.", "A normal em cada vértice, como é no mundo.";
     vertices: "The numbers at vertices: before → after.", "Os números nos vértices: antes → depois.";

@@ -83,8 +83,8 @@ texts! {
     // What can be done with the strip.
     strip_hint: "click a stage: what goes in, what comes out", "clique numa etapa: o que entra, o que sai";
     // Of a stage.
-    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: its note", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: sua nota";
-    strip_unreveal: "Click, Enter, Esc: stop showing it · F1: its note", "Clique, Enter, Esc: deixar de mostrar · F1: sua nota";
+    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: its reference page", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: seu verbete";
+    strip_unreveal: "Click, Enter, Esc: stop showing it · F1: its reference page", "Clique, Enter, Esc: deixar de mostrar · F1: seu verbete";
     // While the eye turns.
     turning: "Orbiting", "Girando a imagem";
     // While the picture is moved.

@@ -88,10 +88,10 @@ texts! {
     stages_word: "Stages", "Etapas";
     operations_word: "Operations", "Operações";
     search: "Search…", "Pesquisar…";
-    search_hint: "Finds commands, explanations, notes, exercises and figures", "Encontra comandos, explicações, notas, exercícios e figuras";
+    search_hint: "Finds commands, explanations, reference pages, exercises and figures", "Encontra comandos, explicações, verbetes, exercícios e figuras";
     explain_panel: "Explanations", "Explicações";
     exercises: "Exercises", "Exercícios";
-    exercises_hint: "Exercises of the notes, and families that draw new numbers each time; answers are checked and explained", "Os exercícios das notas, e famílias que sorteiam números novos a cada vez; as respostas são conferidas e explicadas";
+    exercises_hint: "Exercises of the lecture notes, and families that draw new numbers each time; answers are checked and explained", "Os exercícios das notas de aula, e famílias que sorteiam números novos a cada vez; as respostas são conferidas e explicadas";
     explain_panel_hint: "Every number with its formula, in place of operations and numbers", "Cada número com sua fórmula, no lugar de operações e números";
     camera_tab: "Camera tab", "Aba da câmera";
     camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";
@@ -112,7 +112,7 @@ texts! {
     look_iso: "Look from a corner", "Olhar de um canto";
     look_iso_hint: "The world and the canonical volume in perspective", "O mundo e o volume canônico em perspectiva";
     look_along_u: "Look along u", "Olhar ao longo de u";
-    look_along_u_hint: "The camera from its side, as in the side figures of the notes: the eye on the left, the back plane on the right", "A câmera vista de lado, como nas figuras de perfil das notas: o olho à esquerda, o fundo à direita";
+    look_along_u_hint: "The camera from its side, as in the side figures of the lecture notes: the eye on the left, the back plane on the right", "A câmera vista de lado, como nas figuras de perfil das notas de aula: o olho à esquerda, o fundo à direita";
     look_along_v: "Look along v", "Olhar ao longo de v";
     look_along_v_hint: "The camera from above, the eye on the left, the back plane on the right", "A câmera vista de cima, o olho à esquerda, o fundo à direita";
     look_along_n: "Look along n", "Olhar ao longo de n";
@@ -258,7 +258,7 @@ texts! {
     world_parts: "Drawn in it", "Desenhado nele";
     world_parts_hint: "What stands in the world beside the scene. What is left out here is in no picture of the world, on the screen or on paper", "O que está no mundo além da cena. O que se deixa de fora aqui não está em nenhuma imagem do mundo, na tela ou no papel";
     section_view: "Section along u", "Corte ao longo de u";
-    section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
+    section_view_hint: "The section through C, as in the side figures of the lecture notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas de aula: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
 
     // What is revealed of the pipeline.
     depth_view: "image", "imagem";
@@ -396,7 +396,7 @@ texts! {
     elevation: "Elevation", "Elevação";
     elevation_effect: "C, VUP about u through PF", "C, VUP em torno de u por PF";
     azimuth: "Azimuth", "Azimute";
-    azimuth_of_vtk: "As in the notes, about v: VUP turns too, and a camera that looks down leans. VTK turns about VUP", "Como nas notas, em torno de v: VUP gira junto, e uma câmera que olha para baixo se inclina. O VTK gira em torno de VUP";
+    azimuth_of_vtk: "As in the lecture notes, about v: VUP turns too, and a camera that looks down leans. VTK turns about VUP", "Como nas notas de aula, em torno de v: VUP gira junto, e uma câmera que olha para baixo se inclina. O VTK gira em torno de VUP";
     azimuth_effect: "C, VUP about v through PF", "C, VUP em torno de v por PF";
     roll: "Roll", "Rolagem";
     roll_effect: "VUP about n", "VUP em torno de n";
