@@ -54,6 +54,7 @@ texts! {
     goes_in: "goes in", "entra";
     comes_out: "comes out", "sai";
     not_all: "not all of it is shown", "nem tudo é mostrado";
+    single_precision: "in f32", "em f32";
     no_vanishing: "parallel: ideal points stay ideal, w = 0", "paralela: pontos ideais continuam ideais, w = 0";
     ideal: "ideal, parallel to the view plane", "ideal, paralela ao plano de vista";
     beyond_image: "outside the image", "fora da imagem";
@@ -210,6 +211,7 @@ const fn of(t: &Texts) -> Labels {
             ("reveal.divide_first", style.divide_first),
             ("reveal.culled", style.culled_view),
             ("reveal.vanishing", style.vanishing),
+            ("reveal.single_precision", t.single_precision),
             ("world.section", t.section),
             ("world.dimensions", style.dimensions),
             ("image.undistorted", t.undistorted),

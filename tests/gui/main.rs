@@ -15,6 +15,7 @@ mod conventions;
 mod dialects;
 mod dialogs;
 mod exercise_answers;
+mod exercise_fading;
 mod exercises;
 mod explain;
 mod explain_steps;

@@ -168,3 +168,69 @@ fn a_place_that_is_wrong_says_in_which_direction() {
     let (_, guess) = window.state().exercises.progress.guesses().next().unwrap();
     assert!(!guess.right, "what was guessed stays guessed");
 }
+
+/// The window with the house, and *Predict first* on.
+fn predicting() -> Window {
+    let figure = camera_lab::figure::Figure::of_preset(camera_lab::scene::Preset::House);
+    let mut state = State::new(Start { figure, lang: Lang::En, ..Start::default() }).unwrap();
+    state.file_flow.native = false;
+    state.settings.reduce_motion = true;
+    state.operations.predict.on = true;
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    window.run();
+    window
+}
+
+#[test]
+fn an_operation_asks_first_where_a_point_goes_and_compares() {
+    let mut window = predicting();
+    let t = camera_lab::i18n::window::predict::texts(Lang::En);
+    let camera = window.state().document.figure().camera;
+    window.harness.get_by_label(&format!("{} +", en::WINDOW.azimuth)).click();
+    window.run();
+    assert_eq!(window.state().document.figure().camera, camera, "nothing is done yet");
+    let placing = window.app_mut().state.placing().unwrap();
+    assert!(placing.is_open && placing.right.is_none() && placing.from.is_some());
+    let at = on_screen(&mut window, [300.0, 200.0]);
+    window.click_at(at);
+    window.harness.get_by_label(t.do_it).click();
+    window.run();
+    let after = window.state().document.figure().camera;
+    assert_ne!(after, camera);
+    let placing = window.app_mut().state.placing().unwrap();
+    let ([x, y], right) = (placing.guess.unwrap(), placing.right.unwrap());
+    assert!((x - 300.0).abs() <= 2.0 && (y - 200.0).abs() <= 2.0, "{x} {y}");
+    // The highest vertex before; its place afterwards by the construction of the notes.
+    let sides = [1024.0, 768.0];
+    let figure = window.state().document.figure().clone();
+    let built = camera_lab::views::scene_of(&figure, &mut camera_lab::scene::no_files, &Default::default()).unwrap();
+    let at = |camera: &camera_lab::camera::Parameters, p: DVec3| {
+        projected(p, [camera.position, camera.focal_point, camera.view_up], camera.view_angle, sides)
+    };
+    let moved = built.vertices().map(|v| [at(&camera, v.p_world), at(&after, v.p_world)]);
+    let is_in = |p: &[f64; 2]| (0.0..=1024.0).contains(&p[0]) && (0.0..=768.0).contains(&p[1]);
+    let highest = moved.filter(|[a, b]| is_in(a) && is_in(b)).min_by(|a, b| a[0][1].total_cmp(&b[0][1])).unwrap();
+    assert!((highest[1][0] - right[0]).abs() < 0.5 && (highest[1][1] - right[1]).abs() < 0.5, "{highest:?} {right:?}");
+    assert!(window.says("pixels off"));
+    window.harness.get_by_label(t.close).click();
+    window.run();
+    assert!(window.app_mut().state.placing().is_none());
+}
+
+#[test]
+fn a_zoom_asks_for_sizes_and_says_by_how_much() {
+    let mut window = predicting();
+    let t = camera_lab::i18n::window::predict::texts(Lang::En);
+    window.harness.get_by_label(&format!("{} +", en::WINDOW.zoom)).click();
+    window.run();
+    window.harness.get_by_label(t.smaller).click();
+    window.run();
+    let before = window.state().document.camera().window_height();
+    window.harness.get_by_label(t.do_it).click();
+    window.run();
+    let times = before / window.state().document.camera().window_height();
+    assert!(times > 1.0);
+    let asked = window.state().operations.predict.asked.as_ref().unwrap();
+    assert!(asked.is_done && !asked.about.is_right());
+    assert!(window.says(&format!("{} times as large", Lang::En.mark().number(times, 3))));
+}

@@ -64,7 +64,7 @@ fn a_long_text_in_any_other_field_is_cut_and_that_is_said() {
     window.run();
     window.app_mut().state.explain.show(Explanation::Notes);
     window.run();
-    assert_eq!(window.paste_a_file_into("Search the notes").chars().count(), MAX_TYPED_NAME);
+    assert_eq!(window.paste_a_file_into("Search the reference pages").chars().count(), MAX_TYPED_NAME);
     assert!(window.says(&format!("at most {MAX_TYPED_NAME} characters")));
     // What is typed has no more room either, and what is deleted makes some.
     window.key(Key::Backspace);

@@ -376,6 +376,7 @@ fn captions_say_in_words_what_a_figure_reveals() {
         ("reveal.divide_first", on_and_off()),
         ("reveal.culled", on_and_off()),
         ("reveal.vanishing", on_and_off()),
+        ("reveal.single_precision", on_and_off()),
     ];
     for (key, values) in keys {
         let all = |lang| values.iter().map(|value| caption_of(key, *value, lang)).collect::<Vec<_>>();

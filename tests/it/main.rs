@@ -87,6 +87,7 @@ mod scene;
 mod shadows;
 mod sheets;
 mod shot;
+mod single_precision;
 mod stage_work;
 mod stages;
 mod stress;

@@ -172,6 +172,7 @@ const ALL: Reveal = Reveal {
     divide_first: true,
     culled: true,
     vanishing: true,
+    single_precision: false,
     texture: None,
     shadows: None,
 };
@@ -600,6 +601,7 @@ proptest! {
             divide_first,
             culled,
             vanishing: culled != clipping,
+            single_precision: false,
             texture: None,
     shadows: None,
         };

@@ -7,8 +7,8 @@
 //! product = sign { ("*" | "/" | nothing) sign }     2pi, 2√2 and 3(1+1) are products
 //! sign    = { "−" | "+" } power
 //! power   = unit [ "^" ( sign | group ) ]
-//! unit    = atom { "°" | "%" }
-//! atom    = number | "pi" | "(" sum ")" | function ( "(" sum ")" | group | number "°" ) | "√" unit | "\\frac" group group
+//! unit    = atom { "°" | "deg" | "graus" | "%" }
+//! atom    = number | "pi" | "(" sum ")" | function ( "(" sum ")" | group | unit ) | "√" unit | "\\frac" group group
 //! group   = "{" sum "}"
 //! ```
 //!
@@ -63,6 +63,9 @@ pub enum ExpressionProblem {
     /// An angle where a number must stand, or the other way round.
     #[error("an angle and a number do not mix here")]
     MixedUnits,
+    /// An angle without parentheses and without its unit: this number.
+    #[error("an angle needs its unit here: write ({}°)", sanitize::escaped(.0))]
+    NoUnit(String),
     /// The result is infinite or undefined.
     #[error("the result is not a finite number")]
     NotFinite,
@@ -71,6 +74,8 @@ pub enum ExpressionProblem {
     TooLong,
 }
 
+/// Words for °.
+const DEGREES: [&str; 3] = ["deg", "degrees", "graus"];
 const MAX_LENGTH: usize = MAX_EXPRESSION.0;
 const MAX_DEPTH: u32 = MAX_EXPRESSION.1;
 
@@ -346,7 +351,8 @@ impl<'a> Parser<'a> {
         let start = self.at();
         let mut value = self.atom()?;
         loop {
-            value = if self.eat(&['°', 'º']).is_some() || self.eat_any(&["^\\circ", "^{\\circ}"]) {
+            let is_degrees = DEGREES.contains(&self.word().to_lowercase().as_str()) && self.is_unit();
+            value = if is_degrees || self.eat(&['°', 'º']).is_some() || self.eat_any(&["^\\circ", "^{\\circ}"]) {
                 Quantity::Degrees(self.unmixed(start, value.number())?)
             } else if self.eat(&['%']).is_some() {
                 Quantity::Number(self.unmixed(start, value.number())? / 100.0)
@@ -354,6 +360,16 @@ impl<'a> Parser<'a> {
                 return Ok(value);
             };
         }
+    }
+
+    /// Takes the word that comes next as a unit, unless it is a name of the exercise.
+    fn is_unit(&mut self) -> bool {
+        let word = self.word();
+        if self.names.iter().any(|(name, _)| name.eq_ignore_ascii_case(word)) {
+            return false;
+        }
+        self.rest = &self.rest[word.len()..];
+        true
     }
 
     fn atom(&mut self) -> Result<Quantity, ExpressionError> {
@@ -386,15 +402,21 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The argument of a function: in parentheses, in braces, or an angle in degrees, as in `tan 20°`.
+    /// The argument of a function: in parentheses, in braces, an angle in degrees, as in `tan 20°`, or a number where
+    /// no angle is meant, as in `sqrt 2`.
     fn argument(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
         match self.peek() {
             Some('{') => self.group(dimension),
             Some(c) if c.is_ascii_digit() && dimension == Dimension::Angle => {
-                let unexpected = self.unexpected(c);
+                let start = self.at();
                 let value = self.unit()?;
-                if matches!(value, Quantity::Degrees(_)) { Ok(value) } else { Err(unexpected) }
+                if matches!(value, Quantity::Degrees(_)) {
+                    return Ok(value);
+                }
+                let number = self.text[start..self.at()].trim().to_owned();
+                Err(self.error(start, ExpressionProblem::NoUnit(number)))
             }
+            Some(c) if c.is_ascii_digit() => self.unit(),
             _ => self.parenthesis(dimension),
         }
     }
@@ -467,7 +489,7 @@ impl<'a> Parser<'a> {
                 Dimension::Number => Quantity::Number(std::f64::consts::PI),
                 Dimension::Angle => Quantity::Degrees(180.0),
             }),
-            "sin" | "sen" | "cos" | "tan" | "tg" => {
+            "sin" | "sen" | "cos" | "tan" | "tg" | "cot" | "cotg" => {
                 let (sin, cos) = match self.argument(Dimension::Angle)? {
                     Quantity::Degrees(degrees) => Angle::from_degrees(degrees).sin_cos(),
                     Quantity::Number(radians) => radians.sin_cos(),
@@ -475,6 +497,7 @@ impl<'a> Parser<'a> {
                 Ok(Quantity::Number(match name.as_str() {
                     "sin" | "sen" => sin,
                     "cos" => cos,
+                    "cot" | "cotg" => cos / sin,
                     _ => sin / cos,
                 }))
             }

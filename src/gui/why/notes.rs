@@ -53,7 +53,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     numbers(ui, state, note);
     links(ui, t, note, &mut state.explain.notes);
     if !note.source.is_empty() {
-        ui.label(RichText::new(note.source).small().weak()).explained(with_titles(note.source));
+        // A stranger hasn't the texts at hand: one page says what they are.
+        if ui.link(RichText::new(note.source).small()).explained(with_titles(note.source)).clicked() {
+            state.explain.notes.go_to(notes::SOURCES);
+        }
     }
     if let Some(stage) = Stage::ALL.into_iter().find(|stage| notes::of_stage(*stage) == note.id) {
         stages::source(ui, stages_words::texts(t.lang), stage);

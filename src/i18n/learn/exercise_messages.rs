@@ -221,11 +221,11 @@ pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {
     let distance = x.hypot(y);
     let by = lang.mark().number(distance.round(), 5);
     let is_far = |part: f64| part.abs() >= 0.25 * distance && part.abs() >= 0.5;
-    let across = is_far(x).then(|| match x > 0.0 {
+    let across = is_far(x).then_some(match x > 0.0 {
         true => pick!(lang; "farther to the left", "mais à esquerda"),
         false => pick!(lang; "farther to the right", "mais à direita"),
     });
-    let down = is_far(y).then(|| match y > 0.0 {
+    let down = is_far(y).then_some(match y > 0.0 {
         true => pick!(lang; "higher", "mais acima"),
         false => pick!(lang; "lower", "mais abaixo"),
     });

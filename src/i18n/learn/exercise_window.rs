@@ -59,6 +59,10 @@ texts! {
     first_step: "A worked step", "Um passo resolvido";
     next_step: "The next step", "O próximo passo";
     step_hint: "The solution with every number, step by step", "A resolução com cada número, passo a passo";
+    your_step: "Your number for the last line", "Seu número para a última linha";
+    your_step_hint: "You have solved this exercise before: each time one step more is yours. A number or an expression", "Você já resolveu este exercício: a cada vez um passo a mais é seu. Um número ou uma expressão";
+    check_step: "Check this step", "Conferir este passo";
+    show_step: "Show it", "Mostrar";
     show_camera: "Show the camera of your answer", "Mostrar a câmera da sua resposta";
     show_camera_hint: "Draws the camera that your answer describes beside the right one, in the world. Esc removes it", "Desenha a câmera que sua resposta descreve ao lado da certa, no mundo. Esc a retira";
     hide_camera: "Hide the camera of your answer", "Esconder a câmera da sua resposta";

@@ -42,10 +42,10 @@ texts! {
     text_hint: "Shows or hides the text under the pictures (C in a presentation)", "Mostra ou oculta o texto sob as imagens (C na apresentação)";
     question_command: "Question of the step", "Pergunta do passo";
     question_hint: "Shows or hides the question under the pictures. In a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as imagens. Na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
-    notes_command: "Speaker's notes", "Notas do apresentador";
-    clock_hint: "Minutes and seconds since you opened the notes", "Minutos e segundos desde que você abriu as notas";
-    notes_hint: "Shows or hides the notes of the step for the speaker, in a window of their own", "Mostra ou oculta as notas do passo para quem apresenta, em uma janela própria";
-    no_notes: "This step has no notes", "Este passo não tem notas";
+    notes_command: "Speaker notes", "Notas do apresentador";
+    clock_hint: "Minutes and seconds since you opened the speaker notes", "Minutos e segundos desde que você abriu as notas do apresentador";
+    notes_hint: "Shows or hides the speaker notes of the step, in a window of their own", "Mostra ou oculta as notas do apresentador do passo, em uma janela própria";
+    no_notes: "This step has no speaker notes", "Este passo não tem notas do apresentador";
     comes_next: "Next", "A seguir";
     leave: "Leave the lesson", "Sair da lição";
     leave_hint: "The figure of the step stays", "A figura do passo fica";
@@ -91,7 +91,7 @@ texts! {
     step_title_field: "Title", "Título";
     step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
     of_step: "This step", "Este passo";
-    of_step_hint: "Title, text and speaker’s notes of the step", "Título, texto e notas do apresentador do passo";
+    of_step_hint: "Title, text and speaker notes of the step", "Título, texto e notas do apresentador do passo";
     of_lesson: "The whole lesson", "A lição inteira";
     of_lesson_hint: "Title, sentence to keep and minutes of the lesson, as lists and handouts show them", "Título, frase para guardar e minutos da lição, como listas e materiais os mostram";
     lesson_title_field: "Title of the lesson", "Título da lição";
@@ -112,7 +112,7 @@ texts! {
     go_on: "Go on", "Continuar";
     no_go_on: "Close this line until the next start", "Fechar esta linha até a próxima vez";
     no_welcome: "Close this line. The lessons are in the menu Help", "Fechar esta linha. As lições estão no menu Ajuda";
-    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas · um número: aquele passo · P: caneta · S: foco · B: preto";
+    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: speaker notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas do apresentador · um número: aquele passo · P: caneta · S: foco · B: preto";
     // The list of lessons.
     lessons_command: "Lessons…", "Lições…";
     lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
@@ -310,7 +310,7 @@ pub fn no_lesson(lang: Lang, key: &str, id: &str) -> String {
 /// A key of a lesson names a note that does not exist.
 #[must_use]
 pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
-    both!(lang; "{key}: there is no note {:?}", "{key}: não há nota {:?}"; escaped(id))
+    both!(lang; "{key}: there is no reference page {:?}", "{key}: não há verbete {:?}"; escaped(id))
 }
 
 /// A lesson lacks a part that another lecturer needs.

@@ -21,6 +21,9 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
         (Lang::PtBr, ExpressionProblem::UnknownName(name)) => format!("nome desconhecido: “{}”", escaped(name)),
         (Lang::PtBr, ExpressionProblem::MissingParenthesis) => "falta um “)”".to_owned(),
         (Lang::PtBr, ExpressionProblem::MixedUnits) => "ângulo e número não se misturam aqui".to_owned(),
+        (Lang::PtBr, ExpressionProblem::NoUnit(number)) => {
+            format!("aqui um ângulo precisa de sua unidade: escreva ({}°)", escaped(number))
+        }
         (Lang::PtBr, ExpressionProblem::NotFinite) => "o resultado não é um número finito".to_owned(),
         (Lang::PtBr, ExpressionProblem::TooLong) => "a expressão é longa demais".to_owned(),
     }

@@ -74,8 +74,8 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> String {
             "É de mão esquerda, e n aponta para a cena, ao longo de DOP, e u = n × v.")
         }
         Limitation::Coordinates => pick!(lang;
-            "z_{near} and z_{far} are coordinates, negative. The notes have the distances F and B.",
-            "z_{near} e z_{far} são coordenadas, negativas. As notas têm as distâncias F e B."),
+            "z_{near} and z_{far} are coordinates, negative. The lecture notes have the distances F and B.",
+            "z_{near} e z_{far} são coordenadas, negativas. As notas de aula têm as distâncias F e B."),
         Limitation::YDown => {
             let axes = camera_axes(lang, Axes::OPENCV);
             return both!(lang; "{axes}; pixels from the corner of the image, as in (5.22).",
@@ -269,8 +269,8 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::Pose => pick!(lang; "C, PF and VUP aren't in this matrix, so they stay as they were.",
             "C, PF e VUP não estão nesta matriz e ficam como estavam."),
         Unknown::DepthDirection => pick!(lang;
-            "z grows towards the viewer there, as in no camera of the notes. The volume is the same, but z_n changes sign.",
-            "Ali z cresce rumo ao observador, como em nenhuma câmera das notas. O volume é o mesmo, mas z_n troca de sinal."),
+            "z grows towards the viewer there, as in no camera of the lecture notes. The volume is the same, but z_n changes sign.",
+            "Ali z cresce rumo ao observador, como em nenhuma câmera das notas de aula. O volume é o mesmo, mas z_n troca de sinal."),
         Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in the pipeline notes, so n is reversed.",
             "Os eixos são de mão esquerda, como nas notas do pipeline, e n é invertido."),
         Unknown::Rounded => pick!(lang;

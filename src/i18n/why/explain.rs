@@ -14,7 +14,7 @@ texts! {
     question_called: "What is it called elsewhere?", "Que nome tem em outros lugares?";
     question_called_hint: "The same camera in OpenGL, three.js, computer vision and other sources, also as code and in their conventions", "A mesma câmera em OpenGL, three.js, visão computacional e outras fontes, também como código e nas convenções de cada um";
     question_able: "Can I do it?", "Eu sei fazer?";
-    question_able_hint: "Exercises whose answers are checked, and notes to read", "Exercícios com respostas conferidas, e notas para ler";
+    question_able_hint: "Exercises whose answers are checked, and reference pages to read", "Exercícios com respostas conferidas, e verbetes para ler";
     matrices: "Matrices", "Matrizes";
     matrices_hint: "Why each entry of each matrix is what it is", "Por que cada elemento de cada matriz é o que é";
     point: "Follow a point", "Seguir um ponto";
@@ -45,14 +45,14 @@ texts! {
     order_hint: "In which order translation, rotation and scale act on an object, and what another order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
     code: "Code", "Código";
     code_hint: "The camera as code for a library", "A câmera como código para uma biblioteca";
-    notes: "Notes", "Notas";
+    notes: "Reference", "Verbetes";
     notes_hint: "A short text on each symbol, operation, equation, step and stage; F1 on one of them opens it", "Um texto curto sobre cada símbolo, operação, equação, passo e etapa; F1 sobre um deles o abre";
     exercises: "Exercises", "Exercícios";
-    exercises_hint: "Exercises of the notes, and families with new numbers each time. The program checks your answers and explains wrong ones", "Os exercícios das notas, e famílias com números novos a cada vez. O programa confere suas respostas e explica as erradas";
-    search_notes: "Search the notes", "Pesquisar nas notas";
+    exercises_hint: "Exercises of the lecture notes, and families with new numbers each time. The program checks your answers and explains wrong ones", "Os exercícios das notas de aula, e famílias com números novos a cada vez. O programa confere suas respostas e explica as erradas";
+    search_notes: "Search the reference pages", "Pesquisar nos verbetes";
     search_notes_hint: "Words, symbols or numbers of equations. Accents and capitals don't matter. Enter opens the first", "Palavras, símbolos ou números de equações. Acentos e maiúsculas não importam. Enter abre a primeira";
-    no_note: "No note matches.", "Nenhuma nota corresponde.";
-    note_before: "Previous note", "Nota anterior";
+    no_note: "No reference page matches.", "Nenhum verbete corresponde.";
+    note_before: "Previous page", "Verbete anterior";
     see_also: "See also", "Veja também";
     in_this_figure: "in this figure", "nesta figura";
     code_for: "Code for", "Código para";
@@ -134,10 +134,10 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
         "(5.15)" => ("parallel, with any window", "paralela, com qualquer janela"),
         "(5.16)" => ("parallel, with a window symmetric about DOP", "paralela, com janela simétrica em torno de DOP"),
         "" => (
-            "the notes have no equation for it, because it follows from the others",
-            "as notas não têm equação para ela, pois decorre das outras",
+            "the lecture notes have no equation for it, because it follows from the others",
+            "as notas de aula não têm equação para ela, pois decorre das outras",
         ),
-        _ => ("the equation of the notes", "a equação das notas"),
+        _ => ("the equation of the lecture notes", "a equação das notas de aula"),
     };
     both!(lang; "{} {en}", "{} {pt}"; formulas.equation).trim().to_owned()
 }

@@ -28,7 +28,7 @@ texts! {
     all: "The whole image", "A imagem inteira";
     shown: "Shown in the picture", "Na imagem";
     none_shown: "A click on a stage, here or in the strip (F10), shows in the picture what goes in and what comes out.", "Um clique numa etapa, aqui ou na faixa (F10), mostra na imagem o que entra e o que sai.";
-    show: "Click or press Enter to show it in the picture, or to stop showing it. F1 opens its page", "Clique ou aperte Enter para mostrar na imagem, ou deixar de mostrar. F1 abre o verbete";
+    show: "Click or press Enter to show it in the picture, or to stop showing it. F1 opens its reference page", "Clique ou aperte Enter para mostrar na imagem, ou deixar de mostrar. F1 abre o verbete";
     boxes: "The boxes around the objects. Those that are dropped are dashed.", "As caixas em volta dos objetos. As descartadas são tracejadas.";
     normals: "The normal at each vertex, as it is in the world.", "A normal em cada vértice, como é no mundo.";
     vertices: "The numbers at vertices: before → after.", "Os números nos vértices: antes → depois.";

@@ -83,8 +83,8 @@ texts! {
     // What can be done with the strip.
     strip_hint: "click a stage to see what goes in and what comes out", "clique em uma etapa para ver o que entra e o que sai";
     // Of a stage.
-    strip_reveal: "Click or press Enter to show in the picture what goes in and what comes out. F1 opens its page", "Clique ou aperte Enter para mostrar na imagem o que entra e o que sai. F1 abre o verbete";
-    strip_unreveal: "Click or press Enter or Esc to stop showing it. F1 opens its page", "Clique ou aperte Enter ou Esc para deixar de mostrar. F1 abre o verbete";
+    strip_reveal: "Click or press Enter to show in the picture what goes in and what comes out. F1 opens its reference page", "Clique ou aperte Enter para mostrar na imagem o que entra e o que sai. F1 abre o verbete";
+    strip_unreveal: "Click or press Enter or Esc to stop showing it. F1 opens its reference page", "Clique ou aperte Enter ou Esc para deixar de mostrar. F1 abre o verbete";
     // While the eye turns.
     turning: "Orbiting", "Girando a imagem";
     // While the picture is moved.

@@ -8,7 +8,7 @@ use crate::sanitize::escaped;
 
 texts! {
     command: "Labels", "Rótulos";
-    command_hint: "Labels can be dragged, renamed and hidden, and notes added", "Os rótulos podem ser arrastados, renomeados e ocultos, e notas adicionadas";
+    command_hint: "Labels can be dragged, renamed and hidden, and annotations added", "Os rótulos podem ser arrastados, renomeados e ocultos, e anotações adicionadas";
     title: "Labels", "Rótulos";
     choose: "label", "rótulo";
     choose_hint: "The label to change. A click on it chooses it too", "O rótulo a mudar. Um clique nele também o escolhe";
@@ -24,16 +24,16 @@ texts! {
     legend_hint: "Hides all of it. Dragging one of its lines moves all of it", "Oculta-a inteira. Arrastar uma das linhas a move inteira";
     delete: "Delete", "Excluir";
     automatic: "Automatic again", "Automático de novo";
-    automatic_hint: "The label has its own text, place, size and colour again. A note keeps its text", "O rótulo volta a ter o próprio texto, lugar, tamanho e cor. Uma nota conserva o texto";
+    automatic_hint: "The label has its own text, place, size and colour again. An annotation keeps its text", "O rótulo volta a ter o próprio texto, lugar, tamanho e cor. Uma anotação conserva o texto";
     all_automatic: "All automatic again", "Todos automáticos de novo";
-    all_automatic_hint: "All labels have their own texts and places again. Notes stay", "Todos os rótulos voltam a ter os próprios textos e lugares. As notas ficam";
+    all_automatic_hint: "All labels have their own texts and places again. Annotations stay", "Todos os rótulos voltam a ter os próprios textos e lugares. As anotações ficam";
     hidden: "hidden:", "ocultos:";
     show_again: "Shows the label again", "Mostra o rótulo de novo";
-    add: "Add a note", "Adicionar nota";
+    add: "Add an annotation", "Adicionar anotação";
     add_hint: "A click puts it at a vertex, an edge, a point, or at a place of the picture; Enter in a picture, in its middle", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da imagem; Enter em uma imagem, no meio dela";
-    adding: "Click to place the note, or press Esc for none", "Clique para pôr a nota, ou aperte Esc para nenhuma";
-    note: "note", "nota";
-    full: "There is no room for more notes", "Não há lugar para mais notas";
+    adding: "Click to place the annotation, or press Esc for none", "Clique para pôr a anotação, ou aperte Esc para nenhuma";
+    note: "annotation", "anotação";
+    full: "There is no room for more annotations", "Não há lugar para mais anotações";
     measures: "measures:", "medidas:";
     measures_hint: "Shows this length or angle in the world", "Mostra este comprimento ou ângulo no mundo";
     shown: "shown as", "mostrar";

@@ -89,10 +89,10 @@ texts! {
     stages_word: "Stages", "Etapas";
     operations_word: "Operations", "Operações";
     search: "Search…", "Pesquisar…";
-    search_hint: "Finds commands, explanations, notes, exercises and figures", "Encontra comandos, explicações, notas, exercícios e figuras";
+    search_hint: "Finds commands, explanations, reference pages, exercises and figures", "Encontra comandos, explicações, verbetes, exercícios e figuras";
     explain_panel: "Explanations", "Explicações";
     exercises: "Exercises", "Exercícios";
-    exercises_hint: "Exercises of the notes, and families with new numbers each time. The program checks your answers and explains them", "Os exercícios das notas, e famílias com números novos a cada vez. O programa confere e explica suas respostas";
+    exercises_hint: "Exercises of the lecture notes, and families with new numbers each time. The program checks your answers and explains them", "Os exercícios das notas de aula, e famílias com números novos a cada vez. O programa confere e explica suas respostas";
     explain_panel_hint: "Every number with its formula, in place of operations and numbers", "Cada número com sua fórmula, no lugar de operações e números";
     camera_tab: "Camera tab", "Aba da câmera";
     camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";
@@ -113,7 +113,7 @@ texts! {
     look_iso: "Look from a corner", "Olhar de um canto";
     look_iso_hint: "The world and the canonical volume in perspective", "O mundo e o volume canônico em perspectiva";
     look_along_u: "Look along u", "Olhar ao longo de u";
-    look_along_u_hint: "The camera from its side, with the eye on the left and the back plane on the right, as in the notes", "A câmera vista de lado, com o olho à esquerda e o fundo à direita, como nas notas";
+    look_along_u_hint: "The camera from its side, with the eye on the left and the back plane on the right, as in the lecture notes", "A câmera vista de lado, com o olho à esquerda e o fundo à direita, como nas notas de aula";
     look_along_v: "Look along v", "Olhar ao longo de v";
     look_along_v_hint: "The camera from above, the eye on the left, the back plane on the right", "A câmera vista de cima, o olho à esquerda, o fundo à direita";
     look_along_n: "Look along n", "Olhar ao longo de n";
@@ -259,7 +259,7 @@ texts! {
     world_parts: "Drawn in it", "Desenhado nele";
     world_parts_hint: "What stands in the world beside the scene. What is left out here is in no picture of the world, on the screen or on paper", "O que está no mundo além da cena. O que se deixa de fora aqui não está em nenhuma imagem do mundo, na tela ou no papel";
     section_view: "Section along u", "Corte ao longo de u";
-    section_view_hint: "The section through C as in the notes, with the similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its triangles", "O corte por C como nas notas, com os triângulos semelhantes, θ/2, H/2, F, B, um ponto e o y_p dele. Aponte para um vértice para ver os triângulos dele";
+    section_view_hint: "The section through C as in the lecture notes, with the similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its triangles", "O corte por C como nas notas de aula, com os triângulos semelhantes, θ/2, H/2, F, B, um ponto e o y_p dele. Aponte para um vértice para ver os triângulos dele";
 
     // What is revealed of the pipeline.
     depth_view: "image", "imagem";
@@ -397,7 +397,7 @@ texts! {
     elevation: "Elevation", "Elevação";
     elevation_effect: "C, VUP about u through PF", "C, VUP em torno de u por PF";
     azimuth: "Azimuth", "Azimute";
-    azimuth_of_vtk: "As in the notes, about v: VUP turns too, and a camera that looks down leans. VTK turns about VUP", "Como nas notas, em torno de v: VUP gira junto, e uma câmera que olha para baixo se inclina. O VTK gira em torno de VUP";
+    azimuth_of_vtk: "As in the lecture notes, about v: VUP turns too, and a camera that looks down leans. VTK turns about VUP", "Como nas notas de aula, em torno de v: VUP gira junto, e uma câmera que olha para baixo se inclina. O VTK gira em torno de VUP";
     azimuth_effect: "C, VUP about v through PF", "C, VUP em torno de v por PF";
     roll: "Roll", "Rolagem";
     roll_effect: "VUP about n", "VUP em torno de n";

@@ -3,13 +3,13 @@
 
 texts! {
     title: "Search", "Pesquisar";
-    field: "Command, explanation, lesson, note, exercise, figure…", "Comando, explicação, lição, nota, exercício, figura…";
+    field: "Command, explanation, lesson, reference page, exercise, figure…", "Comando, explicação, lição, verbete, exercício, figura…";
     keys: "↑ ↓: choose · Enter: go there · Esc: close", "↑ ↓: escolher · Enter: ir · Esc: fechar";
     nothing: "Nothing has these words. Try fewer letters, or another name for it.", "Nada tem estas palavras. Tente menos letras, ou outro nome.";
     command: "command", "comando";
     operation: "operation", "operação";
     parameter: "parameter", "parâmetro";
-    note: "note", "nota";
+    note: "reference page", "verbete";
     exercise: "exercise", "exercício";
     figure: "figure", "figura";
     lesson: "lesson", "lição";

@@ -37,6 +37,9 @@ fn what_people_type_is_understood() {
         ("tan(45°)", 1.0),
         ("tan 45°", 1.0),
         ("2 tan 45°/2", 1.0),
+        ("tan 45 deg", 1.0),
+        ("cot(45 graus)", 1.0),
+        ("2 sqrt 4/2", 2.0),
         ("36,5%", 0.365),
         (r"\frac{1}{4}", 0.25),
         (r"-\frac{\sqrt{4}}{2^{3}}\cdot 2", -0.5),
@@ -86,7 +89,8 @@ fn nonsense_is_named() {
         ("45°", E::MixedUnits),
         ("1 + 45°", E::MixedUnits),
         (".", E::Unfinished),
-        ("sin 3", E::Unexpected('3')),
+        ("sin 3", E::NoUnit("3".into())),
+        ("8 tan 40/2", E::NoUnit("40".into())),
     ] {
         assert_eq!(number(text), Err(error), "{text:?}");
     }

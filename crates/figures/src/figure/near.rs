@@ -114,6 +114,7 @@ const HOMES: &[(&str, &str)] = &[
     ("divide_first", "reveal"),
     ("culled", "reveal"),
     ("vanishing", "reveal"),
+    ("single_precision", "reveal"),
     ("pictures", "screen"),
     ("arrangement", "screen"),
     ("panel", "screen"),

@@ -17,6 +17,8 @@ pub struct Reveal {
     pub culled: bool,
     /// World and image show where the scene's directions x, y, z vanish, with the construction `[4]`.
     pub vanishing: bool,
+    /// The image is the one of a pipeline in single precision: model and view matrix, and the points that they take.
+    pub single_precision: bool,
     /// The inner work of texturing.
     pub texture: Option<TextureReveal>,
     /// The inner work of shadows.

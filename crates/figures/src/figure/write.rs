@@ -231,6 +231,7 @@ fn reveal(reveal: Reveal) -> Table {
         ("divide_first", reveal.divide_first),
         ("culled", reveal.culled),
         ("vanishing", reveal.vanishing),
+        ("single_precision", reveal.single_precision),
     ];
     keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
     table(keys)

@@ -49,7 +49,7 @@ impl Ask {
 }
 
 /// Whether `given` is `right`, rounded to three or more significant digits.
-fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
+pub(super) fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
     (3..=16).any(|digits| (given - rounded(right, digits)).abs() <= rest)
 }
 

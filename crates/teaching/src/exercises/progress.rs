@@ -153,6 +153,14 @@ impl Progress {
         }
     }
 
+    /// The steps of a solution that are shown as they are: all of them at first, one fewer at the end each time that the
+    /// exercise has been solved. The others are to be done.
+    #[must_use]
+    pub fn given_steps(&self, id: &str, steps: usize) -> usize {
+        let solved = self.tried(id).map_or(0, |tried| tried.solved);
+        steps.saturating_sub(usize::try_from(solved).unwrap_or(usize::MAX))
+    }
+
     /// The known mistakes that were made.
     pub fn mistakes(&self) -> impl Iterator<Item = (Mistake, &Made)> {
         self.mistakes.iter().map(|(mistake, made)| (*mistake, made))

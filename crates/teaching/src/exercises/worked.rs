@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::acceptance::is_rounded;
+use super::exercise::TOLERANCE;
 use super::subject::Subject;
 use crate::camera::{Camera, Convention, Operation, ParameterKey, Projection};
 use crate::explain::{
@@ -78,6 +80,16 @@ impl Worked {
     pub fn said(&self) -> (&'static str, String, Vec<Line>) {
         let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
         (self.heading, self.equation.clone(), self.lines(style, true))
+    }
+
+    /// Whether a number is the value of its last row, or that value rounded to three digits or more.
+    #[must_use]
+    pub fn ends_with(&self, number: f64) -> bool {
+        let is_it = |value: f64| {
+            let rest = 1e-9 * value.abs().max(1.0);
+            (number - value).abs() <= TOLERANCE * value.abs().max(1e-6) || is_rounded(number, value, rest)
+        };
+        self.rows.last().is_some_and(|row| is_it(row.value))
     }
 
     /// The rows as they are written.

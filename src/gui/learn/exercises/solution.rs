@@ -2,22 +2,25 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Id, Rect, Response, Ui, UiBuilder};
+use eframe::egui::{Button, Id, Key, Rect, Response, Ui, UiBuilder};
 use glam::{DMat4, DVec3};
 
 use super::{Sheet, figure};
 use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, recover};
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
+use crate::expression::{Dimension, evaluate_with};
 use crate::gui::inspector::complaint;
 use crate::gui::kit::mathematics::{Both, Links, chain};
 use crate::gui::kit::prose;
+use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Described, NotCamera, State};
 use crate::i18n::Lang;
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::why::dialects;
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
+use crate::limits::MAX_ANSWER;
 
 /// The button of the next help. It keeps the focus, whatever appears above it: it is identified by `id`, and not by its
 /// place.
@@ -37,14 +40,20 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
         Expected::Choice(_, _, steps) | Expected::Computed(_, steps) => steps.is_empty(),
         Expected::Quantity(..) | Expected::Camera(..) => false,
     };
-    if !rest || has_none {
+    let waits = opened.steps.checked_sub(1).is_some_and(|last| opened.is_to_do(last));
+    if !rest || has_none || waits {
         return;
     }
     let label = if opened.steps == 0 { t.first_step } else { t.next_step };
     let button = help_button(ui, id, (label, t.step_hint, &name));
     if button.clicked() {
+        let progress = &state.exercises.progress;
         let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
         opened.steps += 1;
+        if opened.way.is_none() {
+            // What is solved later takes no step away from this solution.
+            opened.given = progress.given_steps(&exercise.id, ask.steps().len());
+        }
         let way = opened.way.get_or_insert_with(|| ask.steps().into());
         if button.has_focus() && opened.steps >= way.len() {
             // There is no next one: the focus returns to the answer.
@@ -173,32 +182,75 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
 }
 
 /// The open steps, set as mathematics, and the reason why there is no camera; returns the place of the last step.
-pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
+pub(super) fn steps(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
     let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
     if let Some(Err(error)) = described.map(|described| &described.camera) {
         complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
     }
-    let opened = state.exercises.opened.get(&ask.name)?;
+    let opened = state.exercises.opened.get(&ask.name)?.clone();
     let way: Option<Arc<[Worked]>> = opened.way.clone();
     let mut last = None;
     for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
-        last = Some(ui.push_id(("step", k), |ui| self::step(ui, state, sheet, exercise, step)).response.rect);
+        let shown = ui.push_id(("step", k), |ui| {
+            let is_to_do = opened.is_to_do(k);
+            self::step(ui, state, sheet, exercise, (step, is_to_do));
+            if is_to_do {
+                to_do(ui, state, sheet, ask, (k, step));
+            }
+        });
+        last = Some(shown.response.rect);
     }
     last
 }
 
-/// A step: its heading, its equation, and each row: symbol = formula = numbers = value.
-fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, step: &Worked) {
+/// The field of a step that is to be done: the number of its last row.
+fn to_do(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (k, step): (usize, &Worked)) {
+    let (t, name) = (sheet.t, said::ask(sheet.t.lang, sheet.exercise, ask).replace("**", ""));
+    let Some(opened) = state.exercises.opened.get_mut(&ask.name) else { return };
+    let mut is_right = false;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(t.your_step);
+        let text = opened.typed.entry(k).or_default();
+        let field = TextField::line(text, MAX_ANSWER).with(|edit| edit.id_salt("step to do").desired_width(110.0));
+        let response = field.show(ui, t.lang).explained(t.your_step_hint);
+        let response = response.accessible_name(words::of_ask(t.your_step, &name));
+        let enters = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        let numbers = &sheet.exercise.free;
+        let number = [Dimension::Number, Dimension::Angle].map(|of| evaluate_with(text.trim(), of, numbers).ok());
+        let checks = ui.add_enabled(number.iter().any(Option::is_some), Button::new(t.check));
+        if checks.accessible_name(words::of_ask(t.check_step, &name)).clicked() || enters {
+            is_right = number.into_iter().flatten().any(|number| step.ends_with(number));
+            opened.missed = Some(k).filter(|_| !is_right);
+        }
+        if ui.button(t.show_step).explained(t.step_hint).clicked() {
+            is_right = true;
+        }
+        if opened.missed == Some(k) {
+            ui.colored_label(ui.visuals().error_fg_color, format!("✗ {}", t.wrong));
+        }
+    });
+    if is_right {
+        opened.missed = None;
+        opened.filled.insert(k);
+        state.exercises.say(ask);
+    }
+}
+
+/// A step: its heading, its equation, and each row: symbol = formula = numbers = value. The last row of one that is to
+/// be done ends with its formula.
+fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, (step, is_to_do): (&Worked, bool)) {
     let lang = sheet.t.lang;
     ui.add_space(2.0);
     prose::show(ui, &said::step_heading(lang, exercise, step));
     let style = |notation| Style { notation, mark: lang.mark(), digits: state.settings.digits };
     let lines = step.lines(style(Notation::Latex), true);
-    for (latex, text) in lines.into_iter().zip(step.lines(style(Notation::Text), true)) {
+    let last = lines.len().saturating_sub(1);
+    for (k, (latex, text)) in lines.into_iter().zip(step.lines(style(Notation::Text), true)).enumerate() {
         let both = |latex: String, text: String| Both { latex, text };
         let said =
             [both(latex.formula, text.formula), both(latex.numbers, text.numbers), both(latex.value, text.value)];
-        chain(ui, &both(latex.symbol, text.symbol), &said, Links::Dense);
+        let shown = if is_to_do && k == last { &said[..1] } else { &said };
+        chain(ui, &both(latex.symbol, text.symbol), shown, Links::Dense);
     }
 }

@@ -136,6 +136,22 @@ pub struct Opened {
     pub steps: usize,
     /// The whole solution, once a step was requested.
     pub(in crate::gui) way: Option<Arc<[Worked]>>,
+    /// Number of its steps that are shown as they are; the others are to be done.
+    pub given: usize,
+    /// What was typed into the steps to be done, by their numbers.
+    pub typed: BTreeMap<usize, String>,
+    /// The steps that were done, or shown in the end.
+    pub filled: BTreeSet<usize>,
+    /// The step whose last number was wrong.
+    pub(in crate::gui) missed: Option<usize>,
+}
+
+impl Opened {
+    /// True for a step that is still to be done.
+    #[must_use]
+    pub fn is_to_do(&self, step: usize) -> bool {
+        step >= self.given && !self.filled.contains(&step)
+    }
 }
 
 /// The camera that an answer describes, or why there is none.

@@ -1,6 +1,8 @@
 //! The notes of the speaker, in a window of their own: the class sees the pictures, the speaker reads the notes.
 
-use eframe::egui::{self, Button, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2};
+use eframe::egui::{
+    self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
+};
 
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::at_right;
@@ -57,8 +59,8 @@ fn keys(ctx: &Context) -> Option<Command> {
     }
 }
 
-/// Number and title of the step, a clock, its notes, its question with the answer, its text, and the title of the next
-/// one.
+/// Number and title of the step, a clock, its notes, its question with the answer, its text, the plan of the lesson, and
+/// the title of the next step.
 fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> {
     let lang = t.lang;
     let playing = state.lesson.as_ref()?;
@@ -99,6 +101,13 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> 
         ui.separator();
         ui.weak(t.text_command);
         prose::show(ui, filled(&step.text).trim());
+        if let Some(plan) = &playing.lesson.plan {
+            ui.separator();
+            // Before the first step it's read whole, and looked up later.
+            CollapsingHeader::new(t.plan).default_open(playing.step == 0).show(ui, |ui| {
+                prose::show(ui, told(lang, plan).trim());
+            });
+        }
         if let Some(next) = playing.lesson.steps.get(playing.step + 1) {
             ui.separator();
             ui.weak(format!("{}: {}", t.comes_next, told(lang, &next.title)));

@@ -21,7 +21,7 @@ fn typed(text: &str) -> Typed {
         answers: [("u".to_owned(), fields)].into(),
         free: [("F".to_owned(), "2".to_owned())].into(),
         judged: ["u".to_owned()].into(),
-        ..Typed::default()
+        guesses: [("u".to_owned(), vec!["0".to_owned()])].into(),
     }
 }
 

@@ -133,6 +133,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 divide_first,
                 culled,
                 vanishing,
+                single_precision: clipping && vanishing,
                 texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
                 shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Truth)][depth],
             };

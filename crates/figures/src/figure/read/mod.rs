@@ -279,6 +279,7 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
         divide_first: section.switch("divide_first"),
         culled: section.switch("culled"),
         vanishing: section.switch("vanishing"),
+        single_precision: section.switch("single_precision"),
         texture: section.choice("texture", TEXTURE_REVEALS),
         shadows: section.choice("shadows", SHADOW_REVEALS),
     };

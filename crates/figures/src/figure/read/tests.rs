@@ -95,6 +95,7 @@ fn every_key_is_read() {
         divide_first = true
         culled = true
         vanishing = true
+        single_precision = true
         shadows = "acne"
         [world]
         section = true
@@ -138,6 +139,7 @@ fn every_key_is_read() {
         divide_first: true,
         culled: true,
         vanishing: true,
+        single_precision: true,
         texture: None,
         shadows: Some(ShadowReveal::Acne),
     };

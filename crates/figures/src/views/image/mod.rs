@@ -4,6 +4,7 @@ pub mod depth;
 pub(super) mod light_view;
 pub(super) mod offscreen_arrows;
 pub(super) mod partial_paint;
+mod single_precision;
 pub(super) mod vanishing;
 
 use std::cell::Cell;
@@ -53,6 +54,8 @@ pub(super) fn frame(request: &Request) -> PixelRect {
 
 /// Draws the image.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
+    let in_single = single_precision::in_single(request);
+    let request = in_single.as_ref().unwrap_or(request);
     match light_view::of_light(request) {
         Some(of_light) => headed(&of_light, request.labels.depth_of_light, pipeline),
         None => headed(request, request.labels.depth_linear, pipeline),

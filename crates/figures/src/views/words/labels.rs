@@ -108,7 +108,7 @@ pub struct Labels {
     /// The operations: elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan.
     pub operations: [&'static str; 8],
     /// Keys of figure files that are on or off, with their names.
-    pub switches: [(&'static str, &'static str); 7],
+    pub switches: [(&'static str, &'static str); 8],
     /// The values of `[reveal] depth`: off, stored, linear.
     pub depths: [&'static str; 3],
     /// The values of `[reveal] outside`, the usual one first, the others in the order of their words.
