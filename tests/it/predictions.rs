@@ -102,9 +102,6 @@ fn a_place_that_the_image_does_not_have_is_refused_with_its_line() {
         let line = 1 + text.lines().position(|line| line.starts_with(key.rsplit(' ').next().unwrap())).unwrap();
         assert!(error.line >= line, "{to}: line {} of {line}", error.line);
     }
-    let last =
-        format!("{LESSON}[step.ask]\ntext = \"?\"\nchoices = [\"yes\", \"no\"]\nanswer = \"yes\"\nsee = \"next\"\n");
-    assert_eq!(parse(&last).unwrap_err().key, "[step.ask] see");
 }
 
 #[test]

@@ -86,7 +86,8 @@ fn with_bold_in_lines(markdown: &str) -> String {
         for (j, part) in run.split('$').enumerate() {
             let is_formula = j % 2 == 1;
             let words = part.trim();
-            if (is_formula || is_bold && !words.is_empty()) && set.ends_with('$') {
+            let touches = is_formula || is_bold && !words.is_empty() && !part.starts_with(char::is_whitespace);
+            if touches && set.ends_with('$') {
                 set.push(APART);
             }
             match (is_formula, is_bold && !words.is_empty()) {

@@ -170,8 +170,8 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::PointInImage => both!(lang; "the name of a point of the figure, or [x, y, z], that lies in the image",
             "o nome de um ponto da figura, ou [x, y, z], que caia na imagem"),
         Allowed::Seen => {
-            both!(lang; "\"next\", if there is a next step, or a list such as [\"roll=30\", \"camera.near=2\"]",
-            "\"next\", se há um próximo passo, ou uma lista como [\"roll=30\", \"camera.near=2\"]")
+            both!(lang; "\"next\", or a list such as [\"roll=30\", \"camera.near=2\"]",
+            "\"next\", ou uma lista como [\"roll=30\", \"camera.near=2\"]")
         }
         Allowed::Points => both!(lang; "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
         Allowed::PointPairs => both!(lang; "a list of an even number of points, [[x, y, z], [x, y, z], …]",

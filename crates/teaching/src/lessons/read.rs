@@ -66,9 +66,7 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     }
     faults.extend(root.finish());
     let mut stacked = Stacked::default();
-    let last = sections.len();
-    let of_step = |(number, section)| step(section, number == last, &mut stacked, faults);
-    let steps = (1..).zip(sections).map(of_step).collect();
+    let steps = sections.into_iter().map(|section| step(section, &mut stacked, faults)).collect();
     Lesson { id, title, sentence, minutes, aims, plan, pretest, posttest, before, steps }
 }
 
@@ -107,7 +105,7 @@ fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
     harmless(section, key, texts)
 }
 
-fn step(mut section: Section<'_>, is_last: bool, stacked: &mut Stacked, faults: &mut Vec<Fault>) -> Step {
+fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>) -> Step {
     let title = line(&mut section, "title");
     let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
     let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
@@ -130,7 +128,7 @@ fn step(mut section: Section<'_>, is_last: bool, stacked: &mut Stacked, faults: 
         section.refuse("try", Allowed::Either("ask", "try"));
     }
     faults.extend(section.finish());
-    let see = if asked.is_table() && report.is_some() { see(&mut asked, &figure, is_last) } else { See::Nothing };
+    let see = if asked.is_table() && report.is_some() { see(&mut asked, &figure) } else { See::Nothing };
     let task = if asked.is_table() {
         let subject = Subject {
             points: figure.points.iter().map(|point| point.position).collect(),
@@ -147,7 +145,7 @@ fn step(mut section: Section<'_>, is_last: bool, stacked: &mut Stacked, faults: 
 }
 
 /// `see`: the figure of the next step, or this one after operations and with other values of keys.
-fn see(section: &mut Section<'_>, figure: &Figure, is_last: bool) -> See {
+fn see(section: &mut Section<'_>, figure: &Figure) -> See {
     if !section.is_present("see") {
         return See::Nothing;
     }
@@ -158,7 +156,7 @@ fn see(section: &mut Section<'_>, figure: &Figure, is_last: bool) -> See {
         if let Some(after) = after.filter(|_| !goal.way.is_empty()) {
             return See::Changed(Arc::new(after.figure));
         }
-    } else if section.text("see").is_some_and(|text| text == "next") && !is_last {
+    } else if section.text("see").is_some_and(|text| text == "next") {
         return See::Next;
     }
     section.refuse("see", Allowed::Seen);

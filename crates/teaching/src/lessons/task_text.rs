@@ -44,6 +44,8 @@ pub struct TaskText {
     pub tolerance: String,
     /// Wrong numbers, each with its sentence.
     pub mistakes: Vec<(String, Bilingual)>,
+    /// Keys of a question that have no field, `see` and `place`, with their values as the file has them.
+    pub kept: Vec<(String, String)>,
     /// The conditions of a goal.
     pub conditions: Vec<ConditionText>,
     /// Operations and keys that lead to the goal, separated by `;`.
@@ -203,6 +205,13 @@ impl TaskText {
             put_number(table, "tolerance", &self.tolerance);
             self.mistakes.iter().for_each(|(answer, message)| add(numbers_item(answer), message));
         }
+        for (key, written) in &self.kept {
+            // A number that is typed takes the place of a place.
+            let is_replaced = key == PLACE && (self.kind == TaskKind::Choices || !self.number.trim().is_empty());
+            if let Some(value) = written.parse::<Value>().ok().filter(|_| !is_replaced) {
+                table.insert(key, Item::Value(value));
+            }
+        }
         if !mistakes.is_empty() {
             table.insert("mistake", Item::ArrayOfTables(mistakes));
         }
@@ -248,6 +257,10 @@ fn put_number(table: &mut Table, key: &str, typed: &str) {
     }
 }
 
+/// The keys of a question without fields.
+const SEE: &str = "see";
+const PLACE: &str = "place";
+
 /// A question or an exercise; `None` if it has more than the fields.
 fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
     if ask.contains_key("exercise") {
@@ -255,8 +268,10 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
         let [exercise, seed] = ["exercise", "seed"].map(|key| typed(ask.get(key)));
         return Some(TaskText { kind: TaskKind::Exercise, exercise, seed, ..TaskText::default() });
     }
-    only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake"])?;
+    only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake", SEE, PLACE])?;
     let mut task = TaskText { kind: TaskKind::Number, text: told(ask.get("text"))?, ..TaskText::default() };
+    let kept = [SEE, PLACE].into_iter().filter_map(|key| Some((key, ask.get(key)?.as_value()?)));
+    task.kept = kept.map(|(key, value)| (key.to_owned(), value.to_string().trim().to_owned())).collect();
     let mut mistakes = Vec::new();
     for mistake in ask.get("mistake").and_then(Item::as_array_of_tables).into_iter().flatten() {
         only(mistake, &["answer", "message"])?;
@@ -269,7 +284,7 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
         task.mistakes = mistakes;
         return Some(task);
     };
-    only(ask, &["text", "answer", "choices", "mistake"])?;
+    only(ask, &["text", "answer", "choices", "mistake", SEE])?;
     task.kind = TaskKind::Choices;
     let mut add = |name: &str, text: Bilingual| {
         let place = mistakes.iter().position(|(answer, _)| answer == name);
