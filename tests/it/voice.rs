@@ -277,7 +277,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
         Lang::En => vec![
             ("README", page("README.md"), NATIVE),
             ("guides", pages(&guides.map(|name| format!("docs/{name}.en.md")).each_ref().map(String::as_str)), NATIVE),
-            ("to join", pages(&["CONTRIBUTING.md", "CHANGELOG.md"]), Bounds { chains: 18.0, ..NATIVE }),
+            ("to join", pages(&["CONTRIBUTING.md", "CHANGELOG.md"]), NATIVE),
             (
                 "other docs",
                 pages(&[
@@ -290,10 +290,10 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
                     "docs/testing.md",
                     "docs/web.md",
                 ]),
-                Bounds { chains: 24.0, places: 3.0, what: 1.2, banned: 0.6, person: 3.0, ..NATIVE },
+                NATIVE,
             ),
             ("window", window(lang), Bounds { chains: 23.0, ..NATIVE }),
-            ("lessons", lessons(lang), Bounds { chains: 21.0, ..NATIVE }),
+            ("lessons", lessons(lang), NATIVE),
             (
                 "exercises and reference pages",
                 ["assets/exercises/en.md", "assets/notes/en.md"].map(keyed_page).join("\n\n"),
@@ -312,13 +312,9 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
                 pages(&guides.map(|name| format!("docs/{name}.pt-BR.md")).each_ref().map(String::as_str)),
                 NATIVE_PT,
             ),
-            (
-                "other docs",
-                pages(&["docs/cameras.pt-BR.md", "docs/numerics.pt-BR.md"]),
-                Bounds { chains: 31.0, places: 4.2, banned: 1.0, ..NATIVE_PT },
-            ),
-            ("window", window(lang), Bounds { chains: 23.0, possessives: 5.2, ..NATIVE_PT }),
-            ("lessons", lessons(lang), Bounds { chains: 21.9, possessives: 6.5, banned: 0.5, ..NATIVE_PT }),
+            ("other docs", pages(&["docs/cameras.pt-BR.md", "docs/numerics.pt-BR.md"]), NATIVE_PT),
+            ("window", window(lang), Bounds { chains: 23.0, ..NATIVE_PT }),
+            ("lessons", lessons(lang), NATIVE_PT),
             (
                 "exercises and reference pages",
                 ["assets/exercises/pt-BR.md", "assets/notes/pt-BR.md"].map(keyed_page).join("\n\n"),

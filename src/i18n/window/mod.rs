@@ -93,7 +93,7 @@ texts! {
     explain_panel: "Explanations", "Explicações";
     exercises: "Exercises", "Exercícios";
     exercises_hint: "Exercises of the lecture notes, and families with new numbers each time. The program checks your answers and explains them", "Os exercícios das notas de aula, e famílias com números novos a cada vez. O programa confere e explica suas respostas";
-    explain_panel_hint: "Every number with its formula, in place of operations and numbers", "Cada número com sua fórmula, no lugar de operações e números";
+    explain_panel_hint: "Every number with its formula, in place of operations and numbers", "Cada número com a fórmula, no lugar de operações e números";
     camera_tab: "Camera tab", "Aba da câmera";
     camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";
     scene_tab: "Scene tab", "Aba da cena";
@@ -225,7 +225,7 @@ texts! {
     shading_gouraud: "Gouraud", "Gouraud";
     shading_phong: "Phong", "Phong";
     not_saved: "Not saved, because the camera has to be repaired first:", "Não foi salvo, porque antes é preciso consertar a câmera:";
-    numbers_in_fields: "The fields show its numbers, next to a button that repairs them.", "Os campos mostram seus números, ao lado de um botão que os conserta.";
+    numbers_in_fields: "The fields show its numbers, next to a button that repairs them.", "Os campos mostram os números, ao lado de um botão que os conserta.";
     visibility: "hidden faces", "faces ocultas";
     visibility_hint: "How the visible face is chosen. The painter sorts by centroids, and fails if faces overlap in a cycle [2], [3]", "Como se escolhe a face visível. O pintor ordena pelos centroides, e falha se faces se sobrepõem em ciclo [2], [3]";
     visibility_depth_buffer: "depth buffer", "z-buffer";
@@ -263,7 +263,7 @@ texts! {
 
     // What is revealed of the pipeline.
     depth_view: "image", "imagem";
-    depth_view_hint: "The depth buffer in place of the colours. Black is near and white is far. Perspective crowds Z near 1. Point at a pixel to read its numbers below. [0] (5.25), [2] depth buffer", "O z-buffer no lugar das cores. Preto é perto e branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel para ler seus números embaixo. [0] (5.25), [2] z-buffer";
+    depth_view_hint: "The depth buffer in place of the colours. Black is near and white is far. Perspective crowds Z near 1. Point at a pixel to read its numbers below. [0] (5.25), [2] depth buffer", "O z-buffer no lugar das cores. Preto é perto e branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel para ler os números embaixo. [0] (5.25), [2] z-buffer";
     depth_off: "colours", "cores";
     depth_stored: "depths (Z)", "profundidades (Z)";
     depth_linear: "distances", "distâncias";
@@ -274,7 +274,7 @@ texts! {
     outside_tinted: "tinted", "tingido";
     outside_shown: "shown", "à vista";
     clipping_view: "Clipping vertices", "Vértices do recorte";
-    clipping_view_hint: "Marks the vertices that clipping creates, in all three pictures. Point at a vertex to read its outcode and its six distances w ± x, w ± y, w ± z below. [2] clipping in homogeneous coordinates", "Marca os vértices que o recorte cria, nas três imagens. Aponte para um vértice para ler embaixo seu outcode e suas seis distâncias w ± x, w ± y, w ± z. [2] clipping em coordenadas homogêneas";
+    clipping_view_hint: "Marks the vertices that clipping creates, in all three pictures. Point at a vertex to read its outcode and its six distances w ± x, w ± y, w ± z below. [2] clipping in homogeneous coordinates", "Marca os vértices que o recorte cria, nas três imagens. Aponte para um vértice para ler embaixo o outcode e as seis distâncias w ± x, w ± y, w ± z. [2] clipping em coordenadas homogêneas";
     culled_view: "Culled parts", "Partes descartadas";
     culled_view_hint: "Tints two things that the camera doesn't draw: faces turned away from it, and objects that lie outside a plane of the volume. [2] back faces, [3] §1.1", "Tinge o que a câmera não desenha, que são as faces de costas para ela e os objetos fora de um plano do volume. [2] faces de trás, [3] §1.1";
     vanishing: "Vanishing points", "Pontos de fuga";
