@@ -8,6 +8,8 @@ use crate::scene::Scene;
 
 /// A change of size that nobody sees.
 const SAME: f64 = 0.01;
+/// A point has room for its name this share of a side away from the border.
+const BORDER: f64 = 0.15;
 /// A place is right within this share of the shorter side of the image.
 const NEAR: f64 = 0.05;
 
@@ -92,14 +94,19 @@ impl About {
         convention: Convention,
     ) -> Option<Self> {
         let after = freedom.by(amount).apply(camera, convention).ok()?;
-        let seen = |camera: &Camera, point: DVec3| place_of(camera, image, point).filter(|at| is_in(*at, image));
+        let seen = |camera: &Camera, point: DVec3| place_of(camera, image, point).filter(|at| is_in(*at, image, 0.0));
         let both = |point: DVec3| Some([seen(camera, point)?, seen(&after, point)?]);
         let followed: Vec<[[f64; 2]; 2]> = scene.vertices().filter_map(|vertex| both(vertex.p_world)).collect();
         if freedom == Freedom::Zoom {
             return size(&followed).map(|times| Self::Size { times, said: None });
         }
-        // The highest in the image is on the outline: no face hides it.
-        let highest = followed.into_iter().min_by(|a, b| a[0][1].total_cmp(&b[0][1]))?;
+        // The highest in the image is on the outline, so no face hides it. Near the border its name would be cut off.
+        let is_near_border = |at: [f64; 2]| !is_in(at, image, BORDER);
+        let height = |places: &[[f64; 2]; 2]| (places.iter().any(|at| is_near_border(*at)), places[0][1]);
+        let highest = followed.into_iter().min_by(|a, b| {
+            let (a, b) = (height(a), height(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        })?;
         Some(Self::Place { from: highest[0], to: highest[1], mark: None, image })
     }
 
@@ -132,8 +139,10 @@ impl About {
     }
 }
 
-fn is_in(at: [f64; 2], image: ImageSize) -> bool {
-    at.iter().zip([image.width, image.height]).all(|(at, side)| (0.0..=f64::from(side)).contains(at))
+/// Whether a place is in the image, away from its border by this share of each side.
+fn is_in(at: [f64; 2], image: ImageSize, border: f64) -> bool {
+    let sides = [image.width, image.height].map(f64::from);
+    at.iter().zip(sides).all(|(at, side)| (border * side..=(1.0 - border) * side).contains(at))
 }
 
 /// How many times as far apart the points are afterwards: the first and the one farthest from it.
