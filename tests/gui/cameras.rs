@@ -47,7 +47,7 @@ fn a_camera_is_looked_through_and_back_by_the_list_and_undone() {
 fn the_image_of_a_camera_stands_beside_until_the_camera_is_removed() {
     let t = cameras::texts(Lang::En);
     let mut window = window(Lang::En, PAIR);
-    window.click(t.beside);
+    window.click(&format!("{}: right", t.beside));
     let compared = |window: &Window| window.figure().compare.as_ref().and_then(|compare| compare.camera.clone());
     assert_eq!(compared(&window).as_deref(), Some("right"));
     window.click(&format!("{}: right", t.look));

@@ -98,6 +98,7 @@ fn all_cameras_of_a_file_become_those_of_a_figure() {
     let names: Vec<&str> = report["cameras"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap()).collect();
     assert_eq!(names.len(), 2, "{written}");
     for (camera, x) in report["cameras"].as_array().unwrap().iter().zip([1.0, 2.0]) {
-        assert_eq!(camera["position"], serde_json::json!([x, 0.0, 5.0]));
+        // In the world of nerfstudio z points up.
+        assert_eq!(camera["position"], serde_json::json!([x, 5.0, 0.0]));
     }
 }

@@ -33,6 +33,8 @@ pub struct Shot {
     pub show: Show,
     /// The second camera of `show`.
     pub answered: Option<Camera>,
+    /// The name of the current camera, where there are others.
+    pub camera_name: Option<Arc<str>>,
     /// The other cameras of the figure.
     pub cameras: Arc<[OtherCamera]>,
     /// The transform of the object that `show` measures.
@@ -117,6 +119,7 @@ impl Shot {
             ndc: show.ndc.unwrap_or_default(),
             pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
+            camera_name: figure.tag.name.as_deref().filter(|_| !figure.cameras.is_empty()).map(Arc::from),
             cameras: OtherCamera::of_figure(figure).into(),
             measured_object: object.and_then(|name| transform_of(scene, name)),
             labels: figure.labels.clone(),
@@ -165,6 +168,7 @@ impl Shot {
             labels: self.labels.seen_in(view),
             show: everywhere,
             answered: None,
+            camera_name: None,
             cameras: Arc::default(),
             measured_object: None,
             compared: None,
@@ -173,6 +177,7 @@ impl Shot {
             View::World => Self {
                 show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
                 answered: self.answered.clone(),
+                camera_name: self.camera_name.clone(),
                 cameras: Arc::clone(&self.cameras),
                 measured_object: self.measured_object,
                 ..seen

@@ -48,7 +48,8 @@ fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
         let remove = ui.button("✖").explained(t.remove_hint).accessible_name(of(t.remove));
         asked = (look.clicked(), remove.clicked());
     });
-    if ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint).changed() {
+    let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
+    if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
         let compare = is_beside.then(|| Comparison::of_camera(&state.document.figure().cameras[index].name));
         state.document.edit_cameras(|figure| figure.compare = compare);
     }
@@ -115,7 +116,9 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
         None => given.unwrap_or(palette.body),
     };
     let mut chosen = [now.r, now.g, now.b];
-    let picker = ui.color_edit_button_srgb(&mut chosen).explained(t.color_hint).accessible_name(t.color);
+    let name = index.map_or(t.current, |i| &figure.cameras[i].name);
+    let name = format!("{}: {}", t.color, escaped(name));
+    let picker = ui.color_edit_button_srgb(&mut chosen).explained(t.color_hint).accessible_name(name);
     if picker.changed() {
         let [r, g, b] = chosen;
         let chosen = Some(Rgba::rgb(r, g, b));
@@ -135,7 +138,8 @@ fn name_field(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usi
     let (_, mut text, was_left) = kept.unwrap_or_else(|| (index, old.clone(), false));
     let id = egui::Id::unique(("camera name", index));
     let field = TextField::line(&mut text, MAX_CAMERA_NAME).with(|edit| edit.id(id).desired_width(98.0));
-    let response = field.show(ui, state.settings.lang).explained(t.name_hint).accessible_name(t.name);
+    let response = field.show(ui, state.settings.lang).explained(t.name_hint);
+    let response = response.accessible_name(format!("{}: {}", t.name, escaped(&old)));
     let left = response.lost_focus();
     let wanted = text.trim().to_owned();
     if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {

@@ -1,10 +1,11 @@
 //! The camera of a photograph, from lines in it that are parallel to the axes of the world.
 //!
 //! The lines of one axis meet in the image of its ideal point, the vanishing point `[4]`. In units of pixels, with the
-//! origin in the middle of the image, x to the right and y up, the direction (d_u, d_v, d_n) in the VRC vanishes at
-//! (f d_u, f d_v, −d_n) in homogeneous coordinates, because (5.9) and (5.10) divide by −z. Two axes at right angles
-//! give f² w₁ w₂ = −(x₁ x₂ + y₁ y₂), so two vanishing points give f and with it θ. The directions of the axes are the
-//! columns of R. The pixel of the origin gives the direction to C, and a known length the distance.
+//! origin in the middle of the image, x to the right and y up, the direction **d** in the VRC, with the coordinates
+//! a, b and c along **u**, **v** and **n**, vanishes at (f a, f b, −c) in homogeneous coordinates, because (5.9) and
+//! (5.10) divide by −z. Two axes at right angles give f² w₁ w₂ = −(x₁ x₂ + y₁ y₂), so two vanishing points give f and
+//! with it θ. The directions of the axes are the columns of R. The pixel of the origin gives the direction to C, and a
+//! known length the distance.
 //!
 //! The textbook way divides by w and fails when lines are parallel in the image. Here points stay homogeneous, and
 //! 1/f² is computed in place of f: where it cannot be told from 0 with the error of a pixel, f cannot be known.

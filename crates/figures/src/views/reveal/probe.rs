@@ -226,7 +226,7 @@ fn epipolar_line(builder: &mut GearBuilder, request: &Request, palette: Palette)
         None => builder.gear.lines.push(line(ends, 1.6, Dash::Solid)),
         Some(p) => {
             builder.gear.lines.push(line([ends[0], p], 1.6, Dash::Solid));
-            builder.gear.lines.push(line([p, ends[1]], 1.2, Dash::Dotted));
+            builder.gear.lines.push(line([p, ends[1]], 1.4, Dash::Dashed));
             builder.mark(p, MarkShape::Ring, 6.0, palette.probe);
         }
     }

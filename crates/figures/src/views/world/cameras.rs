@@ -10,6 +10,7 @@ use super::volume::DrawnVolume;
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
+use crate::sanitize;
 use crate::scene::{Object, ObjectPaint};
 use crate::views::{OtherCamera, Palette, Request};
 
@@ -103,7 +104,7 @@ fn gear(builder: &mut GearBuilder, request: &Request, other: &OtherCamera, color
     }
     builder.mark_above(c, MarkShape::Disc, 2.2, color);
     let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
-    builder.named(&other.label_name(), c, &other.name, -crowd, SMALL_TYPE, color);
+    builder.named(&other.label_name(), c, &sanitize::escaped(&other.name), -crowd, SMALL_TYPE, color);
     if parts.has(WorldPart::Vrc) {
         // Shorter and thinner than those of the current camera.
         for (axis, name) in [(basis.u, "u"), (basis.v, "v"), (basis.n, "n")] {

@@ -22,6 +22,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
 use crate::pipeline::Frame;
+use crate::sanitize;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Pictured, Scene};
 
 use super::pixels::PixelRect;
@@ -348,7 +349,9 @@ impl World<'_> {
         self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
         let screen = self.builder.screen;
         let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
-        self.builder.text(c, "C", -crowd, TYPE, self.palette.ink);
+        let name = self.request.shot.camera_name.as_ref();
+        let text = name.map_or_else(|| "C".to_owned(), |name| format!("C ({})", sanitize::escaped(name)));
+        self.builder.named("C", c, &text, -crowd, TYPE, self.palette.ink);
         if self.has(WorldPart::Vrc) {
             let [x, y, z] = self.palette.axes;
             self.builder.vector(c, basis.u * gear.axis, x, 2.0, "u");
