@@ -90,7 +90,7 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
 fn rows_and_the_left_hand_are_said() {
     let mut window = window(Lang::En);
     window.click(en::CONVENTIONS.row_vectors);
-    assert!(window.says("every matrix is transposed"));
+    assert!(window.says("Every matrix is transposed"));
     assert!(window.says("Mvᵀ Mpᵀ"));
     window.click(en::CONVENTIONS.left_handed);
     assert!(window.says("the third row of M_v and the third column of M_p change sign"));

@@ -135,7 +135,7 @@ fn a_window_with_changes_says_that_the_file_was_changed_too() {
     window.enter("B", "75");
     fs::write(&path, THEIRS).expect("written");
     window.focus(|window| window.state().file_flow.theirs.is_some());
-    assert!(window.says("this window has changes too. Saving asks first."));
+    assert!(window.says("you have changes in this window too. Saving asks first."));
     assert!(!window.says(en::WINDOW.reload));
     window.click(en::WINDOW.compare);
     assert!(window.is_asked_about_the_file());

@@ -371,7 +371,7 @@ fn what_cannot_be_selected_together_says_why() {
         window.harness.get_by_role_and_label(Role::TreeItem, row).click_modifiers(Modifiers::COMMAND);
         window.run();
     };
-    let why = "Only the figure's own objects can be selected together";
+    let why = "only if they're the figure's own";
     window.add("Add", "box");
     window.select(en::SCENES.root);
     window.add("Add", "cone");

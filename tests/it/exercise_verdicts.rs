@@ -496,7 +496,7 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     let wrong = "[17.123, 23.456, 31.789, 41.234]".to_owned();
     let alone = hints(&[("view", "[17.123, 23.456, 31.789]".to_owned()), ("clip", wrong.clone())], "clip");
     let after = hints(&[("view", view), ("clip", wrong)], "clip");
-    assert!(alone.contains("The solution begins with") && after.contains("What comes before is right"), "{after}");
+    assert!(alone.contains("The solution begins with") && after.contains("The steps before are right"), "{after}");
     // What comes first is the sentence to keep, and the step that says it.
     let way = lesson_of("ndc").unwrap();
     let sentence = camera_lab::i18n::told(Lang::En, way.lesson.sentence.as_ref().unwrap()).trim();

@@ -107,7 +107,7 @@ fn shapes_and_brackets_are_told_as_they_are() {
     }
     let exercise = exercise("basis", 1);
     let ask = exercise.asks.iter().find(|ask| ask.name == "n").unwrap();
-    for answer in ["[1,1,1]/sqrt3", "[0.577,0.577,0.577]^T"] {
+    for answer in ["[0.577,0.577,0.577]^T", "[1,1,1] unit"] {
         let error = read_answer(answer, ask, &[]).unwrap_err();
         assert!(said::answer_error(Lang::En, &error).contains("sqrt(3)"), "{answer}: {error:?}");
         assert!(said::answer_error(Lang::PtBr, &error).contains("sqrt(3)"), "{answer}");

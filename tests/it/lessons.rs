@@ -396,7 +396,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
     bench.write("links.toml", LESSON.replace("seconds = 0", "links = [{ lesson = \"nope\" }, { note = \"nope\" }]"));
     let refused = bench.run(&["lesson", "check", "links.toml"]);
     assert!(
-        refused.refused(2).contains("links.toml, line 18: [[step.links]] note: there is no note \"nope\""),
+        refused.refused(2).contains("links.toml, line 18: [[step.links]] note: there is no reference page \"nope\""),
         "{}",
         refused.err
     );

@@ -45,7 +45,7 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut St
     state.operations.predict.asked = Some(asked).filter(|_| goes_on);
 }
 
-/// What the operation asks, and the choices.
+/// The question of the operation, and the choices.
 fn question(ui: &mut egui::Ui, t: &Texts, name: &str, asked: &mut Prediction) {
     match &mut asked.about {
         About::Place { .. } => {
@@ -69,7 +69,7 @@ fn question(ui: &mut egui::Ui, t: &Texts, name: &str, asked: &mut Prediction) {
     }
 }
 
-/// What was said, beside what happened.
+/// The answer beside the outcome.
 fn verdict(ui: &mut egui::Ui, t: &Texts, asked: &Prediction) {
     let is_right = asked.about.is_right();
     let text = match (&asked.about, asked.about.off()) {

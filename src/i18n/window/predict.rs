@@ -31,7 +31,7 @@ pub fn how_large(lang: Lang, operation: &str) -> String {
         "**{operation}**: de que tamanho ficarão os objetos na imagem?")
 }
 
-/// What was said about sizes, and what happened: how many times as large the objects are.
+/// The answer about sizes beside the outcome: how many times as large the objects are.
 #[must_use]
 pub fn sizes(lang: Lang, said: &str, happened: &str, times: f64) -> String {
     let times = lang.mark().number(times, 3);

@@ -1,8 +1,9 @@
 //! Right answers: the numbers, choices and cameras that are accepted.
 
 use super::answer::Answer;
-use super::exercise::{Ask, Expected};
+use super::exercise::{Ask, Expected, TOLERANCE};
 use super::value::Table;
+use super::worked::Worked;
 use crate::camera::Camera;
 use crate::exercises::mistakes::slip::{Slip, Slips};
 
@@ -22,6 +23,17 @@ pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
 }
 
 impl Ask {
+    /// How far an answer is from the right place in the image: pixels to the right, and down. `None` for other answers.
+    #[must_use]
+    pub fn off(&self, answer: &Answer) -> Option<[f64; 2]> {
+        let Answer::Numbers { entries, .. } = answer else { return None };
+        let right = self.expected().table().filter(|_| self.places)?;
+        match (&right.entries[..], &entries[..]) {
+            ([x, y], [Some(at), Some(below)]) => Some([at - x, below - y]),
+            _ => None,
+        }
+    }
+
     /// Whether a number is right where `right` is.
     #[must_use]
     pub fn accepts(&self, given: Option<f64>, right: f64) -> bool {
@@ -48,8 +60,20 @@ impl Ask {
     }
 }
 
+impl Worked {
+    /// Whether a number is the value of its last row, or that value rounded to three digits or more.
+    #[must_use]
+    pub fn ends_with(&self, number: f64) -> bool {
+        let is_it = |value: f64| {
+            let rest = 1e-9 * value.abs().max(1.0);
+            (number - value).abs() <= TOLERANCE * value.abs().max(1e-6) || is_rounded(number, value, rest)
+        };
+        self.last_value().is_some_and(is_it)
+    }
+}
+
 /// Whether `given` is `right`, rounded to three or more significant digits.
-pub(super) fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
+fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
     (3..=16).any(|digits| (given - rounded(right, digits)).abs() <= rest)
 }
 

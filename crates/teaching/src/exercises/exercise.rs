@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
-use super::answer::Answer;
 use super::follows::Follows;
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -420,17 +419,6 @@ impl Ask {
             Kind::Vector(rows) => [rows, 1],
             Kind::Matrix(rows, columns) => [rows, columns],
             Kind::Number | Kind::Choice(_) | Kind::Camera => [1, 1],
-        }
-    }
-
-    /// How far an answer is from the right place in the image: pixels to the right, and down. `None` for other answers.
-    #[must_use]
-    pub fn off(&self, answer: &Answer) -> Option<[f64; 2]> {
-        let Answer::Numbers { entries, .. } = answer else { return None };
-        let right = self.expected().table().filter(|_| self.places)?;
-        match (&right.entries[..], &entries[..]) {
-            ([x, y], [Some(at), Some(below)]) => Some([at - x, below - y]),
-            _ => None,
         }
     }
 

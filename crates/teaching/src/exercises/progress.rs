@@ -153,8 +153,8 @@ impl Progress {
         }
     }
 
-    /// The steps of a solution that are shown as they are: all of them at first, one fewer at the end each time that the
-    /// exercise has been solved. The others are to be done.
+    /// The steps of a solution that are shown as they are: all of them at first, one fewer at the end each time that
+    /// the exercise has been solved. The others are to be done.
     #[must_use]
     pub fn given_steps(&self, id: &str, steps: usize) -> usize {
         let solved = self.tried(id).map_or(0, |tried| tried.solved);

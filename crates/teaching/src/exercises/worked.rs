@@ -4,8 +4,6 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::acceptance::is_rounded;
-use super::exercise::TOLERANCE;
 use super::subject::Subject;
 use crate::camera::{Camera, Convention, Operation, ParameterKey, Projection};
 use crate::explain::{
@@ -82,14 +80,9 @@ impl Worked {
         (self.heading, self.equation.clone(), self.lines(style, true))
     }
 
-    /// Whether a number is the value of its last row, or that value rounded to three digits or more.
-    #[must_use]
-    pub fn ends_with(&self, number: f64) -> bool {
-        let is_it = |value: f64| {
-            let rest = 1e-9 * value.abs().max(1.0);
-            (number - value).abs() <= TOLERANCE * value.abs().max(1e-6) || is_rounded(number, value, rest)
-        };
-        self.rows.last().is_some_and(|row| is_it(row.value))
+    /// The value of its last row.
+    pub(super) fn last_value(&self) -> Option<f64> {
+        self.rows.last().map(|row| row.value)
     }
 
     /// The rows as they are written.

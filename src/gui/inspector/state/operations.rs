@@ -13,7 +13,7 @@ pub struct Operations {
     pub steps: [f64; OPERATIONS.len()],
     /// The one whose slider is shown.
     pub(in crate::gui) open: Freedom,
-    /// What an operation is expected to do is asked first.
+    /// Predictions of what an operation does, before it's done.
     pub predict: Predict,
     /// Whose signs.
     pub convention: Convention,

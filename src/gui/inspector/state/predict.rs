@@ -29,13 +29,13 @@ pub struct Prediction {
     pub freedom: Freedom,
     /// Its amount.
     pub amount: f64,
-    /// What is asked.
+    /// Its question.
     pub about: About,
     /// It was done: what was said is compared with what happened.
     pub is_done: bool,
 }
 
-/// What an operation is asked about; places are pixels from the left edge of the image and from its upper one.
+/// The subject of a question; places are pixels from the left edge of the image and from its upper one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum About {
     /// A vertex of the scene, in the image before and after.
@@ -53,7 +53,7 @@ pub enum About {
     Size {
         /// How many times as large they become.
         times: f64,
-        /// What is expected.
+        /// The expectation.
         said: Option<Change>,
     },
 }

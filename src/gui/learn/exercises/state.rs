@@ -138,7 +138,7 @@ pub struct Opened {
     pub(in crate::gui) way: Option<Arc<[Worked]>>,
     /// Number of its steps that are shown as they are; the others are to be done.
     pub given: usize,
-    /// What was typed into the steps to be done, by their numbers.
+    /// The texts typed into the steps to be done, by their numbers.
     pub typed: BTreeMap<usize, String>,
     /// The steps that were done, or shown in the end.
     pub filled: BTreeSet<usize>,

@@ -59,8 +59,8 @@ fn keys(ctx: &Context) -> Option<Command> {
     }
 }
 
-/// Number and title of the step, a clock, its notes, its question with the answer, its text, the plan of the lesson, and
-/// the title of the next step.
+/// Number and title of the step, a clock, its notes, its question with the answer, its text, the plan of the lesson,
+/// and the title of the next step.
 fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> {
     let lang = t.lang;
     let playing = state.lesson.as_ref()?;

@@ -1,5 +1,5 @@
-//! A question for a place in the image: a cross that a click, a drag or the arrow keys put there, and beside it the guess
-//! and the right place, once they may be seen.
+//! A question for a place in the image: a cross that a click, a drag or the arrow keys put there, and beside it the
+//! guess and the right place, once they may be seen.
 
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Pos2, Rect, Stroke, TextStyle, Ui, pos2, vec2};
 use glam::DVec2;
