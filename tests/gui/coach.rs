@@ -163,7 +163,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
     let cases = [
         (
             Lang::En,
-            "In the NDC of OpenGL: z_n is −1 at F and 1 at B.",
+            "In the NDC of OpenGL z_n is −1 at F and 1 at B.",
             "fixed 24",
             "f32",
             "told apart",
@@ -171,7 +171,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         ),
         (
             Lang::PtBr,
-            "Nas NDC de OpenGL: z_n é −1 em F e 1 em B.",
+            "Nas NDC de OpenGL z_n é −1 em F e 1 em B.",
             "ponto fixo 24",
             "f32",
             "distinguem-se",

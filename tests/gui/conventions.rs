@@ -63,16 +63,16 @@ fn what_differs_is_said() {
     assert_eq!(shown(&window).compared, Some(VULKAN));
     assert!(window.says("projection matrix (5.14)") && window.says("projection matrix · Vulkan"));
     assert!(
-        window.says("Marked: what differs in Vulkan. z_n goes from 0 at F to 1, not from −1 to 1; y_n points down.")
+        window.says("The entries of Vulkan that differ are marked. z_n goes from 0 at F to 1, not from −1 to 1; y_n points down.")
     );
     choose(&mut window, "NDC of", "Metal");
     choose(&mut window, "compared with", "Direct3D");
-    assert!(window.says("Direct3D has the same NDC as Metal: nothing differs."));
+    assert!(window.says("Direct3D has the same NDC as Metal, so nothing differs."));
     window.click("compared with: B → ∞");
-    assert!(window.says("Marked: what differs in Direct3D, B → ∞. It has no back plane."));
+    assert!(window.says("The entries of Direct3D, B → ∞ that differ are marked. It has no back plane."));
     choose(&mut window, "compared with", "nothing");
     assert_eq!(shown(&window).compared, None);
-    assert!(!window.says("Marked") && !window.says("Direct3D, B"));
+    assert!(!window.says("that differ are marked") && !window.says("Direct3D, B"));
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn rows_and_the_left_hand_are_said() {
     assert!(window.says("Every matrix is transposed"));
     assert!(window.says("Mvᵀ Mpᵀ"));
     window.click(en::CONVENTIONS.left_handed);
-    assert!(window.says("the third row of M_v and the third column of M_p change sign"));
+    assert!(window.says("The third row of M_v and the third column of M_p change sign"));
     assert!(shown(&window).row_vectors && shown(&window).left_handed);
 }
 

@@ -225,7 +225,7 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
     assert!(matches!(&window.state().file_flow.dialog, Some(Dialog::Path(_, path)) if path.ends_with(".webp")));
     let file = folder.file("a.jpg");
     window.choose(&file);
-    assert!(window.says("JPEG has no transparency; allowed: a name that ends in .png, .webp, .svg or .pdf"));
+    assert!(window.says("JPEG has no transparency. Choose a name that ends in .png, .webp, .svg or .pdf"));
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))), "another name can be typed");
     assert!(!file.exists());
 }

@@ -99,8 +99,8 @@ fn what_no_point_has_is_refused_with_what_is_allowed() {
 #[test]
 fn ndc_beyond_infinity_are_those_of_a_point_behind_the_eye() {
     for (lang, behind, no_pixel) in [
-        (Lang::En, "w < 0, so the point is behind the eye", "points behind the eye; clipping stops those"),
-        (Lang::PtBr, "w < 0, e o ponto está atrás do olho", "pontos atrás do olho; o recorte os detém"),
+        (Lang::En, "w < 0, so the point is behind the eye", "points behind the eye. Clipping stops those"),
+        (Lang::PtBr, "w < 0, e o ponto está atrás do olho", "pontos atrás do olho. O recorte os detém"),
     ] {
         let mut window = window(lang, P);
         assert!(!window.says(behind));
