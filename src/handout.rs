@@ -280,7 +280,7 @@ fn solved(lang: Lang, exercise: &Exercise, title: String) -> HandoutEntry {
     HandoutEntry { picture: None, paragraphs }
 }
 
-/// An answer; a matrix, `[[a, b], [c, d]]`, in rows.
+/// An answer. A matrix, `[[a, b], [c, d]]`, in rows.
 fn answered(answer: &str) -> Paragraph {
     let inner = answer.strip_prefix("[[").and_then(|answer| answer.strip_suffix("]]"));
     let Some(inner) = inner else { return Paragraph::Text(format!("→ {}", in_line(answer))) };
@@ -290,7 +290,7 @@ fn answered(answer: &str) -> Paragraph {
     Paragraph::Formula(vec![FormulaPart::Line("→".to_owned()), FormulaPart::Matrix(rows.map(row).collect())])
 }
 
-/// Markdown as paragraphs; formulas on lines of their own are ones, and so are those with matrices.
+/// Markdown as paragraphs. Formulas on lines of their own are ones, and so are those with matrices.
 fn set(markdown: &str) -> Vec<Paragraph> {
     let mut paragraphs = Vec::new();
     for (k, part) in markdown.split("$$").enumerate() {

@@ -52,7 +52,7 @@ pub enum ShareError {
     TooLarge,
 }
 
-/// The link to the figure or lesson with this text. `address` is that of the page which opens it; empty: only the part
+/// The link to the figure or lesson with this text. `address` is that of the page which opens it. Empty: only the part
 /// after the address.
 ///
 /// # Errors

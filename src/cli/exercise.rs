@@ -71,7 +71,7 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// The exercises of a lecturer's folder; none without one.
+/// The exercises of a lecturer's folder. None without one.
 fn own(folder: Option<&Path>, lang: Lang) -> Result<OwnExercises, Failure> {
     let Some(folder) = folder else { return Ok(OwnExercises::default()) };
     files::read_exercises(folder)
@@ -272,7 +272,7 @@ fn plain(markdown: &str) -> String {
     markdown.split('$').enumerate().map(part).collect()
 }
 
-/// Markdown without its marks; mathematics stays as it is written.
+/// Markdown without its marks. Mathematics stays as it is written.
 fn unmarked(markdown: &str) -> String {
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { part.replace("**", "") };
     markdown.split('$').enumerate().map(part).collect::<Vec<_>>().join("$")

@@ -1,7 +1,7 @@
 //! The command line: one file per subcommand, and their shared parts.
 //!
 //! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
-//! the language of `--lang` or of the system; standard output and pictures never depend on the system.
+//! the language of `--lang` or of the system. Standard output and pictures never depend on the system.
 
 mod accuracy;
 mod animate;
@@ -77,7 +77,7 @@ pub enum Asked {
 /// The initial state of the window.
 #[derive(Debug)]
 pub struct Opening {
-    /// The figure; its camera is possible.
+    /// The figure. Its camera is possible.
     pub figure: Figure,
     /// Its file; `None`: a new figure.
     pub file: Option<SourceFile>,
@@ -165,7 +165,7 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
 }
 
 /// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is
-/// given back; the camera knows more digits of them.
+/// given back. The camera knows more digits of them.
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
     // Faults of the arguments are reported first: they do not depend on the file.
@@ -178,7 +178,7 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     Ok((opened, camera))
 }
 
-/// The scene of a figure; its meshes are looked for beside the figure file. Says on standard error which files are
+/// The scene of a figure. Its meshes are looked for beside the figure file. Says on standard error which files are
 /// missing without which it can be drawn.
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));

@@ -85,7 +85,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     save(&args.out.output, &file.bytes, file.beside, lang)
 }
 
-/// The figures of a family, each with its scene; those whose objects are the same share one.
+/// The figures of a family, each with its scene. Those whose objects are the same share one.
 pub(super) fn members(
     path: &Path,
     opened: &Opened,
@@ -116,7 +116,7 @@ pub(super) fn members(
     Ok(members)
 }
 
-/// Whole pixels; what is too large is refused where pictures are made.
+/// Whole pixels. What is too large is refused where pictures are made.
 fn whole(side: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
     let side = side.round().max(1.0) as u32;

@@ -74,7 +74,7 @@ fn camera_of(path: &std::path::Path, lang: Lang) -> Result<Camera, Failure> {
         .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error))))
 }
 
-/// The figure with each camera of the way to another one; it begins and ends slowly.
+/// The figure with each camera of the way to another one. It begins and ends slowly.
 fn way(figure: &Figure, from: &Camera, to: &Camera, frames: usize) -> Result<Vec<Variant>, crate::camera::CameraError> {
     let path = CameraPath::new(from, to)?;
     let last = frames.saturating_sub(1).max(1);

@@ -83,7 +83,7 @@ pub enum FileError {
 /// Permission to replace files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overwrite {
-    /// A file that may be written; another one is [`FileError::ReadOnly`].
+    /// A file that may be written. Another one is [`FileError::ReadOnly`].
     Writable,
     /// Also a read-only file: the user has agreed. It stays read-only.
     ReadOnlyToo,
@@ -218,7 +218,7 @@ pub(crate) fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
-/// Opens a regular file; returns its length too.
+/// Opens a regular file. Returns its length too.
 #[cfg(not(target_arch = "wasm32"))]
 fn open_regular(path: &Path) -> Result<(File, u64), FileError> {
     check_path(path)?;
@@ -247,7 +247,7 @@ fn check_path(path: &Path) -> Result<(), FileError> {
     if windows_names::is_reserved(path) { Err(FileError::ReservedName) } else { Ok(()) }
 }
 
-/// A path that means the same file from every folder; links in it stay.
+/// A path that means the same file from every folder. Links in it stay.
 #[must_use]
 pub fn whole(path: &Path) -> PathBuf {
     // An error is an empty path, or a current folder that is gone: then nothing better is to be had.

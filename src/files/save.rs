@@ -16,8 +16,8 @@ use crate::scene::system_kind;
 
 /// Saves `bytes` under `path`.
 ///
-/// *Guarantees*: after an error the file is as it was. A link stays a link, also one that leads nowhere yet;
-/// permissions stay, and hard links, owner and group as far as the system allows. What an earlier run left behind when
+/// *Guarantees*: after an error the file is as it was. A link stays a link, also one that leads nowhere yet.
+/// Permissions stay, and hard links, owner and group as far as the system allows. What an earlier run left behind when
 /// it was killed is removed.
 ///
 /// # Errors
@@ -116,7 +116,7 @@ fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -
     temporary.rename(target)
 }
 
-/// Writes over the old bytes, and restores them where the new ones do not fit; a file that cannot be read is not
+/// Writes over the old bytes, and restores them where the new ones do not fit. A file that cannot be read is not
 /// overwritten.
 fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
     let old = fs::read(path)?;
@@ -144,7 +144,7 @@ fn has_other_names(_: &Metadata) -> bool {
     false
 }
 
-/// A new file in the folder of another one, which it can become in one step. Locked while its program lives; removed
+/// A new file in the folder of another one, which it can become in one step. Locked while its program lives. Removed
 /// unless renamed.
 struct Temporary {
     path: PathBuf,
@@ -182,7 +182,7 @@ impl Temporary {
         Ok(self)
     }
 
-    /// Takes the owner and group of another file over; false where the system does not allow it.
+    /// Takes the owner and group of another file over. False where the system does not allow it.
     #[cfg(unix)]
     fn take_owner(&self, of: &Metadata) -> bool {
         use std::os::unix::fs::{MetadataExt as _, fchown};

@@ -27,7 +27,7 @@ pub use state::State;
 /// The initial state of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
-    /// The figure; its camera must be possible.
+    /// The figure. Its camera must be possible.
     pub figure: Figure,
     /// Its file; `None`: a new figure.
     pub file: Option<SourceFile>,
@@ -35,7 +35,7 @@ pub struct Start {
     pub lang: Lang,
     /// The user lets the figure name any file of this machine.
     pub allow_files: bool,
-    /// The lesson that is played; its step has the figure.
+    /// The lesson that is played. Its step has the figure.
     pub lesson: Option<OpenLesson>,
 }
 

@@ -62,9 +62,9 @@ fn what_differs_is_said() {
     choose(&mut window, "compared with", "Vulkan");
     assert_eq!(shown(&window).compared, Some(VULKAN));
     assert!(window.says("projection matrix (5.14)") && window.says("projection matrix · Vulkan"));
-    assert!(
-        window.says("The entries of Vulkan that differ are marked. z_n goes from 0 at F to 1, not from −1 to 1; y_n points down.")
-    );
+    assert!(window.says(
+        "The entries of Vulkan that differ are marked. z_n goes from 0 at F to 1, not from −1 to 1; y_n points down."
+    ));
     choose(&mut window, "NDC of", "Metal");
     choose(&mut window, "compared with", "Direct3D");
     assert!(window.says("Direct3D has the same NDC as Metal, so nothing differs."));

@@ -124,7 +124,7 @@ fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
     window.run();
     assert!(window.state().exercises.described.is_none(), "another answer is another camera");
     assert!(answer(&mut window, "u", 2.0 * basis.u).is_err());
-    assert!(window.says("your vector has length 2; an axis of a camera has length 1"));
+    assert!(window.says("your vector has length 2, but an axis of a camera has length 1"));
     assert!(answer(&mut window, "u", basis.n).is_err());
     assert!(window.says("your vector is not perpendicular to n: their scalar product is 1, not 0"));
 }

@@ -63,7 +63,7 @@ impl Rgba {
         a.max(b) / a.min(b)
     }
 
-    /// This colour where a stroke in it can be seen on `ground` (contrast at least 3); else the nearest one on the way
+    /// This colour where a stroke in it can be seen on `ground` (contrast at least 3), else the nearest one on the way
     /// to black or to white, whichever `ground` is farther from. The opacity stays.
     #[must_use]
     pub fn legible_on(self, ground: Self) -> Self {
@@ -137,7 +137,7 @@ pub enum Shading {
 /// Removal of hidden surfaces (`[style] visibility`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Visibility {
-    /// A depth per pixel; the nearest wins.
+    /// A depth per pixel. The nearest wins.
     #[default]
     DepthBuffer,
     /// Faces sorted by the depth of their centroid: fails where faces interlock, and is there to be seen failing.
@@ -226,7 +226,7 @@ impl Default for Style {
     }
 }
 
-/// The pattern of a stroke; lengths are multiples of the stroke's width.
+/// The pattern of a stroke. Lengths are multiples of the stroke's width.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Dash {
     /// No gaps.
@@ -241,7 +241,7 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// Lengths drawn and left out in turn, in multiples of the width, the round ends included; empty: no gaps.
+    /// Lengths drawn and left out in turn, in multiples of the width, the round ends included. Empty: no gaps.
     #[must_use]
     pub const fn pattern(self) -> &'static [f32] {
         match self {
@@ -318,7 +318,7 @@ impl LineStyle {
     }
 
     /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none
-    /// below a few pixels. A head is 0.76 as wide as it is long; the stroke goes on for a fifth of it inside.
+    /// below a few pixels. A head is 0.76 as wide as it is long. The stroke goes on for a fifth of it inside.
     #[must_use]
     pub fn head_length(self, stroke_length: f32) -> f32 {
         let length = (4.0 * self.width + 4.0).min(0.6 * stroke_length);
@@ -333,7 +333,7 @@ pub fn head_corners([tip, base]: [[f32; 2]; 2]) -> [[f32; 2]; 3] {
     [tip, [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]]
 }
 
-/// The shape of a point mark; shapes differ so that colour never carries the meaning alone.
+/// The shape of a point mark. Shapes differ so that colour never carries the meaning alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum MarkShape {
     /// A filled disc.

@@ -28,7 +28,7 @@ use crate::sanitize;
 pub enum Dimension {
     /// A length, a factor, a ratio, a count.
     Number,
-    /// An angle; the result is in degrees.
+    /// An angle. The result is in degrees.
     Angle,
 }
 
@@ -38,7 +38,7 @@ pub enum Dimension {
 pub struct ExpressionError {
     /// The problem.
     pub problem: ExpressionProblem,
-    /// The bytes of the text that are at fault; empty, at its end, where something is missing.
+    /// The bytes of the text that are at fault. Empty, at its end, where something is missing.
     pub span: Range<usize>,
 }
 
@@ -166,7 +166,7 @@ pub fn marked(text: &str, span: &Range<usize>) -> String {
     sanitize::printable(&shown.replace(char::is_whitespace, " "))
 }
 
-/// A number or an angle; an operation that has no meaning for them is `None`.
+/// A number or an angle. An operation that has no meaning for them is `None`.
 #[derive(Clone, Copy, Debug)]
 enum Quantity {
     Number(f64),

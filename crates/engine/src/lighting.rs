@@ -12,7 +12,7 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 ///
 /// `color · (ambient + diffuse Σ max(0, n·l)) + white · specular Σ max(0, n·h)^shininess`, with **h** halfway between
 /// the directions to the light and to the viewer, and no specular term where the light is behind the surface. `normal`
-/// and `position` are in view space; the normal may have any length, and without one only the ambient share is left.
+/// and `position` are in view space. The normal may have any length, and without one only the ambient share is left.
 /// With `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
 #[must_use]
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
@@ -126,7 +126,7 @@ fn dot<S: Simd>(a: Eight<S>, b: Eight<S>) -> f32x8<S> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The unit vectors along `v`; zero where there is none.
+/// The unit vectors along `v`. Zero where there is none.
 #[inline(always)]
 fn unit<S: Simd>(simd: S, v: Eight<S>) -> Eight<S> {
     let zero = f32x8::splat(simd, 0.0);

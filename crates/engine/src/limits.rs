@@ -195,7 +195,7 @@ pub const MAX_UNDO_STEPS: usize = 500;
 /// steps of usual ones. One step is stored however large it is.
 pub const MAX_UNDO_BYTES: usize = 64 << 20;
 
-/// The longest list of points that the panel shows as fields; longer ones are edited in the file.
+/// The longest list of points that the panel shows as fields. Longer ones are edited in the file.
 pub const MAX_POINTS_IN_PANEL: usize = 48;
 
 /// The most lines that are shown where two texts are compared: more than anybody reads.

@@ -69,7 +69,7 @@ impl DecimalMark {
         }
     }
 
-    /// Numbers one after the other; a number that is zero but for the rounding of its neighbours is 0, unless all
+    /// Numbers one after the other. A number that is zero but for the rounding of its neighbours is 0, unless all
     /// digits are requested.
     #[must_use]
     pub fn list(self, values: &[f64], digits: usize) -> String {
@@ -183,7 +183,7 @@ pub fn in_threes(n: usize) -> String {
     out
 }
 
-/// The multiple of a power of ten, not above `unit`, that is nearest to `value`; never −0. Where `unit` is so small or
+/// The multiple of a power of ten, not above `unit`, that is nearest to `value`. Never −0. Where `unit` is so small or
 /// so large that there is no such power, `value` itself.
 #[must_use]
 pub fn round_to(value: f64, unit: f64) -> f64 {

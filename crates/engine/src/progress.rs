@@ -58,7 +58,7 @@ impl Progress {
         Self { cancelled: Arc::clone(&self.cancelled), steps: Arc::default() }
     }
 
-    /// Whether the work is to end soon; its result is discarded.
+    /// Whether the work is to end soon. Its result is discarded.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)

@@ -134,7 +134,7 @@ impl Stage {
         !matches!(self, Self::Traverse | Self::CullObjects | Self::Lines)
     }
 
-    /// True for a stage that works on pixels, the block of rasterization in `[3]` §1.2; else it belongs to geometry.
+    /// True for a stage that works on pixels, the block of rasterization in `[3]` §1.2, else it belongs to geometry.
     #[must_use]
     pub const fn is_raster(self) -> bool {
         matches!(self.works_on(), WorksOn::Pixels)

@@ -109,7 +109,7 @@ struct Font {
     x_height: f32,
 }
 
-/// `None` only if the bundled bytes were not a font; a test holds them to be one.
+/// `None` only if the bundled bytes were not a font. A test holds them to be one.
 static FONTS: [LazyLock<Option<Font>>; 4] = [
     LazyLock::new(|| Font::of(FONT_BYTES)),
     LazyLock::new(|| Font::of(ROMAN_BYTES)),
@@ -315,7 +315,7 @@ pub struct SetRun {
     pub text: String,
     /// Their font.
     pub face: Face,
-    /// From the left end of the text's baseline to that of the run, in pixels; y points down.
+    /// From the left end of the text's baseline to that of the run, in pixels. Y points down.
     pub at: [f32; 2],
     /// Height of its em in pixels.
     pub size: f32,

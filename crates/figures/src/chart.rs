@@ -22,7 +22,7 @@ pub struct Chart {
 /// How numbers lie along an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axis {
-    /// By their logarithms; all are greater than 0.
+    /// By their logarithms. All are greater than 0.
     #[default]
     Logarithmic,
     /// As they are.

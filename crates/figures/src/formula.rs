@@ -156,7 +156,7 @@ pub fn sign(c: char) -> Option<&'static str> {
     })
 }
 
-/// Words in LaTeX, outside of mathematics; a sign that it does not have is named by its number.
+/// Words in LaTeX, outside of mathematics. A sign that it does not have is named by its number.
 #[must_use]
 pub fn words(text: &str) -> String {
     let mut latex = String::new();
@@ -287,7 +287,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Reads on by a character or a control word; false at the end.
+    /// Reads on by a character or a control word. False at the end.
     fn step(&mut self) -> Result<bool, FormulaProblem> {
         let mut chars = self.rest.chars();
         let Some(c) = chars.next() else { return Ok(false) };

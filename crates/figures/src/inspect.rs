@@ -14,7 +14,7 @@ use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 use crate::inspect::quantity::VolumePlane;
 
-/// The output of `camera-lab inspect`; the order of the fields is the order of the keys.
+/// The output of `camera-lab inspect`. The order of the fields is the order of the keys.
 ///
 /// *Guarantees*: every number is finite, and zero has no sign. Written as JSON, a number reads back as the same `f64`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,7 +48,7 @@ pub struct Report {
     pub volume_corners: [[f64; 3]; 8],
     /// The planes of the view volume.
     pub planes: PlanesReport,
-    /// `[[cameras]]`; the key is left out where the figure has none.
+    /// `[[cameras]]`. The key is left out where the figure has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub cameras: Vec<NamedCameraReport>,
     /// The requested points.
@@ -221,7 +221,7 @@ impl PlanesReport {
     }
 }
 
-/// One point in every space; the values after the division are `null` where W = 0.
+/// One point in every space. The values after the division are `null` where W = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PointReport {
     /// World.
@@ -263,7 +263,7 @@ pub struct WarningReport {
     pub message: String,
 }
 
-/// A whole number that may be too great for an integer type; written without a fraction where JSON readers keep it
+/// A whole number that may be too great for an integer type. Written without a fraction where JSON readers keep it
 /// whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whole(pub f64);

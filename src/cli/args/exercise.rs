@@ -45,7 +45,7 @@ pub(in crate::cli) struct ListArgs {
 /// The source of the numbers of an exercise.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct NumbersArgs {
-    /// A whole number from 0; the same seed gives the same numbers
+    /// A whole number from 0. The same seed gives the same numbers
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true)]
     seed: String,
     /// A number that the exercise leaves open, such as F=3 or D=24

@@ -131,7 +131,7 @@ pub(in crate::cli) struct LessonRenderArgs {
     /// Begin a handout with the plan for its lecturer
     #[arg(long)]
     pub(in crate::cli) plan: bool,
-    /// Folder for the pictures, created if missing; or OUT.pdf for a handout with figure, text and questions of each
+    /// Folder for the pictures, created if missing, or OUT.pdf for a handout with figure, text and questions of each
     /// step
     #[arg(short, long, value_name = "FOLDER|OUT.pdf")]
     pub(in crate::cli) output: PathBuf,

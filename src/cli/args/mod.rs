@@ -85,7 +85,7 @@ pub(super) enum Command {
 
 #[derive(Debug, Args)]
 pub(super) struct ManualArgs {
-    /// Folder to write them to; created if missing
+    /// Folder to write them to. Created if missing
     pub(super) folder: PathBuf,
     /// Language of messages
     #[arg(long, value_enum)]
@@ -120,7 +120,7 @@ pub(super) struct InspectArgs {
     #[arg(long = "depth-pixel", value_name = "I,J,Z", allow_hyphen_values = true)]
     depth_pixels: Vec<String>,
     /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with
-    /// zero to one), -infinite moves the back plane to infinity (in perspective). Vulkan's y points down; pixels,
+    /// zero to one), -infinite moves the back plane to infinity (in perspective). Vulkan's y points down. Pixels,
     /// window and viewport are the same in all
     #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME", default_value = Ndc::default().name())]
     pub(super) ndc: Ndc,
@@ -140,7 +140,7 @@ pub(super) struct RenderArgs {
     pub(super) view: Views,
     #[command(flatten)]
     pub(super) out: OutputArgs,
-    /// Run every stage of the pipeline, needed or not; the picture is the same
+    /// Run every stage of the pipeline, needed or not. The picture is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
 }
@@ -157,7 +157,7 @@ pub(super) struct ExplainArgs {
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Run every stage of the pipeline, needed or not; the picture is the same
+    /// Run every stage of the pipeline, needed or not. The picture is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
     /// Add what each stage costs: operations on floating-point and on whole numbers, and accesses to memory, counted
@@ -199,7 +199,7 @@ pub(super) struct AccuracyArgs {
     /// Seconds to spend on measuring times, over all studies, 0 to 3600. Errors do not depend on it
     #[arg(long, value_name = "S", default_value = "20", allow_hyphen_values = true)]
     seconds: String,
-    /// A whole number; the same seed gives the same inputs, and so the same errors
+    /// A whole number. The same seed gives the same inputs, and so the same errors
     #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true)]
     seed: String,
     /// A table to read, JSON or CSV for programs
@@ -222,7 +222,7 @@ pub(super) struct DiagnoseArgs {
     /// Sentences to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
-    /// Write the figure, with its operations and the repair of the first finding applied, to the file of -o; comments
+    /// Write the figure, with its operations and the repair of the first finding applied, to the file of -o. Comments
     /// stay. Without a repair, report so and write the figure without one
     #[arg(long, requires = "output")]
     pub(super) repair: bool,
@@ -264,7 +264,7 @@ pub(super) struct AnimateArgs {
     /// Duration of a step in an animation, and of all of --vary or --to, in seconds, 0.1 to 60
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true)]
     seconds: String,
-    /// File to write; its extension decides: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
+    /// File to write. Its extension decides: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,
 }

@@ -37,11 +37,11 @@ pub(in crate::cli) struct OutputArgs {
     /// slide of 16 by 9 (18 pt) or a square
     #[arg(long, value_parser = one_of(PaperPreset::ALL, PaperPreset::name), conflicts_with_all = ["size", "scale", "width_cm", "height_cm"])]
     paper: Option<PaperPreset>,
-    /// Pixels per inch on paper, 300 by default; written into a PNG or JPEG where it or --width-cm is
+    /// Pixels per inch on paper, 300 by default. Written into a PNG or JPEG where it or --width-cm is
     /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
-    /// Height of the letters of names in points on paper, 9 where --width-cm is given; strokes are in proportion. On a
+    /// Height of the letters of names in points on paper, 9 where --width-cm is given. Strokes are in proportion. On a
     /// sheet of all three they are smaller where a picture has no room for them, but still legible (6 points)
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
@@ -49,7 +49,7 @@ pub(in crate::cli) struct OutputArgs {
     /// letters
     #[arg(long, value_name = "PT", allow_hyphen_values = true)]
     lines: Option<String>,
-    /// Transparent background; not for JPEG, which has no transparency
+    /// Transparent background. Not for JPEG, which has no transparency
     #[arg(long)]
     pub(in crate::cli) transparent: bool,
     /// Crop the empty background around each picture

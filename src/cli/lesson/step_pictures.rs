@@ -30,7 +30,7 @@ pub(in crate::cli) struct Found {
     pub(in crate::cli) path: Option<PathBuf>,
 }
 
-/// The scene of a step, whose meshes and textures are in the folder of the lesson or below; and why files are missing
+/// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and why files are missing
 /// without which it can be drawn.
 pub(in crate::cli) fn scene(
     figure: &Figure,

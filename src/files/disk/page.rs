@@ -1,7 +1,7 @@
 //! The substitute for a file system in a page of a browser.
 //!
 //! Files in [`KEPT`] are stored by the page from one visit to the next, as text. Any other file that is written is
-//! handed to the user, as a download; it cannot be read again. Readable are the files that the user has given to the
+//! handed to the user, as a download. It cannot be read again. Readable are the files that the user has given to the
 //! page, until the page is left.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,7 +52,7 @@ fn page() -> io::Result<Page> {
     files().page.ok_or_else(|| io::ErrorKind::Unsupported.into())
 }
 
-/// Sets the functions of the page; before, nothing can be stored.
+/// Sets the functions of the page. Before, nothing can be stored.
 pub fn begin(page: Page) {
     files().page = Some(page);
 }
@@ -104,7 +104,7 @@ pub fn save(path: &Path, bytes: &[u8], _: Overwrite) -> Result<(), FileError> {
 /// As [`save`].
 ///
 /// # Errors
-/// The refusal of the page; stored files have to be text.
+/// The refusal of the page. Stored files have to be text.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let page = page()?;
     let Some(name) = name(path) else {
@@ -183,7 +183,7 @@ pub const fn is_read_only(_: &Path) -> bool {
     false
 }
 
-/// A lock against other pages of this origin, as long as it lives; the browser releases it with the page.
+/// A lock against other pages of this origin, as long as it lives. The browser releases it with the page.
 #[derive(Debug)]
 pub struct Lock(String);
 

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// A lock against other windows, as long as it lives; the system releases it when the program ends, however it ends.
+/// A lock against other windows, as long as it lives. The system releases it when the program ends, however it ends.
 #[derive(Debug)]
 pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
 
@@ -22,7 +22,7 @@ pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     }
 }
 
-/// The lock in this file; waits while another window has it. Where there are no locks, it keeps nobody away.
+/// The lock in this file. Waits while another window has it. Where there are no locks, it keeps nobody away.
 ///
 /// # Errors
 /// Where the file cannot be made.

@@ -38,7 +38,7 @@ use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 
-/// Shows the question that is open, if any, and acts on the answer; gives a command that is to be done.
+/// Shows the question that is open, if any, and acts on the answer. Gives a command that is to be done.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if state.file_flow.waits_for_system() {
         wait_for_system(ctx, state);

@@ -82,7 +82,7 @@ impl Focus {
         self.close_popup(ctx, now);
     }
 
-    /// Enter and the space bar choose in an open list or menu, and so close it; the focus goes back to where it was. In
+    /// Enter and the space bar choose in an open list or menu, and so close it. The focus goes back to where it was. In
     /// a text field they are typed.
     fn close_popup(&mut self, ctx: &Context, now: Option<Id>) {
         let open = Popup::is_any_open(ctx);

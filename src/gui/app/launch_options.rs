@@ -32,7 +32,7 @@ pub struct LaunchOptions {
 }
 
 impl LaunchOptions {
-    /// The options in an address after the `?`; and its unreadable parts, word for word.
+    /// The options in an address after the `?`, and its unreadable parts, word for word.
     #[must_use]
     pub fn of_query(query: &str) -> (Self, Vec<String>) {
         let mut asked = Self::default();

@@ -66,7 +66,7 @@ pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> 
 
 const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "↷")];
 
-/// Shows the bar; the chosen command, if any.
+/// Shows the bar. The chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
     let mut chosen = None;
@@ -111,7 +111,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     chosen
 }
 
-/// The menus, one beside or below the other; the chosen command, if any.
+/// The menus, one beside or below the other. The chosen command, if any.
 fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     let mut chosen = None;
     for menu in MENUS.iter().filter(|menu| menu.in_bar) {

@@ -128,7 +128,7 @@ impl App {
         }
     }
 
-    /// Collects notices about sessions and preferences; each stays until dismissed, write failures as long as they
+    /// Collects notices about sessions and preferences. Each stays until dismissed, write failures as long as they
     /// last.
     fn tell_news(&mut self) {
         let said = &mut self.state.file_flow.news;

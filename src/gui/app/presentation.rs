@@ -143,7 +143,7 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
 /// Lines of a caption, at most.
 const CAPTION_ROWS: usize = 2;
 
-/// The title and the caption of the figure, large, above the pictures; nothing where it has none.
+/// The title and the caption of the figure, large, above the pictures. Nothing where it has none.
 pub(in crate::gui) fn caption(ui: &mut Ui, state: &State) {
     let figure = state.document.figure();
     let has_none = figure.title.is_none() && figure.caption.is_none();

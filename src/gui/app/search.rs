@@ -212,7 +212,7 @@ fn found(state: &State) -> Vec<Entry> {
     ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
 }
 
-/// Shows the field and the results; goes to the one that is chosen, or gives its command. `first`: it has just been
+/// Shows the field and the results. Goes to the one that is chosen, or gives its command. `first`: it has just been
 /// opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Option<Command> {
     state.file_flow.dialog = Some(Dialog::Search);

@@ -175,7 +175,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self
     }
 
-    /// Requests a job; requests a frame of `ctx` when it is done.
+    /// Requests a job. Requests a frame of `ctx` when it is done.
     pub(in crate::gui) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
         if let Backend::Threads(begun) = &mut self.place
             && !begun[slot]

@@ -36,7 +36,7 @@ const AROUND: f32 = 130.0;
 /// The narrowest picture that is worth its room.
 const LEAST_PICTURE: f32 = 120.0;
 
-/// Asks how; goes on to the question where.
+/// Asks how. Goes on to the question where.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
     let enter = !first && enter(ui);
     ui.heading(t.export_heading);
@@ -198,7 +198,7 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 /// A field, and the fault of the typed text.
 type Fault = (&'static str, FieldError);
 
-/// The settings; returns the faults of typed texts.
+/// The settings. Returns the faults of typed texts.
 fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mut Export) -> Vec<Fault> {
     let pair = [[t.show_world, t.show_image], [t.show_world, t.show_canonical], [t.show_canonical, t.show_image]]
         .map(|names| names.join(", "));
@@ -280,7 +280,7 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
     errors
 }
 
-/// The size on paper; returns the faults of typed texts.
+/// The size on paper. Returns the faults of typed texts.
 fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<Fault> {
     let field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
         let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
@@ -331,7 +331,7 @@ fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
     }
 }
 
-/// The width of lines, which follows the letters as long as it has none of its own; returns the fault of the typed
+/// The width of lines, which follows the letters as long as it has none of its own. Returns the fault of the typed
 /// text.
 fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<Fault> {
     let mut fault = None;
@@ -349,7 +349,7 @@ fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_lette
     fault
 }
 
-/// Width and height; returns the faults of typed texts.
+/// Width and height. Returns the faults of typed texts.
 fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fault> {
     let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
     let sides = 1.0..=f64::from(MAX_SIDE);

@@ -88,9 +88,9 @@ impl Varied {
 /// The settings of a family.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FamilyChoice {
-    /// The key that varies; nothing: no family is wanted.
+    /// The key that varies. Nothing: no family is wanted.
     pub first: Varied,
-    /// The key that varies along each row, where there is one; the first then varies from row to row.
+    /// The key that varies along each row, where there is one. The first then varies from row to row.
     pub second: Varied,
     /// The number of pictures in a row; `None`: as many as there is room for, or as the second has values.
     pub columns: Option<usize>,
@@ -115,7 +115,7 @@ impl FamilyChoice {
         self
     }
 
-    /// Takes a subject; nothing ends the family, which is remembered.
+    /// Takes a subject. Nothing ends the family, which is remembered.
     pub fn choose(&mut self, subject: Subject) {
         if subject == Subject::Nothing {
             self.last = self.remembered();
@@ -123,7 +123,7 @@ impl FamilyChoice {
         self.first.choose(subject);
     }
 
-    /// Drops a family that was not exported; the one before comes back when a family is asked for.
+    /// Drops a family that was not exported. The one before comes back when a family is asked for.
     pub fn give_up(&mut self) {
         (self.first, self.second) = (Varied::default(), Varied::default());
         self.captions.clear();
@@ -148,7 +148,7 @@ impl FamilyChoice {
         Some([Some(first), self.second.variation()].into_iter().flatten().collect())
     }
 
-    /// The captions; empty where none are typed.
+    /// The captions. Empty where none are typed.
     #[must_use]
     pub fn captions(&self) -> Vec<String> {
         if self.captions.trim().is_empty() {

@@ -43,7 +43,7 @@ pub struct HandoutForm {
 }
 
 impl HandoutForm {
-    /// The lesson that is played, or the first one; or else exercises, beginning with the one that is open.
+    /// The lesson that is played, or the first one, or else exercises, beginning with the one that is open.
     pub(in crate::gui) fn of(state: &State, is_lesson: bool) -> Self {
         let open = state.exercises.open.as_ref();
         let open = open.filter(|open| state.exercises.entries().any(|entry| entry.id == open.id));

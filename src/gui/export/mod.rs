@@ -54,7 +54,7 @@ pub struct Export {
     pub on_paper: bool,
     /// The settings for paper.
     pub paper: Paper,
-    /// The format that is proposed; the name of the file decides.
+    /// The format that is proposed. The name of the file decides.
     pub format: PictureFormat,
     /// Without ground, where the format has transparency.
     pub transparent: bool,
@@ -436,7 +436,7 @@ impl Exporting {
         self.worker.running()
     }
 
-    /// Gives it up; it still comes to its end, but soon.
+    /// Gives it up. It still comes to its end, but soon.
     pub(super) fn cancel(&self) {
         self.worker.cancel();
     }

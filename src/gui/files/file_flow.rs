@@ -49,7 +49,7 @@ pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     }
 }
 
-/// Does the `next` action; changes are lost. Only [`begin`] and the answer to its question call this.
+/// Does the `next` action. Changes are lost. Only [`begin`] and the answer to its question call this.
 pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
@@ -76,7 +76,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     }
 }
 
-/// Goes on to the next document that closing would lose; closes the window once there is none.
+/// Goes on to the next document that closing would lose. Closes the window once there is none.
 fn quit(ctx: &egui::Context, state: &mut State) {
     state.gather_held();
     if let Some((_, document)) = state.kept.pop() {
@@ -99,7 +99,7 @@ pub fn close(ctx: &egui::Context, state: &mut State) {
     ctx.send_viewport_cmd(ViewportCommand::Close);
 }
 
-/// Saves to the figure's own file; asks for one where there is none.
+/// Saves to the figure's own file. Asks for one where there is none.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     let named = || state.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
     match state.document.path().cloned().or_else(named) {
@@ -171,7 +171,7 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     }
 }
 
-/// Goes on with the file that was chosen; asks before a file is replaced.
+/// Goes on with the file that was chosen. Asks before a file is replaced.
 pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
     let kind = FileKind::of(state, &purpose);
     let path = kind.with_ending(files::whole(&path));
@@ -352,7 +352,7 @@ fn reload(state: &mut State) {
     }
 }
 
-/// Continues with the window's figure although the file holds another one; the same content is not asked about again.
+/// Continues with the window's figure although the file holds another one. The same content is not asked about again.
 pub fn keep_mine(state: &mut State) {
     state.file_flow.decided = state.file_flow.theirs.take();
 }
@@ -569,7 +569,7 @@ mod tests {
         (ctx, state)
     }
 
-    /// One frame, in which the window's close button is pressed or not; returns the requests to the system.
+    /// One frame, in which the window's close button is pressed or not. Returns the requests to the system.
     fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCommand> {
         let mut input = egui::RawInput::default();
         if close {

@@ -18,9 +18,9 @@ pub(in crate::gui) struct FileKind {
     pub(in crate::gui) title: &'static str,
     /// The button below it.
     pub(in crate::gui) action: &'static str,
-    /// Names of formats with their endings; the first ending is appended to names that have none.
+    /// Names of formats with their endings. The first ending is appended to names that have none.
     filters: Vec<(String, &'static [&'static str])>,
-    /// The name that is proposed; empty for what is read.
+    /// The name that is proposed. Empty for what is read.
     name: String,
     /// The folder in which the question begins.
     folder: PathBuf,

@@ -35,7 +35,7 @@ pub enum AfterSave {
     Text(String),
     /// Play this lesson.
     Lesson(OpenLesson),
-    /// End the lesson; the figure of its step stays.
+    /// End the lesson. The figure of its step stays.
     LeaveLesson,
     /// Write the lesson to which steps were added last.
     WriteRecorded,
@@ -203,7 +203,7 @@ pub enum Dialog {
 pub struct FileFlow {
     /// The open question.
     pub dialog: Option<Dialog>,
-    /// The reason why the last typed file could not be opened or written, or a text not be saved; shown in the dialog.
+    /// The reason why the last typed file could not be opened or written, or a text not be saved. Shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
     /// False: paths are typed in the window, as where the system has no dialogs.
     pub native: bool,

@@ -35,7 +35,7 @@ impl TitleForm {
     }
 }
 
-/// Shows the dialog; gives the file that is asked for next. `first`: it has just been opened.
+/// Shows the dialog. Gives the file that is asked for next. `first`: it has just been opened.
 pub(in crate::gui) fn show(
     ui: &mut egui::Ui,
     t: &'static Texts,

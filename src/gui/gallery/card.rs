@@ -59,7 +59,7 @@ pub(super) enum CardJob {
 
 /// The result of a request.
 pub(super) enum CardOutcome {
-    /// The figure files of this folder, in natural order; or why it cannot be read.
+    /// The figure files of this folder, in natural order, or why it cannot be read.
     Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
     /// These files, those that are there first, and those that are gone.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),

@@ -118,7 +118,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     asked
 }
 
-/// The headings of the cards as links; the one that was clicked.
+/// The headings of the cards as links. The one that was clicked.
 fn headings(ui: &mut Ui, lang: Lang, sources: &[Source]) -> Option<Topic> {
     let mut topics: Vec<Topic> = sources.iter().filter_map(topic).collect();
     topics.dedup();
@@ -180,7 +180,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     if entered { best().map(Chosen::Open) } else { None }
 }
 
-/// The cards in rows, under their headings; the figure of the one that was pressed.
+/// The cards in rows, under their headings. The figure of the one that was pressed.
 fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes_to: Option<Topic>) -> Option<Source> {
     if sources.is_empty() {
         let text = match (gallery.part, &gallery.files) {
@@ -261,7 +261,7 @@ fn topic(source: &Source) -> Option<Topic> {
     }
 }
 
-/// The rows of cards; each topic begins one.
+/// The rows of cards. Each topic begins one.
 fn rows(sources: &[Source], columns: usize, topic: fn(&Source) -> Option<Topic>) -> Vec<Range<usize>> {
     let mut rows = Vec::new();
     let mut start = 0;

@@ -49,7 +49,7 @@ pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: Co
     }
 }
 
-/// The content of the window; the form, until it is closed.
+/// The content of the window. The form, until it is closed.
 fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> Option<CompareForm> {
     let words = words::texts(state.settings.lang);
     ui.label(words.text);

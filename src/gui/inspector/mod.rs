@@ -21,7 +21,7 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::why::context_help;
 use crate::i18n::window::Texts;
 
-/// A group of controls under a title that opens and closes it; gives the title.
+/// A group of controls under a title that opens and closes it. Gives the title.
 pub(super) fn section(
     ui: &mut egui::Ui,
     title: &str,
@@ -101,7 +101,7 @@ pub(super) fn row<R>(
 
 /// A vector: its name, and below it three fields side by side.
 pub(super) struct VectorField<'a> {
-    /// The symbol of the notes; may be empty.
+    /// The symbol of the notes. May be empty.
     pub(super) symbol: &'static str,
     /// Its name.
     pub(super) name: &'static str,
@@ -130,7 +130,7 @@ impl VectorField<'_> {
         self.fields(ui, t, value, 0.0)
     }
 
-    /// Only the fields; leaves room for something else beside them.
+    /// Only the fields. Leaves room for something else beside them.
     pub(super) fn fields(&self, ui: &mut egui::Ui, t: &Texts, value: &mut DVec3, beside: f32) -> [FieldOutput; 3] {
         let gap = 4.0;
         let width = ((ui.available_width() - beside - 2.0 * gap) / 3.0).floor();

@@ -92,7 +92,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-/// One row with its buttons; below the open one are its effect and its slider.
+/// One row with its buttons. Below the open one are its effect and its slider.
 fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
     let row = ui.scope(|ui| {
         controls(ui, t, state, freedom);
@@ -284,7 +284,7 @@ fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
 /// Corners of a spring.
 const COILS: u8 = 12;
 
-/// Pulls the camera from where it was taken; springs back when it is let go.
+/// Pulls the camera from where it was taken. Springs back when it is let go.
 fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     let free = ui.input(|input| input.modifiers.command);
     let (range, grain) = match freedom.descriptor().amount {

@@ -92,7 +92,7 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
 /// An entry of a matrix.
 type Entry = (Matrix, [usize; 2]);
 
-/// A table; below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry
+/// A table. Below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry
 /// that was clicked.
 fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     ui.add_space(3.0);
@@ -104,7 +104,7 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Tabl
     asked
 }
 
-/// Symbol, name and rows; marked where they differ from those of another table. Gives the entry that was clicked.
+/// Symbol, name and rows. Marked where they differ from those of another table. Gives the entry that was clicked.
 fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     let written = |digits: usize| table.written(digits, t.lang.mark());
     let marked = |row: usize, column: usize| {
@@ -158,7 +158,7 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
         .inner
 }
 
-/// Makes each number that is the entry of a matrix a control for its explanation; returns the one that was clicked.
+/// Makes each number that is the entry of a matrix a control for its explanation. Returns the one that was clicked.
 fn questions(
     ui: &egui::Ui,
     t: &'static Texts,
@@ -214,7 +214,7 @@ fn questions(
     asked
 }
 
-/// Rows of cells as text; marked ones are underlined, on a background of their own.
+/// Rows of cells as text. Marked ones are underlined, on a background of their own.
 fn job(ui: &egui::Ui, rows: &[Vec<String>], marked: impl Fn(usize, usize) -> bool) -> LayoutJob {
     let visuals = ui.visuals();
     let font_id = egui::TextStyle::Monospace.resolve(ui.style());

@@ -48,7 +48,7 @@ struct Glyph {
 #[derive(Debug, Default)]
 struct Ink {
     glyphs: Vec<Glyph>,
-    /// Left end, middle of the height; length and thickness.
+    /// Left end, middle of the height. Length and thickness.
     lines: Vec<[f32; 4]>,
     size: [f32; 2],
     baseline: f32,

@@ -22,9 +22,9 @@ use crate::numbers::{self, round_to};
 /// The effect of dragging and of the arrow keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
-    /// An arrow key adds or takes this; dragging a tenth of it for each point.
+    /// An arrow key adds or takes this. Dragging a tenth of it for each point.
     Add(f64),
-    /// An arrow key multiplies or divides by this; dragging by its tenth root for each point. For positive values.
+    /// An arrow key multiplies or divides by this. Dragging by its tenth root for each point. For positive values.
     Multiply(f64),
 }
 
@@ -63,7 +63,7 @@ pub struct NumberField<'a> {
 /// The result of a field in this frame.
 #[derive(Debug, Default)]
 pub struct FieldOutput {
-    /// Why the text in the field cannot be taken over; the value has not changed then.
+    /// Why the text in the field cannot be taken over. The value has not changed then.
     pub error: Option<FieldError>,
     /// It is being dragged.
     pub held: bool,
@@ -265,7 +265,7 @@ impl<'a> NumberField<'a> {
         FieldOutput { error, held: response.dragged() }
     }
 
-    /// Arrow keys while it is edited, and requests of a screen reader; returns the error of those.
+    /// Arrow keys while it is edited, and requests of a screen reader. Returns the error of those.
     fn step_by_keys(
         &self,
         ui: &egui::Ui,
@@ -308,7 +308,7 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// The value some steps further; steps end where the range does.
+    /// The value some steps further. Steps end where the range does.
     fn stepped(&self, value: f64, steps: f64) -> f64 {
         let stepped = self.step.apply(value, steps).clamp(*self.range.start(), *self.range.end());
         if self.whole { stepped.round() } else { stepped }

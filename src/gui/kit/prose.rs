@@ -9,7 +9,7 @@ use super::mathematics;
 use super::theme;
 use crate::i18n::why::notes::plain;
 
-/// Symbols such as `M_v` as mathematics; text between dollar signs stays as it is.
+/// Symbols such as `M_v` as mathematics. Text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {
     // A formula on a line of its own is between two of them.
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { with_symbols_in_line(part) };
@@ -68,7 +68,7 @@ const BOLD: char = '\u{e000}';
 /// Between two formulas that touch: `$$` would begin one on a line of its own.
 const APART: char = '\u{200b}';
 
-/// Words between `**` as formulas that begin with [`BOLD`]; formulas between them stay.
+/// Words between `**` as formulas that begin with [`BOLD`]. Formulas between them stay.
 fn with_bold(markdown: &str) -> String {
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { with_bold_in_lines(part) };
     markdown.split("$$").enumerate().map(part).collect::<Vec<_>>().join("$$")

@@ -72,7 +72,7 @@ pub fn lowered(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> 
     job
 }
 
-/// A sentence in which symbols have subscripts, M_v and z_n; the names of keys and files stay as they are.
+/// A sentence in which symbols have subscripts, M_v and z_n. The names of keys and files stay as they are.
 #[must_use]
 pub fn sentence(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> LayoutJob {
     let is_of_word = |c: char| c.is_alphanumeric() || c == '_';
@@ -90,7 +90,7 @@ pub fn sentence(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) ->
     lowered(ui, &marked, style, color)
 }
 
-/// A label with such a sentence, which wraps; screen readers say it as it is written.
+/// A label with such a sentence, which wraps. Screen readers say it as it is written.
 pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
     let job = sentence(ui, text, &TextStyle::Body, ui.visuals().text_color());
     let response = ui.add(egui::Label::new(job).wrap().selectable(false));
@@ -98,7 +98,7 @@ pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
     response
 }
 
-/// A label that wraps, with subscripts as in the pictures; screen readers say it as it is written.
+/// A label that wraps, with subscripts as in the pictures. Screen readers say it as it is written.
 pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32) -> egui::Response {
     let job = lowered(ui, text, style, color);
     let response = ui.add(egui::Label::new(job).wrap());

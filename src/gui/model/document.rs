@@ -164,7 +164,7 @@ impl Document {
         self.stands_in
     }
 
-    /// The parameters as the fields show them; may be nonsense.
+    /// The parameters as the fields show them. May be nonsense.
     #[must_use]
     pub fn draft(&self) -> &Parameters {
         &self.draft
@@ -201,7 +201,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Changes anything but the camera; a change of `figure.camera` is ignored.
+    /// Changes anything but the camera. A change of `figure.camera` is ignored.
     pub fn edit(&mut self, change: impl FnOnce(&mut Figure)) {
         let camera = self.figure.camera;
         change(&mut self.figure);
@@ -221,7 +221,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Exchanges the camera and one of the others; parameters that are no camera are given up.
+    /// Exchanges the camera and one of the others. Parameters that are no camera are given up.
     pub fn look_through(&mut self, index: usize) {
         let other = self.figure.cameras.get(index).and_then(|other| Camera::new(&other.parameters).ok());
         if let Some(camera) = other {
@@ -336,7 +336,7 @@ impl Document {
     /// Takes another figure over, as one undo step.
     ///
     /// # Errors
-    /// [`CameraError`] where the figure's camera is impossible; nothing has changed then.
+    /// [`CameraError`] where the figure's camera is impossible. Nothing has changed then.
     pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
         let camera = Camera::new(&figure.camera)?;
         self.commit();
@@ -351,10 +351,10 @@ impl Document {
     }
 
     /// Shows another figure in front of this one, as one undo step. It is a document without a file: saving asks for
-    /// one. This document waits behind it with its file and its changes; see [`Self::behind`].
+    /// one. This document waits behind it with its file and its changes. See [`Self::behind`].
     ///
     /// # Errors
-    /// As for [`Self::new`]; nothing has changed then.
+    /// As for [`Self::new`]. Nothing has changed then.
     pub fn show_in_front(&mut self, figure: Figure) -> Result<(), CameraError> {
         let shown = Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? };
         self.commit();
@@ -420,7 +420,7 @@ impl Document {
     /// twelve turns by 30° give it back bit for bit.
     ///
     /// # Errors
-    /// [`CameraError`] where the operation has no result, or where the edited parameters are not a camera; nothing has
+    /// [`CameraError`] where the operation has no result, or where the edited parameters are not a camera. Nothing has
     /// changed then.
     pub fn operate(&mut self, operation: Operation, convention: Convention) -> Result<(), CameraError> {
         self.operate_from(&self.camera.clone(), operation, convention)
@@ -492,7 +492,7 @@ impl Document {
         self.note_change();
     }
 
-    /// The text of the file as it was read or written last, with its comments; empty without a file.
+    /// The text of the file as it was read or written last, with its comments. Empty without a file.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source

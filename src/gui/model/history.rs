@@ -21,8 +21,8 @@ impl Revision {
     }
 }
 
-/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices;
-/// all of it where the figure was another one.
+/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices.
+/// All of it where the figure was another one.
 #[derive(Clone, Debug)]
 struct Snapshot {
     scene: Arc<SceneSpec>,
@@ -123,7 +123,7 @@ impl History {
         Self { now, past: Vec::new(), future: Vec::new() }
     }
 
-    /// Makes a step of the changes since the last one; false if there are none.
+    /// Makes a step of the changes since the last one. False if there are none.
     pub(in crate::gui) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
@@ -187,7 +187,7 @@ impl History {
         !self.future.is_empty()
     }
 
-    /// Undoes a step; returns the state then, seen and laid out as `now`.
+    /// Undoes a step. Returns the state then, seen and laid out as `now`.
     pub(in crate::gui) fn undo(&mut self, now: &Figure) -> Option<Moment> {
         let earlier = self.past.pop()?;
         self.now.show = now.show.clone();

@@ -76,7 +76,7 @@ impl Layout {
         }
     }
 
-    /// Shows or hides a picture; the last one stays.
+    /// Shows or hides a picture. The last one stays.
     pub fn toggle(&mut self, view: View) {
         if let Some(only) = self.maximized.take() {
             self.shown = [false; View::COUNT];

@@ -128,7 +128,7 @@ impl Message {
         self.row(Lang::En).0 == Tone::Error
     }
 
-    /// Whether the message disappears by itself; errors, and lasting states, stay.
+    /// Whether the message disappears by itself. Errors, and lasting states, stay.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.row(Lang::En).0 == Tone::News

@@ -36,7 +36,7 @@ pub(in crate::gui) fn is_heavy(scene: &Scene) -> bool {
 pub struct SceneCache {
     made_from: Option<MadeFrom>,
     files: MeshFiles,
-    /// Files that could not be read; they are not tried again by themselves.
+    /// Files that could not be read. They are not tried again by themselves.
     broken: BTreeMap<String, MeshError>,
     /// Files that the mesh files name and lack, and can be drawn without.
     unread: BTreeMap<String, Vec<ReadError>>,
@@ -89,7 +89,7 @@ struct BuiltScene {
 #[derive(Clone, Debug, PartialEq)]
 struct SceneFile {
     path: String,
-    /// It is a texture; else a mesh.
+    /// It is a texture, else a mesh.
     is_texture: bool,
     folder: PathBuf,
     reach: FileAccess,
@@ -244,7 +244,7 @@ impl SceneCache {
     }
 
     /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes
-    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun; requests a frame
+    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun. Requests a frame
     /// of `ctx` when one is read.
     ///
     /// # Errors
@@ -304,7 +304,7 @@ impl SceneCache {
         said
     }
 
-    /// Takes over files read; returns whether there are any. Waits up to `patience` for all.
+    /// Takes over files read. Returns whether there are any. Waits up to `patience` for all.
     fn receive(
         &mut self,
         ctx: &egui::Context,
@@ -344,7 +344,7 @@ impl SceneCache {
         arrived
     }
 
-    /// Has the files read that are not known, unless others are being read; true where that has begun.
+    /// Has the files read that are not known, unless others are being read. True where that has begun.
     fn begin_to_load(&mut self, ctx: &egui::Context, wanted: &MadeFrom) -> bool {
         if self.reader.is_busy() {
             return false;
@@ -364,7 +364,7 @@ impl SceneCache {
         true
     }
 
-    /// Builds the scene; objects without their mesh are left out.
+    /// Builds the scene. Objects without their mesh are left out.
     fn build(&mut self, wanted: MadeFrom) -> Result<(), SceneError> {
         let mut spec = wanted.spec.clone();
         for object in &mut spec.objects {
@@ -388,7 +388,7 @@ impl SceneCache {
     }
 }
 
-/// The mesh files of a scene and its textures; true for these.
+/// The mesh files of a scene and its textures. True for these.
 fn paths(spec: &SceneSpec) -> BTreeSet<(String, bool)> {
     let meshes = spec.objects.iter().filter_map(|object| Some((object.shape.as_ref()?.mesh_file()?, false)));
     let textures = spec.objects.iter().filter_map(|object| Some((object.texture.as_ref()?.file()?, true)));

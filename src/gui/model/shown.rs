@@ -17,7 +17,7 @@ use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
 use crate::views::{Compared, Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
 
-/// Things that panels point at in a frame; each frame begins without any.
+/// Things that panels point at in a frame. Each frame begins without any.
 #[derive(Clone, Debug, Default)]
 pub struct PanelHover {
     /// The operation that is being tried or pointed at, shown in the world.
@@ -197,7 +197,7 @@ impl State {
         Show { answer: answered.or(show.answer), ndc, moved, step: self.step_as_shown(), ..show.clone() }
     }
 
-    /// Forgets a triangle that has gone from the scene; not one of an object whose file cannot be read now.
+    /// Forgets a triangle that has gone from the scene. Not one of an object whose file cannot be read now.
     pub(in crate::gui) fn forget_missing(&mut self) {
         let (scene, spec) = (self.scene_cache.scene(), &self.document.figure().scene);
         let is_of = |name: &str, owner: &str| {
@@ -264,7 +264,7 @@ impl State {
         show.painted = None;
     }
 
-    /// Lists the stages of a picture; the stage that is shown is shown there.
+    /// Lists the stages of a picture. The stage that is shown is shown there.
     pub(in crate::gui) fn list_stages_of(&mut self, view: View) {
         self.layout.strip_of = view;
         let show = self.document.show_mut();
@@ -310,7 +310,7 @@ impl State {
         self.without_shown().is_some()
     }
 
-    /// Lets go of something that is explained, as Esc does; false where there is nothing.
+    /// Lets go of something that is explained, as Esc does. False where there is nothing.
     pub(in crate::gui) fn release_shown(&mut self) -> bool {
         let Some(rest) = self.without_shown() else { return false };
         *self.document.show_mut() = rest;
@@ -324,7 +324,7 @@ impl State {
         self.shown().probe.map(|probe| Probe::of(probe, self.document.camera(), image))
     }
 
-    /// Pins something; or nothing.
+    /// Pins something, or nothing.
     pub(in crate::gui) fn pin(&mut self, probe: Option<Probe>) {
         self.document.show_mut().probe = probe.map(|probe| match probe {
             Probe::Point(p) => ShownProbe::World(p),

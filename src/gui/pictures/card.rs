@@ -35,7 +35,7 @@ fn id() -> Id {
     Id::unique("card of the probe")
 }
 
-/// The coordinates of the pinned probe, on a card that stays until it is released, at `place` where it is given; it can
+/// The coordinates of the pinned probe, on a card that stays until it is released, at `place` where it is given. It can
 /// be moved.
 pub(super) fn show(
     ui: &Ui,

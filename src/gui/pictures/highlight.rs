@@ -12,7 +12,7 @@ use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
 
-/// The scene with the selection marked in it; made anew only when one of both has changed.
+/// The scene with the selection marked in it. Made anew only when one of both has changed.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Highlight {
     marked: Memo<(SharedScene, Selected, BTreeSet<String>, Theme), SharedScene>,
@@ -94,7 +94,7 @@ fn with_descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     names
 }
 
-/// The edges of a box that is turned with its object; those without length are left out.
+/// The edges of a box that is turned with its object. Those without length are left out.
 fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [DVec3; 2]> {
     let corners = bounds.corners().map(|p| (p, world_from_object.transform_point3(p)));
     let mut edges: Vec<[DVec3; 2]> = Vec::new();
@@ -111,7 +111,7 @@ fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [
     edges.into_iter()
 }
 
-/// A lamp has a mark; parallel light an arrow that ends in the middle of the scene.
+/// A lamp has a mark. Parallel light an arrow that ends in the middle of the scene.
 fn mark_light(scene: &mut Scene, light: Light, bounds: Option<Aabb>, color: Rgba) {
     match light.kind {
         LightKind::Point => {

@@ -71,7 +71,7 @@ const TELL: Duration = Duration::from_millis(100);
 
 /// Draws the pictures and stores their state from one frame to the next.
 pub struct Canvas {
-    /// Time that a frame waits for its pictures; tests have more of it than a hand that drags.
+    /// Time that a frame waits for its pictures. Tests have more of it than a hand that drags.
     pub patience: Duration,
     rendering: Rendering,
     /// The pictures of the shot, as they are on the screen.
@@ -180,7 +180,7 @@ impl Canvas {
         self.rendering.drawn()[..self.pictures.len()].to_vec()
     }
 
-    /// Where each picture of the shot is on the screen, with its kind; points.
+    /// Where each picture of the shot is on the screen, with its kind. Points.
     pub fn places(&self) -> impl Iterator<Item = (View, Rect)> {
         self.shot.pictures.iter().zip(&self.pictures).filter_map(|(shown, screen)| Some((shown.kind, screen.place?)))
     }
@@ -526,7 +526,7 @@ fn undistorted(state: &State) -> Option<bool> {
     (differs || figure.undistorted).then_some(figure.undistorted)
 }
 
-/// The mesh files being read, in a sentence; empty where there are none.
+/// The mesh files being read, in a sentence. Empty where there are none.
 fn loading(state: &State) -> String {
     let files = state.scene_cache.loading();
     if files.is_empty() {

@@ -215,7 +215,7 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     action
 }
 
-/// The places of cells one after the other in `lines` lines, as many as there is space for; returns whether those are
+/// The places of cells one after the other in `lines` lines, as many as there is space for. Returns whether those are
 /// all.
 fn flow(ui: &Ui, rect: Rect, lines: u8, cells: &[&Cell]) -> (Vec<Rect>, bool) {
     let height = line_height(ui);

@@ -144,7 +144,7 @@ impl Strip<'_> {
         )
     }
 
-    /// Draws the cells; the one that is pointed at, or has the keyboard.
+    /// Draws the cells. The one that is pointed at, or has the keyboard.
     fn cells(&self, ui: &mut Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
         let Some(account) = self.account else { return (None, None) };
         let mut clicked = None;

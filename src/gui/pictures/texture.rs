@@ -216,7 +216,7 @@ struct Fading {
 }
 
 impl PictureTexture {
-    /// Takes a new picture; the textures are reused where their number is the same.
+    /// Takes a new picture. The textures are reused where their number is the same.
     pub(super) fn set(&mut self, ctx: &Context, name: &str, picture: Option<Tiles>) {
         self.failed = picture.is_none();
         let Some(Tiles { size, tiles }) = picture else { return };
@@ -248,7 +248,7 @@ impl PictureTexture {
         !self.tiles.is_empty() && self.size == place.sides()
     }
 
-    /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the
+    /// Paints the picture at its place. One of another size, which is there while the next is being drawn, in the
     /// middle.
     pub(super) fn paint(&mut self, ui: &Ui, place: &PictureRect) {
         paint_tiles(ui, place, self.size, &self.tiles, Color32::WHITE);

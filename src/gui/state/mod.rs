@@ -156,7 +156,7 @@ pub struct State {
     /// Width and height of each picture on the screen, in pixels, in the order of
     /// [`View::ALL`](crate::views::View::ALL); written by the pictures.
     pub picture_sizes: [[u32; 2]; View::COUNT],
-    /// Pixels for one unit of stroke width in the pictures; written by the pictures.
+    /// Pixels for one unit of stroke width in the pictures. Written by the pictures.
     pub screen_scale: f32,
     /// The window is a page in a browser: there are no folders, and no window to be closed.
     pub in_browser: bool,
@@ -170,7 +170,7 @@ pub struct State {
     pub message: Option<Message>,
     /// When the message was first shown, in seconds; `None`: not yet.
     shown_since: Option<f64>,
-    /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional
+    /// Asks the pictures to look from somewhere. They take it (`take()`) in the next frame. For both three-dimensional
     /// pictures.
     pub observer_change: Option<ObserverChange>,
     /// No field on the screen shows the fault of the parameters (its section is closed).
@@ -185,7 +185,7 @@ pub struct State {
     pub(in crate::gui) open_panels: OpenPanels,
     /// The layout that the figure asked for.
     pub(in crate::gui) asked_layout: Option<AskedLayout>,
-    /// The target of the pointer; written by the pictures, shown by the panel.
+    /// The target of the pointer. Written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
     pub recent: Recent,
@@ -195,7 +195,7 @@ pub struct State {
     pub search: Search,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them that the user, closing the window, has decided not to save; kept again where it is not closed.
+    /// Those of them that the user, closing the window, has decided not to save. Kept again where it is not closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// The last export settings.
     pub export: Export,
@@ -232,7 +232,7 @@ pub struct State {
     /// The followed point.
     pub follow: Follow,
     /// The link that a dialog shows.
-    /// By the address, and whether it holds a whole lesson; made when the dialog is opened, since nothing behind it
+    /// By the address, and whether it holds a whole lesson. Made when the dialog is opened, since nothing behind it
     /// changes.
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
     /// The faults of the picture, and the health of the camera.
@@ -368,7 +368,7 @@ impl State {
     }
 
     /// Selects a clicked object, or, with `beside`, adds it to the selection. Only objects of the figure are selected
-    /// together; else that is reported.
+    /// together, else that is reported.
     pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
         let scene = &self.document.figure().scene;
         let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
@@ -396,7 +396,7 @@ impl State {
         self.explain.show(explanation);
     }
 
-    /// Adds a point of the world to the figure and follows it; one that is there already is only followed.
+    /// Adds a point of the world to the figure and follows it. One that is there already is only followed.
     pub(in crate::gui) fn follow_point(&mut self, position: DVec3) {
         let points = &self.document.figure().points;
         let name = match points.iter().find(|point| point.position == position) {
@@ -412,7 +412,7 @@ impl State {
         self.follow.choose(&name);
     }
 
-    /// Undoes a step; objects that come back are selected. The figure on the screen comes first, then the lesson.
+    /// Undoes a step. Objects that come back are selected. The figure on the screen comes first, then the lesson.
     pub fn undo(&mut self) {
         if !self.document.can_undo() && self.can_undo_lesson(true) {
             return self.undo_lesson(true);
@@ -422,7 +422,7 @@ impl State {
         self.tree.follow(&before, &self.document.figure().scene);
     }
 
-    /// Redoes a step; objects that come back are selected.
+    /// Redoes a step. Objects that come back are selected.
     pub fn redo(&mut self) {
         if !self.document.can_redo() && self.can_undo_lesson(false) {
             return self.undo_lesson(false);
@@ -450,7 +450,7 @@ impl State {
         self.scene_cache.running().is_some() || self.file_flow.running().next().is_some()
     }
 
-    /// Explains an entry of a matrix; the entry takes the focus.
+    /// Explains an entry of a matrix. The entry takes the focus.
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
         self.show_explanation(Explanation::Matrices);
@@ -478,7 +478,7 @@ impl State {
         })
     }
 
-    /// Has an operation ask what it will do, where that is wanted; false where it's to be done at once.
+    /// Has an operation ask what it will do, where that is wanted. False where it's to be done at once.
     pub(in crate::gui) fn predict_first(&mut self, freedom: Freedom, amount: f64) -> bool {
         self.operations.predict.asked = None;
         if !self.operations.predict.on {
@@ -551,7 +551,7 @@ impl State {
         self.shown_since = None;
     }
 
-    /// Removes news that have been shown long enough (`now` is a time in seconds); returns the seconds left until then.
+    /// Removes news that have been shown long enough (`now` is a time in seconds). Returns the seconds left until then.
     /// Errors stay until they are closed, and lasting states as long as they hold.
     pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
         self.message.as_ref().filter(|message| message.passes())?;

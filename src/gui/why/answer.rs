@@ -74,7 +74,7 @@ impl Writing<'_> {
     }
 }
 
-/// Shows the explanation; returns the measures to light up in the world besides that of the entry itself.
+/// Shows the explanation. Returns the measures to light up in the world besides that of the entry itself.
 pub(super) fn show(
     ui: &mut Ui,
     writing: Writing<'_>,
@@ -160,7 +160,7 @@ impl Tree<'_> {
         }
     }
 
-    /// A symbol with its value and meaning; returns whether it was clicked. `open`: whether its definition is, where it
+    /// A symbol with its value and meaning. Returns whether it was clicked. `open`: whether its definition is, where it
     /// has one.
     fn row(&mut self, ui: &mut Ui, symbol: Symbol, open: Option<bool>) -> bool {
         let value = self.writing.symbol_value(symbol);

@@ -20,7 +20,7 @@ pub(in crate::gui) fn begin(ctx: &egui::Context) {
     ctx.data_mut(|data| data.remove::<Noted>(key()));
 }
 
-/// The note on the widget under the pointer; else on the focused one.
+/// The note on the widget under the pointer, else on the focused one.
 pub(in crate::gui) fn asked(ctx: &egui::Context) -> Option<&'static str> {
     let noted = ctx.data(|data| data.get_temp::<Noted>(key()))?;
     noted.pointed.or(noted.focused)

@@ -68,7 +68,7 @@ fn depth_view(ui: &mut Ui, state: &mut State) {
     compare_dialog::button(ui, state);
 }
 
-/// Shows what follows from a camera; gives one with other planes where that is wanted.
+/// Shows what follows from a camera. Gives one with other planes where that is wanted.
 fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Parameters> {
     let lang = state.settings.lang;
     let t = words::texts(lang);

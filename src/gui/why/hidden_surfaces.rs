@@ -53,7 +53,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     }
 }
 
-/// From nothing to the whole image; the arrow keys move the slider.
+/// From nothing to the whole image. The arrow keys move the slider.
 fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
     let old = state.painted_share().unwrap_or(1.0);
     let mut share = old;

@@ -158,7 +158,7 @@ pub fn ui(ui: &mut Ui, state: &mut State) {
 /// Beside the name of a question on its button, in points.
 const PADDING: f32 = 3.0;
 
-/// The four questions, two in a row; each opens at the explanation that was read last.
+/// The four questions, two in a row. Each opens at the explanation that was read last.
 fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
     let gap = 4.0;
     let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);

@@ -77,7 +77,7 @@ fn search(ui: &mut Ui, t: &Texts, state: &mut Notes) {
     }
 }
 
-/// The notes that contain all the words; those with the words in the heading come first.
+/// The notes that contain all the words. Those with the words in the heading come first.
 fn found(t: &Texts, wanted: &str) -> Vec<&'static Note> {
     let mut found: Vec<_> = notes::notes(t.lang).iter().filter(|note| note.says(wanted)).collect();
     found.sort_by_key(|note| !note.is_headed(wanted));

@@ -289,7 +289,7 @@ fn other(
     place(state, selected, other[k], true);
 }
 
-/// The button; the object that is to get the list. Greyed with the reason where there is none, or the list is not one
+/// The button. The object that is to get the list. Greyed with the reason where there is none, or the list is not one
 /// of transforms.
 fn take(ui: &mut Ui, state: &State, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
     let (name, why) = match state.tree.selected(&state.document.figure().scene) {

@@ -90,7 +90,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
     ui.ctx().request_repaint();
 }
 
-/// The row before which the pointer would drop the dragged one; their number after the last one.
+/// The row before which the pointer would drop the dragged one. Their number after the last one.
 fn target(ui: &Ui, rows: &[Rect]) -> usize {
     let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else { return rows.len() };
     rows.iter().filter(|row| row.center().y < pointer.y).count()
@@ -107,7 +107,7 @@ fn insertion_line(ui: &Ui, rows: &[Rect], to: usize) {
     ui.painter().hline(ui.max_rect().x_range(), y, stroke);
 }
 
-/// The dots by which a row is dragged, and which keep the keyboard while it is moved; its number and its symbol. A bar
+/// The dots by which a row is dragged, and which keep the keyboard while it is moved. Its number and its symbol. A bar
 /// says that it is done.
 fn handle(ui: &mut Ui, t: &'static Texts, order: &Order, place: usize, is_done: bool) -> egui::Response {
     let call = order.list[place].call;
@@ -135,7 +135,7 @@ fn handle(ui: &mut Ui, t: &'static Texts, order: &Order, place: usize, is_done: 
     response.explained(format!("{} ({})", words::kind(t.lang, call), words::function(call)))
 }
 
-/// The note on a call; those of the stack have the note on the matrix of an object.
+/// The note on a call. Those of the stack have the note on the matrix of an object.
 const fn note_on(call: Call) -> &'static str {
     match call {
         Call::Translate(_) => "translation",

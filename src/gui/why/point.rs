@@ -63,7 +63,7 @@ fn texture(ui: &mut egui::Ui, state: &State, position: DVec3) {
     help_topic_row(ui, label.rect, "stage-texture");
 }
 
-/// The points, one of them chosen; and the buttons that add and delete them.
+/// The points, one of them chosen, and the buttons that add and delete them.
 fn choose(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let points = state.document.figure().points.clone();
     let chosen = state.follow.index(&points);

@@ -42,7 +42,7 @@ pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
     ui.label(text).explained(t.in_the_code_hint);
 }
 
-/// All stages; a click shows one in the picture of the strip.
+/// All stages. A click shows one in the picture of the strip.
 fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
     let lang = state.settings.lang;
     for (i, stage) in Stage::ALL.into_iter().enumerate() {

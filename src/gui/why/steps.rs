@@ -146,7 +146,7 @@ fn compared(product: &DMat4, expected: &DMat4) -> (f64, f64) {
     (ratio, rest / a[greatest].abs())
 }
 
-/// Whose steps; those that the camera has not are greyed, with the reason.
+/// Whose steps. Those that the camera has not are greyed, with the reason.
 fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, mut way: Decomposition) -> Decomposition {
     ui.horizontal_wrapped(|ui| {
         for decomposition in Decomposition::ALL {
@@ -166,7 +166,7 @@ fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, mut way: Decomposition) -> 
     way
 }
 
-/// To the beginning, a step back, play or hold, a step forward, to the end; and the slider over all of them.
+/// To the beginning, a step back, play or hold, a step forward, to the end, and the slider over all of them.
 fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, (steps, shown): (&mut Steps, &mut ShownStep), now: f64) {
     let (count, time) = (end_of(shown.way, camera), time_of(*shown, camera));
     let mut wanted = None;
@@ -236,12 +236,12 @@ fn after(time: f64) -> f64 {
     (time + 1e-9).floor() + 1.0
 }
 
-/// Moves on by tenths of a step; a tenth is a tenth wherever the pointer has left the slider.
+/// Moves on by tenths of a step. A tenth is a tenth wherever the pointer has left the slider.
 fn tenth(time: f64, by: f64) -> f64 {
     (10.0 * time + by).round() / 10.0
 }
 
-/// The steps in their order, each clickable; a change of handedness is marked.
+/// The steps in their order, each clickable. A change of handedness is marked.
 fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, shown): (&mut Steps, &mut ShownStep)) {
     let labels = pictures::labels(lang);
     let runs = running(time_of(*shown, camera));

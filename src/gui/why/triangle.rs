@@ -213,7 +213,7 @@ impl Page<'_> {
         ui.label(if steps.facing > 0.0 { self.t.is_front } else { self.t.is_back });
     }
 
-    /// The six distances of each corner; those that are negative are the bits of its outcode.
+    /// The six distances of each corner. Those that are negative are the bits of its outcode.
     fn outcodes(&self, ui: &mut Ui, steps: &TriangleSteps) {
         const NAMES: [&str; 6] = ["w + x", "w − x", "w + y", "w − y", "d − F", "B − d"];
         for (name, corner) in ('a'..).zip(&steps.corners) {
@@ -283,7 +283,7 @@ impl Page<'_> {
         }
     }
 
-    /// Reports an empty coverage; returns false then.
+    /// Reports an empty coverage. Returns false then.
     fn covers(&self, ui: &mut Ui, pixels: Option<&TrianglePixels>) -> bool {
         match pixels {
             None => ui.label(self.t.too_large),

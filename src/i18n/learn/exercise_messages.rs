@@ -80,7 +80,7 @@ pub fn answer_form(lang: Lang, text: &str) -> String {
     format!("--answer {}: {}", escaped(text), name_and_value(lang))
 }
 
-/// An answer that cannot be read; it has not been judged.
+/// An answer that cannot be read. It has not been judged.
 #[must_use]
 pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
     both!(lang; "--answer {name}: {why}. Nothing was checked", "--answer {name}: {why}. Nada foi conferido")
@@ -126,7 +126,7 @@ pub const fn greater_than_zero(lang: Lang) -> &'static str {
     pick!(lang; "expected a number greater than 0", "esperava-se um número maior que 0")
 }
 
-/// Hints for a wrong answer, weaker ones first; none for a right one.
+/// Hints for a wrong answer, weaker ones first. None for a right one.
 #[must_use]
 pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
     /// Digits of the numbers in the first step.

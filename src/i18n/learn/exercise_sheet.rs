@@ -138,7 +138,7 @@ fn latex_answer(lang: Lang, exercise: &Exercise, ask: &Ask, steps: &[Worked]) ->
     text
 }
 
-/// Rows in LaTeX, aligned at their first equals signs; short ones stay on one line.
+/// Rows in LaTeX, aligned at their first equals signs. Short ones stay on one line.
 fn rows(lines: &[Line]) -> String {
     let row = |Line { symbol, formula, numbers, value }: &Line| {
         let mut parts = vec![formula];

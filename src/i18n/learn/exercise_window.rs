@@ -103,7 +103,7 @@ pub fn you_said(lang: Lang, guess: &str, question: &str) -> String {
     format!("{}: **{guess}**. {question}", texts(lang).you_guessed)
 }
 
-/// A field of a vector or a matrix; rows and columns from 0.
+/// A field of a vector or a matrix. Rows and columns from 0.
 #[must_use]
 pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: [usize; 2]) -> String {
     let (i, j) = (row + 1, column + 1);

@@ -14,7 +14,7 @@ use crate::i18n::{Lang, messages, told, window};
 use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
 
-/// A text of a list; the name itself where there is none, as with names that are the same in both languages.
+/// A text of a list. The name itself where there is none, as with names that are the same in both languages.
 fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
     texts(lang).lists.get(list).and_then(|list| list.get(name)).copied().unwrap_or(name)
 }
@@ -88,7 +88,7 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
 }
 
 /// The name of a choice typed by its name or by its word in either language, yes and no also in the form of `inspect`,
-/// true and false; the typed text where it is none of them.
+/// true and false. The typed text where it is none of them.
 #[must_use]
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
@@ -305,7 +305,7 @@ fn list_of_choices<'a>(choices: &'a [String], said: impl Fn(&'a str) -> &'a str)
     choices.iter().map(choice).collect::<Vec<_>>().join(", ")
 }
 
-/// The tolerance of an answer; empty for choices and cameras.
+/// The tolerance of an answer. Empty for choices and cameras.
 #[must_use]
 pub fn tolerance(lang: Lang, ask: &Ask) -> String {
     let numbers = matches!(ask.kind, Kind::Number | Kind::Vector(_) | Kind::Matrix(..));
@@ -489,7 +489,7 @@ pub fn matrix(mark: DecimalMark, table: &Table) -> String {
     format!("[{}]", table.rows().map(row).collect::<Vec<_>>().join(mark.separator()))
 }
 
-/// A number, or a matrix, in LaTeX; a vector is a column. `None` is a missing entry.
+/// A number, or a matrix, in LaTeX. A vector is a column. `None` is a missing entry.
 #[must_use]
 pub fn table_latex(mark: DecimalMark, unit: Unit, columns: usize, entries: &[Option<f64>]) -> String {
     let unit = if unit == Unit::Degrees { r"^\circ" } else { "" };

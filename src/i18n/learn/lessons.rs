@@ -198,7 +198,7 @@ pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
     out
 }
 
-/// The questions before or after a lesson, each with the command that prints it; empty if there are none.
+/// The questions before or after a lesson, each with the command that prints it. Empty if there are none.
 fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
     let line = |question: &Question| {
         let title = exercises::entry(&question.id).map(|entry| super::exercises::title(lang, entry));

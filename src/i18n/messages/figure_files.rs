@@ -124,7 +124,7 @@ fn named(c: char) -> String {
     format!("{} (U+{:04X})", escaped(&c.to_string()), u32::from(c))
 }
 
-/// The TOML parser speaks English; its common complaints are known, others stay as they are.
+/// The TOML parser speaks English. Its common complaints are known, others stay as they are.
 fn toml_in_portuguese(detail: &str) -> &str {
     let portuguese = toml_complaints::texts(Lang::PtBr).entries();
     let both = toml_complaints::texts(Lang::En).entries().into_iter().zip(portuguese);

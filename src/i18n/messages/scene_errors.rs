@@ -8,7 +8,7 @@ use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MI
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
 
-/// Why the objects and lights of a figure make no scene; names the object and the key.
+/// Why the objects and lights of a figure make no scene. Names the object and the key.
 #[must_use]
 pub fn scene(lang: Lang, error: &SceneError) -> String {
     let (key, why) = (error.key(), scene_wording(lang, error).full);

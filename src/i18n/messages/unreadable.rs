@@ -54,7 +54,7 @@ pub fn without_colors(lang: Lang, error: &ReadError) -> String {
         "{why}. A malha é desenhada sem as cores dos materiais")
 }
 
-/// The error of the system, in our words; an unusual one by its number.
+/// The error of the system, in our words. An unusual one by its number.
 pub(in crate::i18n) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
     let words = match system_kind(kind, code) {
         io::ErrorKind::NotFound => "o arquivo ou diretório não existe",

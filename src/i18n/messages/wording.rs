@@ -4,7 +4,7 @@
 pub(in crate::i18n) struct Wording {
     /// For files and options: with the keys, the value found, and the values allowed.
     pub(in crate::i18n) full: String,
-    /// In the notes' symbols, as in the window's fields; the value found is in the field.
+    /// In the notes' symbols, as in the window's fields. The value found is in the field.
     pub(in crate::i18n) in_symbols: String,
 }
 

@@ -90,7 +90,7 @@ texts! {
     as_in_the_notes: "Here, as in the lecture notes, points are columns and view space is right-handed.", "Aqui, como nas notas de aula, pontos são colunas e o espaço de vista é de mão direita.";
 }
 
-/// The place of an entry; rows and columns from 0.
+/// The place of an entry. Rows and columns from 0.
 #[must_use]
 pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
     let (row, column) = (row + 1, column + 1);
@@ -201,7 +201,7 @@ pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static
     }
 }
 
-/// The matrix of a step; the first is 1.
+/// The matrix of a step. The first is 1.
 #[must_use]
 pub fn factor(lang: Lang, step: usize) -> String {
     both!(lang; "The matrix of step {step}", "A matriz do passo {step}")

@@ -37,7 +37,7 @@ pub struct Note {
     pub paragraphs: Vec<Vec<Piece>>,
     /// Errata of the lecture notes.
     pub errata: Vec<Vec<Piece>>,
-    /// Its place in the lecture notes; empty where it has none.
+    /// Its place in the lecture notes. Empty where it has none.
     pub source: &'static str,
     /// The identifiers of other notes.
     pub links: Vec<&'static str>,
@@ -162,7 +162,7 @@ pub fn plain(latex: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Writes the command after a backslash; returns the text after it.
+/// Writes the command after a backslash. Returns the text after it.
 fn command<'a>(text: &mut String, rest: &'a str) -> &'a str {
     let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
     // A sign is a command by itself.

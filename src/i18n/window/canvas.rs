@@ -147,7 +147,7 @@ texts! {
     far_plane: "back plane", "plano de fundo";
 }
 
-/// The observer of a picture went back; the first key fits the picture, undo of the camera brings it back.
+/// The observer of a picture went back. The first key fits the picture, undo of the camera brings it back.
 #[must_use]
 pub fn went_back(lang: Lang, view: View) -> String {
     let name = texts(lang).view(view);

@@ -168,7 +168,7 @@ texts! {
 }
 
 impl Texts {
-    /// The name of a shape; a group has none.
+    /// The name of a shape. A group has none.
     #[must_use]
     pub fn shape(&self, shape: Option<&Shape>) -> &'static str {
         match shape {
@@ -198,7 +198,7 @@ impl Texts {
     }
 }
 
-/// The displayed name of an object of a named scene; figure files have the name itself.
+/// The displayed name of an object of a named scene. Figure files have the name itself.
 #[must_use]
 pub fn preset_object(lang: Lang, name: &str) -> String {
     pick!(lang; name.to_owned(), name.split(' ').map(in_portuguese).collect::<Vec<_>>().join(" "))
@@ -240,7 +240,7 @@ fn in_portuguese(word: &str) -> &str {
     }
 }
 
-/// The features that the list of a named scene's objects cannot express, as a sentence; empty where it expresses all.
+/// The features that the list of a named scene's objects cannot express, as a sentence. Empty where it expresses all.
 #[must_use]
 pub fn lost(lang: Lang, preset: Preset) -> String {
     let lost = beyond(lang, preset.beyond_objects());

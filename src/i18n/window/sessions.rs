@@ -11,7 +11,7 @@ pub fn damaged(lang: Lang, path: &str) -> String {
         "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}")
 }
 
-/// The last session is back without some keys of its figure; the whole is in the file at `path`.
+/// The last session is back without some keys of its figure. The whole is in the file at `path`.
 #[must_use]
 pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
     both!(lang; "The last session is restored, but this version does not know {keys}. Everything is kept in {path}. Saving asks for another file.",
@@ -60,14 +60,14 @@ pub fn no_slot(lang: Lang, slots: usize) -> String {
         "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.")
 }
 
-/// The preferences cannot be understood; they are in the file at `path` now.
+/// The preferences cannot be understood. They are in the file at `path` now.
 #[must_use]
 pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
     both!(lang; "The preferences can't be read. They're kept in {path}, and you begin with new ones.",
         "As preferências não podem ser lidas. Estão guardadas em {path}, e você começa com novas.")
 }
 
-/// The progress in exercises cannot be read; it is in the file at `path` now.
+/// The progress in exercises cannot be read. It is in the file at `path` now.
 #[must_use]
 pub fn progress_set_aside(lang: Lang, path: &str) -> String {
     both!(lang; "Your progress in exercises can't be read. It's kept in {path}, and you begin anew.",

@@ -39,14 +39,14 @@ impl Level {
         Some(Self { width, height, rgba })
     }
 
-    /// A texel by its column and row; clear outside.
+    /// A texel by its column and row. Clear outside.
     #[inline]
     #[must_use]
     pub fn texel(&self, x: u32, y: u32) -> [u8; 4] {
         self.at(y as usize * self.width as usize + x as usize)
     }
 
-    /// A texel by its number, row by row; clear behind the last.
+    /// A texel by its number, row by row. Clear behind the last.
     #[inline]
     #[must_use]
     pub fn at(&self, index: usize) -> [u8; 4] {
@@ -65,7 +65,7 @@ impl Shares {
         Self { long, short }
     }
 
-    /// Indices and shares of the texels under the `k`-th of the shorter axis; the shares add up to 1.
+    /// Indices and shares of the texels under the `k`-th of the shorter axis. The shares add up to 1.
     fn of(&self, k: u32) -> impl Iterator<Item = (u32, f32)> {
         let step = f64::from(self.long) / f64::from(self.short);
         let (begin, end) = (f64::from(k) * step, f64::from(k + 1) * step);
@@ -85,7 +85,7 @@ static DECODED: LazyLock<[f32; 256]> = LazyLock::new(|| {
     std::array::from_fn(|byte| u8::try_from(byte).map_or(1.0, |byte| decoded(f32::from(byte) / 255.0)))
 });
 
-/// A premultiplied texel in linear light, still premultiplied; alpha 0 … 1.
+/// A premultiplied texel in linear light, still premultiplied. Alpha 0 … 1.
 fn linear(texel: [u8; 4]) -> [f32; 4] {
     let alpha = f32::from(texel[3]) / 255.0;
     match texel[3] {

@@ -9,10 +9,10 @@ use super::level::Level;
 /// The levels of detail of a picture, from the largest on.
 #[derive(Clone, Debug)]
 pub(crate) struct LevelPairs {
-    /// Of each level the place of its first pair, its width and its height in texels; the last stands here twice, so
+    /// Of each level the place of its first pair, its width and its height in texels. The last stands here twice, so
     /// that each has one behind it.
     sizes: Vec<[i32; 4]>,
-    /// A texel, as its bytes lie in memory, and the one below; below the last row is the first.
+    /// A texel, as its bytes lie in memory, and the one below. Below the last row is the first.
     pairs: Vec<[u32; 2]>,
 }
 

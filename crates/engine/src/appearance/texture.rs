@@ -12,7 +12,7 @@ pub struct Texture {
     /// The picture itself, then smaller ones, each half as wide and high as the one before, down to one texel. Only the
     /// first is there where no filter asks for the others.
     levels: Vec<Level>,
-    /// The same for filters that mix two levels; laid out once, where a picture is drawn with such a filter.
+    /// The same for filters that mix two levels. Laid out once, where a picture is drawn with such a filter.
     pairs: OnceLock<LevelPairs>,
     /// Looked for once, where somebody asks.
     one_color: OnceLock<Option<[u8; 4]>>,
@@ -64,7 +64,7 @@ pub enum TextureReveal {
     Texels,
 }
 
-/// The colours of levels of detail, from the picture itself on; the last goes on for all that are smaller.
+/// The colours of levels of detail, from the picture itself on. The last goes on for all that are smaller.
 pub const LEVEL_COLORS: [Rgba; 6] = [
     Rgba::rgb(0xd5, 0x5e, 0x00),
     Rgba::rgb(0xe6, 0x9f, 0x00),
@@ -125,7 +125,7 @@ impl Sampler {
 }
 
 impl Texture {
-    /// A picture without smaller levels. `rgba` has 4 bytes for each of `width` · `height` texels, premultiplied; what
+    /// A picture without smaller levels. `rgba` has 4 bytes for each of `width` · `height` texels, premultiplied. What
     /// is missing is clear, and a picture without texels has one.
     #[must_use]
     pub fn flat(width: u32, height: u32, mut rgba: Vec<u8>) -> Self {
@@ -150,7 +150,7 @@ impl Texture {
         Self { levels, pairs: OnceLock::new(), one_color: OnceLock::new(), opaque: OnceLock::new() }
     }
 
-    /// The levels of detail, the picture itself first; never empty.
+    /// The levels of detail, the picture itself first. Never empty.
     #[must_use]
     pub fn levels(&self) -> &[Level] {
         &self.levels

@@ -1,6 +1,6 @@
 //! The camera of the notes `[0]`: pure values in `f64`.
 //!
-//! [`Parameters`] may be nonsense; a [`Camera`] is not: it is made by [`Camera::new`] or by an [`Operation`], and never
+//! [`Parameters`] may be nonsense. A [`Camera`] is not: it is made by [`Camera::new`] or by an [`Operation`], and never
 //! changed. A point goes through these spaces, and [`Camera::stations`] shows them all:
 //!
 //! | space | unit | axes | reached by |
@@ -68,7 +68,7 @@ use window::WideWindow;
 
 use crate::geometry::Angle;
 
-/// A camera whose parameters have been checked; everything derived is there, and every number of it is finite.
+/// A camera whose parameters have been checked. Everything derived is there, and every number of it is finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     parameters: Parameters,
@@ -84,7 +84,7 @@ impl Camera {
     ///
     /// *Guarantees*: D, basis, window, matrices and corners are finite, and rounded from a computation in twice the
     /// precision of `f64`. VUP and DOP are collinear when they are so exactly, or when what is left of their cross
-    /// product could come from rounding their components; an angle of 1e-10 rad between them is none of both.
+    /// product could come from rounding their components. An angle of 1e-10 rad between them is none of both.
     ///
     /// ```
     /// use camera_lab_engine::camera::{Camera, Parameters};

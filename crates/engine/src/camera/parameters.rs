@@ -53,7 +53,7 @@ impl ViewWindow {
     }
 }
 
-/// The camera parameters of a figure file or a slider; may be nonsense until [`Camera::new`](super::Camera::new) has
+/// The camera parameters of a figure file or a slider. May be nonsense until [`Camera::new`](super::Camera::new) has
 /// checked them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
@@ -75,7 +75,7 @@ pub struct Parameters {
     pub near: f64,
     /// B, distance of the back clipping plane.
     pub far: f64,
-    /// l, r, b, t; replaces angle, height and aspect.
+    /// l, r, b, t. Replaces angle, height and aspect.
     pub window: Option<ViewWindow>,
 }
 
@@ -420,7 +420,7 @@ impl CameraError {
         matches!(self, Self::OutOfRange { .. } | Self::ViewUpZero)
     }
 
-    /// The parameters that the error is about, the most likely culprit first; none for an operation with an impossible
+    /// The parameters that the error is about, the most likely culprit first. None for an operation with an impossible
     /// value.
     #[must_use]
     pub fn parameters(&self) -> &[ParameterKey] {

@@ -27,7 +27,7 @@ impl ClipSpace<'_> {
     /// [`NotProjectable`]: no point has these coordinates.
     ///
     /// In perspective, NDC distinguish the sides of the eye: behind it, and only there, `z_n` is beyond its limit at
-    /// infinity. So the NDC that the division gives to a point behind the eye lead back to it; only those of its plane,
+    /// infinity. So the NDC that the division gives to a point behind the eye lead back to it. Only those of its plane,
     /// and of infinity, have no point.
     pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NotProjectable> {
         let camera = self.camera();

@@ -29,7 +29,7 @@ pub struct Projected {
     pub ndc: DVec3,
     /// (x_p, y_p) on the plane of the view window, `[0]` Eqs. (5.9) and (5.10).
     pub window: DVec2,
-    /// (i, j), whole numbers, `[0]` Eq. (5.22); outside the image for points outside the window.
+    /// (i, j), whole numbers, `[0]` Eq. (5.22). Outside the image for points outside the window.
     pub pixel: DVec2,
     /// (X, Y, Z), `[0]` Eqs. (5.24) and (5.25); X and Y are whole numbers.
     pub viewport: DVec3,
@@ -132,7 +132,7 @@ fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
 }
 
 impl ClipSpace<'_> {
-    /// A world point in every space; clip coordinates, NDC and `inside` are those of the convention, all others do not
+    /// A world point in every space. Clip coordinates, NDC and `inside` are those of the convention, all others do not
     /// depend on it.
     ///
     /// *Guarantees*: those of [`Camera::stations`].

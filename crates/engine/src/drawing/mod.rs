@@ -3,7 +3,7 @@
 //! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
 //! (i + ½, j + ½). Depth: **1 at the front plane, 0 at the back plane** (reversed, so that `f32` keeps its resolution
 //! where perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. Where the volume
-//! is much deeper than the part of it in view, the depths are those of the part in view, and may be greater than 1; the
+//! is much deeper than the part of it in view, the depths are those of the part in view, and may be greater than 1. The
 //! frame defines their meaning.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal
@@ -84,7 +84,7 @@ pub struct StrokeSet {
     pub points: Vec<[f32; 3]>,
     /// Each polyline: a range of `points`. The arrow head, where the style has one, is at the last point of each.
     pub polylines: Vec<Range<u32>>,
-    /// Their look; the width is in pixels of this drawing (already scaled).
+    /// Their look. The width is in pixels of this drawing (already scaled).
     pub style: LineStyle,
 }
 
@@ -149,7 +149,7 @@ pub struct Label {
     pub color: Rgba,
     /// Colour of the halo that keeps the letters legible on any ground.
     pub halo: Rgba,
-    /// Horizontal place; vertically the middle of the x-height is at the point.
+    /// Horizontal place. Vertically the middle of the x-height is at the point.
     pub anchor: Anchor,
     /// Drawn faintly (true) or fully (false) where a face hides its point.
     pub fade_if_hidden: bool,

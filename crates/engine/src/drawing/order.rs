@@ -14,7 +14,7 @@ pub(crate) const ON_A_FACE: f32 = 0.02;
 /// The distance by which a point may lie behind a face and still be on it. `slope`: the change of the face's depth per
 /// pixel to the right and down.
 ///
-/// Corners of faces lie on a grid of the pixel, ends of strokes do not; and slopes stored for each pixel are rounded.
+/// Corners of faces lie on a grid of the pixel, ends of strokes do not, and slopes stored for each pixel are rounded.
 #[inline]
 #[must_use]
 pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {

@@ -13,7 +13,7 @@ pub struct Shadow {
     pub map: Arc<ShadowMap>,
     /// See [`Shadows::bias`](crate::scene::Shadows::bias).
     pub bias: f32,
-    /// The place of each vertex for the light, in the space of [`Rays`]; affine over each triangle.
+    /// The place of each vertex for the light, in the space of [`Rays`]. Affine over each triangle.
     pub places: Vec<[f32; 3]>,
     /// The plane of each triangle for the light, as [`Rays`] has it.
     pub planes: Vec<[f32; 3]>,
@@ -53,13 +53,13 @@ pub struct ShadowMap {
 /// The way of the rays of a light, and with it the space of places and planes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rays {
-    /// A place is x and y in texels, and the depth of the drawing; a plane the change of the depth from texel to texel,
+    /// A place is x and y in texels, and the depth of the drawing. A plane the change of the depth from texel to texel,
     /// to the right and down, and 0.
     Parallel {
         /// The difference in depth that is as long as a texel.
         step: f32,
     },
-    /// A place is the vector from the lamp, in units of the farthest distance; a plane the vector **q** with
+    /// A place is the vector from the lamp, in units of the farthest distance. A plane the vector **q** with
     /// **q** · p = 1 at each of its points.
     FromLamp {
         /// Of each view the unit vectors to the right, up, and forwards.
@@ -91,7 +91,7 @@ impl ShadowMap {
         self.views.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Keeps the depths that were painted, and drops the views; the first depths stay.
+    /// Keeps the depths that were painted, and drops the views. The first depths stay.
     pub fn keep(&self, depths: Vec<Vec<f32>>) {
         // Two pictures may have painted it at the same time: both have the same.
         let _ = self.depths.set(depths);

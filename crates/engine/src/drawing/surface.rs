@@ -13,12 +13,12 @@ use crate::appearance::{LightShare, Rgba, Sampler, Texture};
 /// A set of triangles painted one way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// x, y in pixels and depth, one per vertex; all inside the picture (clipping has been done).
+    /// x, y in pixels and depth, one per vertex. All inside the picture (clipping has been done).
     pub positions: Vec<[f32; 3]>,
-    /// 1/w of each vertex for perspective-correct interpolation; empty where w is the same everywhere or nothing is
+    /// 1/w of each vertex for perspective-correct interpolation. Empty where w is the same everywhere or nothing is
     /// interpolated.
     pub inverse_w: Vec<f32>,
-    /// Indices into `positions`; either winding (culling has been done).
+    /// Indices into `positions`. Either winding (culling has been done).
     pub triangles: Vec<[u32; 3]>,
     /// The colours before light, or with it where `light` says so.
     pub base: Base,
@@ -49,7 +49,7 @@ pub enum Base {
         sampler: Sampler,
         /// Texture coordinates of each vertex: (0, 0) at the top left of the picture, (1, 1) at its bottom right.
         uv: Vec<[f32; 2]>,
-        /// Multiplies the colours of the picture; white leaves them as they are. Its alpha is the opacity.
+        /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
         tint: Rgba,
     },
 }
@@ -154,7 +154,7 @@ impl Surface {
         }
     }
 
-    /// The base colour of a triangle at one of its vertices; grey under a picture. `None` where the list has none.
+    /// The base colour of a triangle at one of its vertices. Grey under a picture. `None` where the list has none.
     #[must_use]
     pub fn color_at_vertex(&self, triangle: usize, vertex: u32) -> Option<Rgba> {
         match &self.base {

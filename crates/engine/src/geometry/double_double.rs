@@ -24,7 +24,7 @@ fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, b - (s - a))
 }
 
-/// `a b` as rounded product and error; the error is exact unless it underflows.
+/// `a b` as rounded product and error. The error is exact unless it underflows.
 #[inline]
 pub fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
@@ -124,7 +124,7 @@ impl Dd {
         if self.hi.abs() <= size * NOISE { Self::ZERO } else { self }
     }
 
-    /// The sum; zero where nothing but noise is left of it.
+    /// The sum. Zero where nothing but noise is left of it.
     pub fn plus(self, other: Self) -> Self {
         (self + other).without_noise(self.hi.abs() + other.hi.abs())
     }
@@ -323,7 +323,7 @@ impl Dd3 {
         Self { x: f(self.x), y: f(self.y), z: f(self.z) }
     }
 
-    /// The scalar product; zero where nothing but noise is left of it.
+    /// The scalar product. Zero where nothing but noise is left of it.
     pub fn dot(self, other: Self) -> Dd {
         let [x, y, z] = [self.x * other.x, self.y * other.y, self.z * other.z];
         (x + y + z).without_noise(x.hi.abs() + y.hi.abs() + z.hi.abs())
@@ -353,7 +353,7 @@ impl Dd3 {
         self.map(|x| x.scaled(k))
     }
 
-    /// Length of a vector whose greatest component is near 1; see [`Self::exponent`] and [`Self::scaled`].
+    /// Length of a vector whose greatest component is near 1. See [`Self::exponent`] and [`Self::scaled`].
     pub fn length(self) -> Dd {
         self.dot(self).sqrt()
     }

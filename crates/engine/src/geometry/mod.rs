@@ -7,7 +7,7 @@ use glam::DVec3;
 
 pub use triangle_tree::{TriangleHit, TriangleTree, ray_meets_triangle};
 
-/// An angle. Kept in degrees, as users give it, so that 30°, 45°, 90° stay exact; radians are an inner matter.
+/// An angle. Kept in degrees, as users give it, so that 30°, 45°, 90° stay exact. Radians are an inner matter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Angle {
     degrees: f64,
@@ -83,7 +83,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Signed distance of `point`; positive inside.
+    /// Signed distance of `point`. Positive inside.
     #[must_use]
     pub fn distance(&self, point: DVec3) -> f64 {
         self.normal.dot(point) + self.offset

@@ -3,7 +3,7 @@
 /// p √b / q in lowest terms, or p / √b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ExactForm {
-    /// p; carries the sign.
+    /// p. Carries the sign.
     pub numerator: i64,
     /// b, free of squares; 1 where there is no root.
     pub root: i64,

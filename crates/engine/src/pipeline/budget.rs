@@ -39,7 +39,7 @@ pub struct MisplacedVertex {
     pub object: String,
     /// The index of the vertex in the mesh, from 0.
     pub vertex: usize,
-    /// Distance between its place and its drawn position, pixels; more than a quarter.
+    /// Distance between its place and its drawn position, pixels. More than a quarter.
     pub off: f64,
 }
 

@@ -99,7 +99,7 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
     drawing
 }
 
-/// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
+/// Draws pictures one after the other. Reuses its buffers, and the bounds of meshes.
 #[derive(Debug)]
 pub struct Pipeline {
     faces: Faces,

@@ -69,7 +69,7 @@ impl<'a> ObjectPass<'a> {
         cull_faces(faces, &self.vertices(), &self.object.mesh.triangles, task);
     }
 
-    /// Clips the remaining faces; corners that this makes take the way of all vertices.
+    /// Clips the remaining faces. Corners that this makes take the way of all vertices.
     pub(crate) fn clip(&self, faces: &mut Faces) {
         let PassContext { screen, options, .. } = self.context;
         clip(faces, &self.vertices(), screen, self.wants_source(), options.force_all_stages);

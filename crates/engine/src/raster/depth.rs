@@ -25,18 +25,18 @@ pub struct DepthBuffer {
     rows_log: u32,
     pitch: usize,
     bands: Vec<BandDepth>,
-    /// From one stored depth to the next, where they are whole numbers; else 0.
+    /// From one stored depth to the next, where they are whole numbers, else 0.
     pub(super) step: f32,
 }
 
 /// The part of a depth buffer that belongs to one band of rows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BandDepth {
-    /// The columns that may have a surface; elsewhere the arrays hold an older picture.
+    /// The columns that may have a surface. Elsewhere the arrays hold an older picture.
     pub(super) columns: Range<usize>,
     /// −∞ if there is no surface.
     pub(super) values: Vec<f32>,
-    /// Change of the depth per pixel to the right and down on the visible face, packed; empty unless requested.
+    /// Change of the depth per pixel to the right and down on the visible face, packed. Empty unless requested.
     pub(super) slopes: Vec<u32>,
 }
 
@@ -268,7 +268,7 @@ impl Occluders<'_> {
 /// Points that are compared with the faces before them together.
 pub(super) const EACH: usize = 32;
 
-/// The whole number below; the library's function is slow on processors for which no instruction may be assumed.
+/// The whole number below. The library's function is slow on processors for which no instruction may be assumed.
 #[expect(clippy::cast_possible_truncation, reason = "`as` saturates, short of the last number")]
 fn floor(v: f32) -> i32 {
     let whole = v.clamp(-1e9, 1e9) as i32;

@@ -10,7 +10,7 @@ use super::depth::{DepthBuffer, Occluders};
 
 /// Opacity of a label or a mark behind a face, relative to its own.
 pub const FADED: f32 = 0.45;
-/// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
+/// Width of the halo's stroke, as a share of the type size. Half of it is outside the letter.
 pub const HALO: f32 = 0.28;
 
 /// The farthest from the corner of the picture, in pixels, that something is drawn. Beyond it an `f32` has no pixels
@@ -155,7 +155,7 @@ pub fn mark_layers(mark: &Mark) -> [MarkLayer; 2] {
     [MarkLayer { stroke: Some(outer), color: mark.outline }, MarkLayer { stroke: inner, color: mark.color }]
 }
 
-/// The outline of a mark; empty if it has none that can be drawn.
+/// The outline of a mark. Empty if it has none that can be drawn.
 #[must_use]
 pub fn mark_outline(mark: &Mark) -> Vec<Element> {
     let [x, y, _] = mark.position;
@@ -163,7 +163,7 @@ pub fn mark_outline(mark: &Mark) -> Vec<Element> {
     path.map(|path| elements(&path)).unwrap_or_default()
 }
 
-/// The outline of an area; empty if it has none that can be drawn.
+/// The outline of an area. Empty if it has none that can be drawn.
 #[must_use]
 pub fn area_outline(area: &Area) -> Vec<Element> {
     let Area { corner: [x, y], size: [width, height], radius, .. } = *area;

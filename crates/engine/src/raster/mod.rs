@@ -26,7 +26,7 @@ use depth::Occluders;
 pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
 use surfaces::Wanted;
 
-/// Draws pictures; keeps its buffers from one to the next.
+/// Draws pictures. Keeps its buffers from one to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Rasterizer {
     surfaces: surfaces::Surfaces,
@@ -51,9 +51,9 @@ pub struct Work {
     pub covered: u64,
     /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
     pub written: u64,
-    /// Time of the surfaces; zero without a clock.
+    /// Time of the surfaces. Zero without a clock.
     pub surfaces: Duration,
-    /// Time of strokes, marks and texts; zero without a clock.
+    /// Time of strokes, marks and texts. Zero without a clock.
     pub strokes: Duration,
 }
 

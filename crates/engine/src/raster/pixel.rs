@@ -66,7 +66,7 @@ pub(super) fn over<P: Pixels>(source: P, target: P) -> P {
     source + scale(target, !(source >> 24) & 0xff)
 }
 
-/// v · a / 255, rounded, for the first and third byte; the others are 0.
+/// v · a / 255, rounded, for the first and third byte. The others are 0.
 #[inline(always)]
 fn scale_alternate<P: Pixels>(v: P, a: P) -> P {
     let t = (v & ALTERNATE) * a + 0x0080_0080;

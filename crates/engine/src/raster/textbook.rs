@@ -111,8 +111,8 @@ fn paint_shadow_maps(drawing: &Drawing) {
 }
 
 /// The triangles in the order of painting. Opaque ones come as they're listed, because the z-buffer sorts them.
-/// Translucent ones follow from back to front, by the depths of their centroids, as in the painter's model of `[2]`;
-/// those without a depth test come last.
+/// Translucent ones follow from back to front, by the depths of their centroids, as in the painter's model of `[2]`.
+/// Those without a depth test come last.
 fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
     let all = drawing.surfaces.iter().flat_map(|surface| (0..surface.triangles.len()).map(move |k| (surface, k)));
     if drawing.painted_in_order {
@@ -222,7 +222,7 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
 const BIAS: [f32; 2] = [0.5, 1.0 / 32.0];
 
 /// **Shadow**: finds the share of a lamp's light that arrives at a point. A texel of the shadow map hides the point if
-/// the depth that the lamp sees there is nearer to it (Williams 1978); the texels under a square around the point, the
+/// the depth that the lamp sees there is nearer to it (Williams 1978). The texels under a square around the point, the
 /// soft edge, are averaged (Reeves 1987). `[3]` §1.1, step 9
 fn shadow(triangle: &Triangle, shadow: &Shadow, shares: [f32; 3]) -> f32 {
     let (map, bias, softness) = (&shadow.map, shadow.bias, shadow.map.softness.max(0.0));

@@ -21,7 +21,7 @@ use crate::sanitize::escaped;
 
 /// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme.
 ///
-/// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a
+/// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`. An object without a
 /// colour has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name as a
 /// label. Without lights there is one, [`DEFAULT_LIGHT`](super::DEFAULT_LIGHT).
 ///
@@ -74,10 +74,10 @@ pub fn build_with(
     Ok(scene)
 }
 
-/// Makes meshes; equal ones are made once.
+/// Makes meshes. Equal ones are made once.
 struct Maker<'a, 'b> {
     colors: SceneColors,
-    /// The primitives of the last time; those that are used again go back to `files`.
+    /// The primitives of the last time. Those that are used again go back to `files`.
     before: BTreeMap<(&'static str, u32), Arc<Mesh>>,
     mapped_before: BTreeMap<(&'static str, u32), UvMesh>,
     read_file: &'a mut ReadFile<'b>,
@@ -210,7 +210,7 @@ impl Maker<'_, '_> {
         Some((image, sampler))
     }
 
-    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges, curved ones their
+    /// A solid, whose mesh is made once for each number of segments. Faceted ones show their edges, curved ones their
     /// outline.
     fn solid(
         &mut self,

@@ -49,7 +49,7 @@ pub struct Scene {
     pub marks: Vec<PointMark>,
     /// Texts in the world.
     pub texts: Vec<Text>,
-    /// Parts of mesh files that were left out, by the name of the object; none of them is drawn.
+    /// Parts of mesh files that were left out, by the name of the object. None of them is drawn.
     pub notices: Vec<(String, MeshNotice)>,
 }
 
@@ -63,7 +63,7 @@ impl Scene {
         objects.chain(lines).chain(marks).reduce(Aabb::union)
     }
 
-    /// The place of the object of this name; one of the figure comes before a part of another that is called alike.
+    /// The place of the object of this name. One of the figure comes before a part of another that is called alike.
     #[must_use]
     pub fn place_of(&self, name: &str) -> Option<usize> {
         let own = |object: &Object| object.name == name && object.part_of.is_none();
@@ -102,12 +102,12 @@ pub struct SceneVertex<'a> {
 pub struct Object {
     /// For messages, the scene tree and the probe.
     pub name: String,
-    /// The object of the figure of whose mesh file it is a part, where that has several; names may hold any character,
+    /// The object of the figure of whose mesh file it is a part, where that has several. Names may hold any character,
     /// so that a name does not tell.
     pub part_of: Option<Arc<str>>,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
-    /// Model matrix; finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen
+    /// Model matrix. Finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen
     /// from outside in its own space, and the pipeline turns the triangles round.
     pub world_from_object: DMat4,
     /// Colours of its faces.
@@ -136,7 +136,7 @@ pub struct InWorld {
     /// 1/w of each vertex, in any unit: between the vertices, what is affine in the world is so here divided by w.
     /// Empty without perspective: it is as it is.
     pub inverse_w: Vec<f32>,
-    /// The vertices; empty where no light casts shadows.
+    /// The vertices. Empty where no light casts shadows.
     pub positions: Vec<DVec3>,
     /// The part of the light that comes from each light which casts shadows, with its place among the lights.
     pub taken: Vec<(usize, FoundLight)>,
@@ -185,7 +185,7 @@ impl Object {
 /// The colours of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ObjectPaint {
-    /// One colour; its alpha is the object's opacity.
+    /// One colour. Its alpha is the object's opacity.
     Solid(Rgba),
     /// One colour for each triangle of the mesh.
     Faces(Arc<Vec<Rgba>>),
@@ -204,7 +204,7 @@ pub struct Pictured {
     pub sampler: Sampler,
     /// One for each vertex of the mesh: (0, 0) at the top left of the picture, (1, 1) at its bottom right.
     pub uv: Arc<Vec<[f32; 2]>>,
-    /// Multiplies the colours of the picture; white leaves them as they are. Its alpha is the opacity.
+    /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
     pub tint: Rgba,
     /// Something shows through it.
     pub translucent: bool,
@@ -275,7 +275,7 @@ pub struct PointMark {
     pub radius: f32,
     /// Its colour.
     pub color: Rgba,
-    /// Faint behind a face; else always fully drawn.
+    /// Faint behind a face, else always fully drawn.
     pub fade_if_hidden: bool,
 }
 
@@ -294,7 +294,7 @@ pub struct Text {
     pub size: f32,
     /// Colour of the letters.
     pub color: Rgba,
-    /// Faint where a face hides its point; else always fully drawn.
+    /// Faint where a face hides its point, else always fully drawn.
     pub fade_if_hidden: bool,
 }
 

@@ -5,7 +5,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Theme};
 
 /// The colours that objects get when they name none, in turn. From the palettes of Okabe and Ito (2008) and of Paul Tol
 /// (2021), chosen so that any two stay apart also for red-green and blue-yellow blind eyes and in greyscale
-/// (lightness L\* 29 … 89 in steps of at least 5); neighbours in the list are far apart.
+/// (lightness L\* 29 … 89 in steps of at least 5). Neighbours in the list are far apart.
 pub const PALETTE: [Rgba; 8] = [
     Rgba::rgb(0x44, 0x77, 0xaa),
     Rgba::rgb(0xe6, 0x9f, 0x00),

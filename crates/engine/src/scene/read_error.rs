@@ -101,7 +101,7 @@ pub enum NamedBy {
     Lesson,
 }
 
-/// An error of the system in plain English; an unusual one by its number: its own sentence may be in any language.
+/// An error of the system in plain English. An unusual one by its number: its own sentence may be in any language.
 #[must_use]
 pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
     let words = match system_kind(kind, code) {

@@ -22,7 +22,7 @@ impl Shadows {
     /// The widths of the soft edge that are allowed.
     pub const SOFTNESSES: [f64; 2] = [0.0, 8.0];
 
-    /// No shadows; those that are switched on have the defaults.
+    /// No shadows. Those that are switched on have the defaults.
     pub const NONE: Self = Self { cast: false, map: 1024, bias: 1.0, softness: 1.0 };
     /// Shadows with the defaults.
     pub const CAST: Self = Self { cast: true, ..Self::NONE };

@@ -88,8 +88,8 @@ impl FromStr for Preset {
     }
 }
 
-/// A shape of `[[scene.objects]]`. Each has size about 2; y is up. Box, sphere, ellipsoid and torus have their centre
-/// at the origin; prism, pyramid, cylinder and cone stand on it (y from 0 to 2). Sizes are changed by `scale`.
+/// A shape of `[[scene.objects]]`. Each has size about 2. Y is up. Box, sphere, ellipsoid and torus have their centre
+/// at the origin. Prism, pyramid, cylinder and cone stand on it (y from 0 to 2). Sizes are changed by `scale`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The cube \[−1, 1\]³.
@@ -266,7 +266,7 @@ impl fmt::Display for TextureSource {
 /// One entry of `[[scene.objects]]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectSpec {
-    /// Its name; unique in the figure.
+    /// Its name. Unique in the figure.
     pub name: String,
     /// Its shape; `None`: a group, there for its transform.
     pub shape: Option<Shape>,
@@ -288,7 +288,7 @@ pub struct ObjectSpec {
     pub wrap: Option<Wrap>,
     /// The way from texels to a colour; `None`: that of the mesh file, else trilinear.
     pub filter: Option<Filter>,
-    /// Repetitions of the texture along u and v; a negative number mirrors it.
+    /// Repetitions of the texture along u and v. A negative number mirrors it.
     pub texture_scale: DVec2,
 }
 
@@ -429,6 +429,6 @@ pub struct SceneSpec {
     pub preset: Preset,
     /// The tree, parents by name.
     pub objects: Vec<ObjectSpec>,
-    /// Lights; empty: the default light.
+    /// Lights. Empty: the default light.
     pub lights: Vec<Light>,
 }

@@ -9,7 +9,7 @@ use crate::camera::Projection;
 pub struct Definition {
     /// The formula.
     pub formula: Formula,
-    /// Its equation in `[0]`; empty where it has no number.
+    /// Its equation in `[0]`. Empty where it has no number.
     pub equation: &'static str,
 }
 

@@ -94,7 +94,7 @@ pub fn plus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Sum(vec![a.into(), b.into()])
 }
 
-/// A product; it is 0 where a factor is, and factors that are 1 are left out.
+/// A product. It is 0 where a factor is, and factors that are 1 are left out.
 #[must_use]
 pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
     let mut negative = false;
@@ -122,7 +122,7 @@ pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
     if negative { -product } else { product }
 }
 
-/// A sum; zeros are left out.
+/// A sum. Zeros are left out.
 #[must_use]
 pub fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
     let mut kept: Vec<Formula> = Vec::new();
@@ -254,7 +254,7 @@ impl Formula {
         }
     }
 
-    /// Its symbols, each once, in reading order; those of vectors as their components.
+    /// Its symbols, each once, in reading order. Those of vectors as their components.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
         let mut found = Vec::new();

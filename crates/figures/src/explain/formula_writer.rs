@@ -35,7 +35,7 @@ pub struct Writer<'a> {
     pub numbers: Option<Numbers<'a>>,
 }
 
-/// Binding strength of a formula; one that binds less tightly than its place requires gets parentheses.
+/// Binding strength of a formula. One that binds less tightly than its place requires gets parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strength {
     Sum,
@@ -51,7 +51,7 @@ impl Writer<'_> {
         self.at(formula, Strength::Sum)
     }
 
-    /// A number, as this writer writes them; the minus is a true one in text.
+    /// A number, as this writer writes them. The minus is a true one in text.
     #[must_use]
     pub fn number(&self, value: f64) -> String {
         let mark = self.mark;
@@ -180,7 +180,7 @@ impl Writer<'_> {
         text
     }
 
-    /// Numbers are separated by a dot, and so is anything before one; symbols of one letter stand side by side.
+    /// Numbers are separated by a dot, and so is anything before one. Symbols of one letter stand side by side.
     fn product(&self, factors: &[Formula]) -> String {
         let single = |formula: &Formula| match formula {
             Formula::Number(_) => true,

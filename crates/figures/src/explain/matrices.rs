@@ -13,7 +13,7 @@ pub type EntryFormula = [[Formula; 4]; 4];
 pub struct MatrixFormula {
     /// The matrix.
     pub matrix: Matrix,
-    /// The equation in force; empty where the notes have none for it.
+    /// The equation in force. Empty where the notes have none for it.
     pub equation: &'static str,
     /// The section of `[0]`.
     pub section: &'static str,
@@ -46,7 +46,7 @@ impl MatrixFormula {
         Self { matrix, equation, section, entries }
     }
 
-    /// One entry; rows and columns from 0.
+    /// One entry. Rows and columns from 0.
     #[must_use]
     pub fn entry(&self, row: usize, column: usize) -> &Formula {
         &self.entries[row.min(3)][column.min(3)]

@@ -1,7 +1,7 @@
 //! Every number explained: the formulas of the matrices, and a point followed from space to space with all its
 //! arithmetic, as data that the window, the command line and exported texts share.
 //!
-//! A [`Formula`] is written in the notes' [`Symbol`]s; a [`Setting`] (a camera in a convention of NDC, with image,
+//! A [`Formula`] is written in the notes' [`Symbol`]s. A [`Setting`] (a camera in a convention of NDC, with image,
 //! viewport and followed point) gives each of them its number. A formula with its symbols and one with its numbers come
 //! from the same tree that is evaluated, so that they cannot disagree.
 

@@ -250,7 +250,7 @@ pub struct Link {
     pub trs: Trs,
 }
 
-/// A list as a chain of T R S, the first of them nearest to the parent; one alone where the list is of the form T Rz Ry
+/// A list as a chain of T R S, the first of them nearest to the parent. One alone where the list is of the form T Rz Ry
 /// Rx S, in which calls may be missing. The product of the chain is exactly that of the list.
 ///
 /// # Errors

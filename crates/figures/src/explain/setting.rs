@@ -128,7 +128,7 @@ impl<'a> Setting<'a> {
         self.local
     }
 
-    /// A matrix with the program's own numbers; the unit matrix where it needs an object and there is none.
+    /// A matrix with the program's own numbers. The unit matrix where it needs an object and there is none.
     #[must_use]
     pub fn matrix(&self, matrix: Matrix) -> DMat4 {
         let camera = self.space.camera();

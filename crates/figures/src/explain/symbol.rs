@@ -96,7 +96,7 @@ pub enum Matrix {
 }
 
 impl Matrix {
-    /// Those that a figure has, in the order in which a point meets them; each with its inverse behind it.
+    /// Those that a figure has, in the order in which a point meets them. Each with its inverse behind it.
     pub const ALL: [Self; 10] = [
         Self::Model,
         Self::InverseModel,
@@ -215,7 +215,7 @@ pub enum Symbol {
     ViewAngle,
     /// m, columns of the image
     ImageWidth,
-    /// n, rows of the image; written `n_j` beside the **n** of the VRC
+    /// n, rows of the image. Written `n_j` beside the **n** of the VRC
     ImageHeight,
     /// `X_v`
     ViewportX,

@@ -144,7 +144,7 @@ fn matrix_step(
 }
 
 /// The way of the setting's point, from its object (where it was given there) or from the world to pixel and viewport.
-/// It ends with clip coordinates where w = 0; empty without a point.
+/// It ends with clip coordinates where w = 0. Empty without a point.
 #[must_use]
 pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     let Some(point) = setting.point() else { return Vec::new() };

@@ -110,7 +110,7 @@ pub enum Limitation {
     LeftHanded,
     /// `z_near` and `z_far` are coordinates there, negative.
     Coordinates,
-    /// y points down, and pixels are counted from the centre of the first one in some books; here from its corner, as
+    /// y points down, and pixels are counted from the centre of the first one in some books. Here from its corner, as
     /// in (5.22).
     YDown,
 }

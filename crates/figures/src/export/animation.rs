@@ -7,9 +7,9 @@ use tiny_skia::{Pixmap, PremultipliedColorU8};
 /// A format of animations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AnimationFormat {
-    /// 256 colours in each picture; every program plays it.
+    /// 256 colours in each picture. Every program plays it.
     Gif,
-    /// Every colour; browsers and most viewers play it.
+    /// Every colour. Browsers and most viewers play it.
     Apng,
 }
 
@@ -57,7 +57,7 @@ pub enum AnimationError {
 pub const TICK: f64 = 0.01;
 
 /// Encodes pictures as a file that loops. `next` returns each of them, of one size and without transparency, with its
-/// duration in ticks of [`TICK`]; only one of the pictures is in memory. Pauses where `next` does.
+/// duration in ticks of [`TICK`]. Only one of the pictures is in memory. Pauses where `next` does.
 ///
 /// # Errors
 /// [`AnimationError`].

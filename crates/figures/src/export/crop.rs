@@ -2,7 +2,7 @@
 
 use tiny_skia::{IntRect, Pixmap};
 
-/// The part of a picture that differs from its ground, the pixel at the top left, with `margin` pixels around it; all
+/// The part of a picture that differs from its ground, the pixel at the top left, with `margin` pixels around it. All
 /// of it where nothing differs.
 #[must_use]
 pub fn cropped(pixmap: Pixmap, margin: u32) -> Pixmap {

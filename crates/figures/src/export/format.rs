@@ -5,22 +5,22 @@ use std::path::Path;
 /// A format of picture files. Command line and window know no other place where formats are listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureFormat {
-    /// Pixels, without loss; carries its figure.
+    /// Pixels, without loss. Carries its figure.
     Png,
     /// Pixels, without loss, in fewer bytes.
     WebP,
     /// Pixels, with some loss, without transparency.
     Jpeg,
-    /// Vectors, for pages of the web and programs that draw; carries its figure.
+    /// Vectors, for pages of the web and programs that draw. Carries its figure.
     Svg,
-    /// Vectors, for print; carries its figure.
+    /// Vectors, for print. Carries its figure.
     Pdf,
     /// A figure of a LaTeX document whose letters are the document's, with a PDF beside it that carries the figure.
     Tex,
 }
 
 impl PictureFormat {
-    /// All of them; the first is that of a file whose name has no extension.
+    /// All of them. The first is that of a file whose name has no extension.
     pub const ALL: [Self; 6] = [Self::Png, Self::WebP, Self::Jpeg, Self::Svg, Self::Pdf, Self::Tex];
 
     /// Its common name.
@@ -36,7 +36,7 @@ impl PictureFormat {
         }
     }
 
-    /// The extensions of its files, after the dot; the first is the usual one.
+    /// The extensions of its files, after the dot. The first is the usual one.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
         match self {

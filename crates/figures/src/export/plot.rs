@@ -39,7 +39,7 @@ const ZOOM: f32 = 2.0;
 /// Size of a chart in units, which are pixels of CSS.
 const WIDTH: f32 = 620.0;
 const HEIGHT: f32 = 380.0;
-/// Left, top, right and bottom of the axes in a chart; the legend is to the right of them.
+/// Left, top, right and bottom of the axes in a chart. The legend is to the right of them.
 const LEFT: f32 = 64.0;
 const TOP: f32 = 54.0;
 const RIGHT: f32 = 440.0;

@@ -69,7 +69,7 @@ impl From<DecodingError> for PngError {
 }
 
 /// The PNG of `pixmap`, with `figure` (the text of a figure file) and the description `said` in iTXt chunks, and, for
-/// paper, `dpi` (pixels per inch) in a pHYs chunk, as pixels per metre; a resolution too fine or too coarse for that
+/// paper, `dpi` (pixels per inch) in a pHYs chunk, as pixels per metre. A resolution too fine or too coarse for that
 /// chunk is left out. Opaque pictures have no alpha channel. Pauses after each row.
 ///
 /// *Guarantees*: the same picture and text give the same bytes.

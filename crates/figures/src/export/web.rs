@@ -21,7 +21,7 @@ pub fn webp(pixmap: Pixmap) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// A picture as JPEG, for paper with its pixels per inch; transparent pixels become white.
+/// A picture as JPEG, for paper with its pixels per inch. Transparent pixels become white.
 ///
 /// # Errors
 /// The reason why the encoder gave up.

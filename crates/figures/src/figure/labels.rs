@@ -45,7 +45,7 @@ pub enum Letters {
 pub struct RenamedLabel {
     /// The label.
     pub name: String,
-    /// Its text; between dollar signs, mathematics ([`set_text`]).
+    /// Its text. Between dollar signs, mathematics ([`set_text`]).
     pub text: String,
 }
 
@@ -182,7 +182,7 @@ impl Labels {
         }
     }
 
-    /// Puts a label at a place of one picture; a note in all of its pictures.
+    /// Puts a label at a place of one picture. A note in all of its pictures.
     pub fn move_to(&mut self, name: &str, view: View, by: DVec2) {
         if let Some(note) = self.note_mut(name) {
             note.by = Some(by);
@@ -207,7 +207,7 @@ impl Labels {
         self.renamed.extend(text.map(|text| RenamedLabel { name: name.to_owned(), text: text.to_owned() }));
     }
 
-    /// Leaves a label out; a note goes.
+    /// Leaves a label out. A note goes.
     pub fn hide(&mut self, name: &str) {
         if let Some(i) = note_index(name) {
             if i < self.notes.len() {
@@ -244,7 +244,7 @@ impl Labels {
         }
     }
 
-    /// Leaves a label to the pictures again; a note stays, where there is room for it.
+    /// Leaves a label to the pictures again. A note stays, where there is room for it.
     pub fn reset(&mut self, name: &str) {
         if let Some(note) = self.note_mut(name) {
             (note.by, note.size, note.color) = (None, None, None);
@@ -316,7 +316,7 @@ impl Labels {
     }
 }
 
-/// The beginning of the name of a note; its number follows, from 1.
+/// The beginning of the name of a note. Its number follows, from 1.
 const NOTE: &str = "note:";
 
 /// The name of the label of a note, by its place in the list.

@@ -56,7 +56,7 @@ pub struct Figure {
     /// `[camera]`
     pub camera: Parameters,
     /// `[camera] horizontal_angle` or `lens`: the form in which the file gives θ. It is written as long as it gives the
-    /// angle of `camera`; see [`Figure::lens_in_force`].
+    /// angle of `camera`. See [`Figure::lens_in_force`].
     pub lens: Option<LensForm>,
     /// `[camera] name` and `color`.
     pub tag: CameraTag,

@@ -25,7 +25,7 @@ const PARALLEL_DEPTH: f64 = 100.0;
 pub struct Observer {
     /// The point in the middle of the picture, in the space of the picture.
     pub target: DVec3,
-    /// Distance of the eye from the target; also the measure of zoom.
+    /// Distance of the eye from the target. Also the measure of zoom.
     pub distance: f64,
     /// Degrees about y, 0 = the eye on the +z side, 90 = on the +x side.
     pub azimuth: f64,

@@ -14,7 +14,7 @@ use crate::stage::Stage;
 pub struct Show {
     /// A stage: its input and its output.
     pub stage: Option<Stage>,
-    /// The picture in which the stage is shown, and whose pipeline it is a stage of; the others show the parts that
+    /// The picture in which the stage is shown, and whose pipeline it is a stage of. The others show the parts that
     /// belong to it.
     pub stage_of: StagePicture,
     /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None`: all, with
@@ -30,7 +30,7 @@ pub struct Show {
     pub measure_of: Option<String>,
     /// A point or a ray that is marked in all pictures.
     pub probe: Option<ShownProbe>,
-    /// Objects where lists of transforms would put them, in the world; their axes are numbered in this order.
+    /// Objects where lists of transforms would put them, in the world. Their axes are numbered in this order.
     pub moved: Vec<TransformPreview>,
     /// The convention of NDC of the canonical volume; `None`: that of the notes, or of the window that shows it.
     pub ndc: Option<Ndc>,

@@ -11,9 +11,9 @@ use crate::numbers::{EXACT_DIGITS, significant};
 /// A key of a figure, or an operation on its camera, with the values that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Variation {
-    /// `camera.view_angle`, `style.visibility`, `show.step.at`; or the name of an operation.
+    /// `camera.view_angle`, `style.visibility`, `show.step.at`, or the name of an operation.
     pub key: String,
-    /// The values as they are written; an empty one removes the key.
+    /// The values as they are written. An empty one removes the key.
     pub values: Vec<String>,
 }
 
@@ -46,7 +46,7 @@ pub enum VariationError {
         key: String,
         /// The value.
         value: String,
-        /// Why not; its line is meaningless.
+        /// Why not. Its line is meaningless.
         error: Box<FigureError>,
     },
     /// An amount that is none of an operation.

@@ -60,7 +60,7 @@ pub const TEXTURE_REVEALS: Words<TextureReveal> =
 pub const SHADOW_REVEALS: Words<ShadowReveal> =
     &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne), ("truth", ShadowReveal::Truth)];
 
-/// `[[scene.objects]] shape`; those that have data are empty here.
+/// `[[scene.objects]] shape`. Those that have data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;
 
 /// `[[scene.lights]] kind`
@@ -231,7 +231,7 @@ pub fn value<T: Clone>(words: Words<T>, name: &str) -> Option<T> {
     words.iter().find(|(word, _)| *word == name).map(|(_, value)| value.clone())
 }
 
-/// The word for `value`; empty where the list lacks it, which a test excludes.
+/// The word for `value`. Empty where the list lacks it, which a test excludes.
 #[must_use]
 pub fn name<T: Copy + PartialEq>(words: Words<T>, value: T) -> &'static str {
     words.iter().find(|(_, v)| *v == value).map_or("", |(word, _)| word)

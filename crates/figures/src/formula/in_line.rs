@@ -60,7 +60,7 @@ const SIZES: &[&str] = &["displaystyle", "textstyle", "big", "Big", "bigl", "big
 /// Signs that Unicode has raised.
 const RAISED: [&str; 2] = ["0123456789+−=()ni", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿⁱ"];
 
-/// The bold letter of mathematics for a letter or digit of ASCII; others as they are.
+/// The bold letter of mathematics for a letter or digit of ASCII. Others as they are.
 #[must_use]
 pub fn bold(c: char) -> char {
     let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
@@ -72,7 +72,7 @@ pub fn bold(c: char) -> char {
     }
 }
 
-/// The italic letter of mathematics for a letter of ASCII; others as they are.
+/// The italic letter of mathematics for a letter of ASCII. Others as they are.
 #[must_use]
 pub fn italic(c: char) -> char {
     let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
@@ -211,7 +211,7 @@ impl Setter<'_> {
     }
 }
 
-/// The letter of ASCII for an italic one; others as they are.
+/// The letter of ASCII for an italic one. Others as they are.
 fn upright(c: char) -> char {
     ('A'..='Z').chain('a'..='z').find(|letter| italic(*letter) == c).unwrap_or(c)
 }
@@ -220,12 +220,12 @@ fn not_on_a_line(word: &str) -> FormulaProblem {
     FormulaProblem::NotOnALine(format!("\\{word}"))
 }
 
-/// A sum or a product in parentheses; a single thing as it is.
+/// A sum or a product in parentheses. A single thing as it is.
 fn together(part: &str) -> String {
     if part.contains([' ', '/', '·', '(']) { format!("({part})") } else { part.to_owned() }
 }
 
-/// Adds a sign between what there is and what comes; a sign of what comes, where there is nothing before it.
+/// Adds a sign between what there is and what comes. A sign of what comes, where there is nothing before it.
 fn between(line: &mut String, sign: &str) {
     let is_first = line.is_empty() || line.ends_with([' ', '(', '[', '|', '/']);
     if is_first && "+−".contains(sign) {

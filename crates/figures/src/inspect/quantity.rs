@@ -9,7 +9,7 @@ use crate::camera::ParameterKey;
 /// asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
-    /// A parameter of the camera; its window is read by [`CameraSide`](Self::CameraSide).
+    /// A parameter of the camera. Its window is read by [`CameraSide`](Self::CameraSide).
     Camera(ParameterKey),
     /// A side of the window among the parameters, where they have one.
     CameraSide(Side),
@@ -262,7 +262,7 @@ impl Quantity {
         })
     }
 
-    /// The quantity of a path; the rest of the path is of entries of it.
+    /// The quantity of a path. The rest of the path is of entries of it.
     fn of_path<'a>(parts: &'a [&'a str]) -> Option<(Self, &'a [&'a str])> {
         let index = |part: &str| part.parse::<usize>().ok();
         Some(match parts {

@@ -13,7 +13,7 @@ use crate::views::{Arrangement, Palette, Request};
 /// A way, and how it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
-    /// The canonical picture; its size is that of each picture.
+    /// The canonical picture. Its size is that of each picture.
     pub request: Request,
     /// Whose steps.
     pub decomposition: Decomposition,
@@ -84,7 +84,7 @@ impl Animation {
         }
     }
 
-    /// The animation, a step in so many seconds; each whole step stands still for a moment. It pauses after each
+    /// The animation, a step in so many seconds. Each whole step stands still for a moment. It pauses after each
     /// picture, and within one.
     ///
     /// # Errors

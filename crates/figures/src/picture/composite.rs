@@ -251,7 +251,7 @@ pub(super) fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, 
     request
 }
 
-/// Gives several pictures the letters of the paper, as far as they fit into the smallest; returns the message where
+/// Gives several pictures the letters of the paper, as far as they fit into the smallest. Returns the message where
 /// they hardly do.
 pub(super) fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
@@ -309,7 +309,7 @@ fn sizes_of(count: usize, arrangement: Arrangement, sheet: Size) -> Option<Vec<S
     })
 }
 
-/// Equal parts of a length with gaps between them; the remainder goes to the first ones, a pixel each.
+/// Equal parts of a length with gaps between them. The remainder goes to the first ones, a pixel each.
 fn parts(count: usize, length: u32, gap: u32) -> Option<impl Iterator<Item = u32>> {
     let count = u32::try_from(count).ok()?;
     let room = length.checked_sub(count.checked_sub(1)?.checked_mul(gap)?)?;

@@ -34,7 +34,7 @@ pub struct Family {
 pub enum SheetSize {
     /// That of the whole sheet, in pixels.
     Whole([u32; 2]),
-    /// The width of the whole sheet; each picture has the proportions of the image.
+    /// The width of the whole sheet. Each picture has the proportions of the image.
     Width(u32),
     /// Those of each picture.
     Pictures([u32; 2]),

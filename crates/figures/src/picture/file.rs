@@ -30,7 +30,7 @@ pub struct PictureFile {
 /// The words that go with a picture into its file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Told {
-    /// The figure file; empty: none.
+    /// The figure file. Empty: none.
     pub figure: String,
     /// The title.
     pub title: String,

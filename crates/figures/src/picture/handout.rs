@@ -32,7 +32,7 @@ const FAINT: Rgba = Rgba::rgb(0x66, 0x66, 0x66);
 pub enum Paragraph {
     /// The heading of an entry.
     Heading(String),
-    /// A text; its lines are broken.
+    /// A text. Its lines are broken.
     Text(String),
     /// A formula on a line of its own.
     Formula(Vec<FormulaPart>),
@@ -265,7 +265,7 @@ impl<'a> Pages<'a> {
         self.y += height + GAP;
     }
 
-    /// Texts as wide as the page; they go on on the next one. A heading stays with what comes below it.
+    /// Texts as wide as the page. They go on on the next one. A heading stays with what comes below it.
     fn flow(&mut self, paragraphs: &[Paragraph], size: f32) {
         let width = PAPER[0] - 2.0 * BORDER;
         let block = |paragraph: &Paragraph| {

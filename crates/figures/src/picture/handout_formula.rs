@@ -58,7 +58,7 @@ pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Ite
     Item::text(text, at, size, color, Anchor::Left)
 }
 
-/// Sets a formula; a part for which a line has no room begins another.
+/// Sets a formula. A part for which a line has no room begins another.
 pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
     let parts: Vec<FormulaPart> = parts.iter().flat_map(|part| broken(part, size, width)).collect();
     let mut lines: Vec<Vec<&FormulaPart>> = Vec::new();
@@ -93,7 +93,7 @@ pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
     formula
 }
 
-/// A line that is wider than its room, after brackets; anything else as it is.
+/// A line that is wider than its room, after brackets. Anything else as it is.
 fn broken(part: &FormulaPart, size: f32, width: f32) -> Vec<FormulaPart> {
     let FormulaPart::Line(text) = part else { return vec![part.clone()] };
     let lines = text::broken(text.split_inclusive(") "), |line| measure(line, size, false).width <= width);

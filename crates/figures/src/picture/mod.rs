@@ -104,7 +104,7 @@ impl Pixels {
         [self.width, self.height]
     }
 
-    /// The pixels, without copying them; the picture has none afterwards.
+    /// The pixels, without copying them. The picture has none afterwards.
     fn take_pixmap(&mut self) -> Option<Pixmap> {
         let Self { width, height, rgba } = std::mem::take(self);
         Pixmap::from_vec(rgba, IntSize::from_wh(width, height)?)

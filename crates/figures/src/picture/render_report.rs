@@ -17,9 +17,9 @@ pub struct RenderReport {
     pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
-    /// The shortfall; also without a clock.
+    /// The shortfall. Also without a clock.
     pub too_much: Option<OverBudget>,
-    /// Where its labels are; also without a clock. Of a picture that is compared, those of both sides that are seen.
+    /// Where its labels are. Also without a clock. Of a picture that is compared, those of both sides that are seen.
     pub labels: Vec<LabelPlace>,
 }
 

@@ -18,7 +18,7 @@ use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
 use crate::views::{self, LabelPlace, Request, SharedScene, Side, Size, TimedPipeline, View, overlay};
 
-/// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
+/// Makes pictures. Keeps its buffers, and the image on the view window, from one to the next.
 ///
 /// *Guarantees*: equal requests give equal pixels, whatever has been drawn before.
 #[derive(Debug)]
@@ -319,7 +319,7 @@ impl Renderer {
         Some((views::frame(request, on_window.as_ref(), pipeline), time))
     }
 
-    /// The image that the window of the world shows; drawn again only when its content has changed.
+    /// The image that the window of the world shows. Drawn again only when its content has changed.
     async fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
         let image = request.image_on_window();
         if let Some((made_from, texture)) = &self.on_window

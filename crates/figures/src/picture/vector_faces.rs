@@ -236,7 +236,7 @@ fn is_of_one_picture(part: &Part, other: &Part) -> bool {
     }
 }
 
-/// True where two triangles of one winding cover a place together; those that touch do not.
+/// True where two triangles of one winding cover a place together. Those that touch do not.
 fn overlap(triangle: Corners, other: Corners) -> bool {
     let separates = |[a, b]: [[f32; 2]; 2], other: Corners| {
         let along = [b[0] - a[0], b[1] - a[1]];
@@ -247,7 +247,7 @@ fn overlap(triangle: Corners, other: Corners) -> bool {
     !is_apart(triangle, other) && !is_apart(other, triangle)
 }
 
-/// The triangles of a drawing in their order, those of one colour that follow one another as one area; along the sides
+/// The triangles of a drawing in their order, those of one colour that follow one another as one area. Along the sides
 /// that opaque ones share with others, a stroke of their colour. Surfaces with pictures on them are pictures; `None`
 /// where there are too many of these, and where there is no memory for one.
 pub(super) fn faces_of(drawing: &Drawing, pictures: &mut Pictures) -> Option<Vec<Item>> {

@@ -25,7 +25,7 @@ use crate::views::{Request, Side, Size, overlay};
 /// How the faces of a page are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Faces {
-    /// As areas where that says what the pixels do, in a number that programs can work with; what has a picture on it,
+    /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on it,
     /// such as the window, is a picture among them. Otherwise as one picture.
     #[default]
     Auto,

@@ -4,7 +4,7 @@ use super::View;
 use crate::camera::ImageSize;
 pub use crate::figure::Arrangement;
 
-/// The default share of the first of three pictures; the two others have the same.
+/// The default share of the first of three pictures. The two others have the same.
 #[must_use]
 pub const fn share_of_first(arrangement: Arrangement) -> f32 {
     match arrangement {
@@ -27,7 +27,7 @@ pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arra
     candidates.iter().fold(Arrangement::Row, better)
 }
 
-/// Width by height of a picture's content; very long images count as less so, because their place cannot follow them.
+/// Width by height of a picture's content. Very long images count as less so, because their place cannot follow them.
 #[must_use]
 pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
     match view {

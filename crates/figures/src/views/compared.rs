@@ -77,7 +77,7 @@ impl Request {
         Some(if x < f64::from(other.columns.start) { own } else { other })
     }
 
-    /// Its sides with their sizes, whose observers are not one yet; itself where nothing is compared.
+    /// Its sides with their sizes, whose observers are not one yet. Itself where nothing is compared.
     pub(super) fn each_side(&self) -> Vec<Self> {
         let Some(compared) = &self.shot.compared else { return vec![self.clone()] };
         let size = if compared.comparison.beside { half(self.size) } else { self.size };

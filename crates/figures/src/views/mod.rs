@@ -144,7 +144,7 @@ impl Request {
         }
     }
 
-    /// Whether an observer has everything of interest in its picture; the image has none.
+    /// Whether an observer has everything of interest in its picture. The image has none.
     #[must_use]
     pub fn holds(&self, observer: &Observer) -> bool {
         match self.view {

@@ -17,7 +17,7 @@ pub struct Palette {
     pub soft: Rgba,
     /// Lines of the ground grid.
     pub grid: Rgba,
-    /// x, y, z; also u, v, n and x_n, y_n, z_n.
+    /// x, y, z. Also u, v, n and x_n, y_n, z_n.
     pub axes: [Rgba; 3],
     /// Faces of the view volume, translucent.
     pub volume: Rgba,

@@ -38,13 +38,13 @@ pub struct Request {
     pub size: Size,
     /// Run every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
-    /// The output of the drawing; pixels are made of drawings for pixels.
+    /// The output of the drawing. Pixels are made of drawings for pixels.
     pub output: Output,
-    /// The triangle of the shot on its way, which the renderer finds; nobody else sets it.
+    /// The triangle of the shot on its way, which the renderer finds. Nobody else sets it.
     pub triangle: Option<Arc<TriangleOverlay>>,
     /// The image is that of another camera, beside the figure's own: the projector that is marked there, if any.
     pub projector: Option<Option<Projector>>,
-    /// Where the shadow maps of the image are wrong, which the renderer finds; nobody else sets it.
+    /// Where the shadow maps of the image are wrong, which the renderer finds. Nobody else sets it.
     pub shadow_truth: Option<Arc<ShadowTruth>>,
 }
 
@@ -91,7 +91,7 @@ impl Request {
         Self::of_picture(shot, &shot.picture(view), camera, scene, labels, size)
     }
 
-    /// A picture of a shot, with nothing pointed at. The camera is the figure's; the picture may have one of its own.
+    /// A picture of a shot, with nothing pointed at. The camera is the figure's. The picture may have one of its own.
     /// It is [rounded](Camera::rounded), so that a picture is the same before its figure is saved and after.
     #[must_use]
     pub fn of_picture(
@@ -143,7 +143,7 @@ impl Request {
         Self { shot: Arc::new(shot.seen_in(self.view)), ..self }
     }
 
-    /// The same picture with another observer; the image is seen by the camera alone.
+    /// The same picture with another observer. The image is seen by the camera alone.
     #[must_use]
     pub fn seen_by(self, observer: Option<Observer>) -> Self {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }

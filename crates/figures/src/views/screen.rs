@@ -44,7 +44,7 @@ impl Screen {
         self.extent
     }
 
-    /// The displayed position of a point, in pixels; also outside the rectangle. `None` for points not in front of the
+    /// The displayed position of a point, in pixels. Also outside the rectangle. `None` for points not in front of the
     /// front plane.
     pub(super) fn place(&self, p: DVec3) -> Option<DVec2> {
         let c = self.camera.clip_point(p);
@@ -112,7 +112,7 @@ impl Screen {
         self.camera.ray_through_window(self.window_point(px))
     }
 
-    /// The direction in which a point moves on the screen when it moves along `direction`; zero where that cannot be
+    /// The direction in which a point moves on the screen when it moves along `direction`. Zero where that cannot be
     /// seen.
     pub(super) fn heading(&self, p: DVec3, direction: DVec3) -> DVec2 {
         let step = direction * (self.units_per_pixel(p) * 0.01);

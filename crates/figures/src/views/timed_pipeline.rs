@@ -37,7 +37,7 @@ impl TimedPipeline {
         self.projected = None;
     }
 
-    /// The scene of the request, clipped and projected; made once for all pictures of it and its camera.
+    /// The scene of the request, clipped and projected. Made once for all pictures of it and its camera.
     pub(super) fn projected(&mut self, request: &Request) -> SharedScene {
         let (camera, shading) = (&request.camera, request.shot.look.style.shading);
         if let Some((of, by, lit, made)) = &self.projected

@@ -26,7 +26,7 @@ impl<'a> Beside<'a> {
         others.filter_map(move |(name, answer)| Some((self.ask(name)?, answer)))
     }
 
-    /// The names of the first wrong answers from which an answer follows; none where it does not.
+    /// The names of the first wrong answers from which an answer follows. None where it does not.
     pub(super) fn carried(&self, ask: &'a Ask, answer: &Answer) -> Vec<String> {
         let Some(given) = numbers(answer, ask) else { return Vec::new() };
         ask.follows.iter().find_map(|way| self.along(way, ask, &given)).unwrap_or_default()

@@ -108,7 +108,7 @@ pub struct Ask {
     /// Greatest distance of each number from the right one. A number that is the right one rounded to three or more
     /// significant digits is right too, except where whole numbers are required.
     pub tolerance: f64,
-    /// Greatest distance of each number from the right one, as a share of it; infinite where a lecturer says the
+    /// Greatest distance of each number from the right one, as a share of it. Infinite where a lecturer says the
     /// tolerance.
     pub share: f64,
     /// Whole numbers are required.
@@ -118,7 +118,7 @@ pub struct Ask {
     /// The path to the right answer in the report of the exercise's subject, where it has one.
     pub quantity: Option<QuantityPath>,
     /// The readings of the question: an answer that is right in one of them is right. The first is the one that the
-    /// assumptions settle; the others have the name of their text.
+    /// assumptions settle. The others have the name of their text.
     pub readings: Vec<Reading>,
     /// The texts of a lecturer's choices, by their names.
     pub own_choices: BTreeMap<String, Bilingual>,
@@ -139,7 +139,7 @@ pub enum Kind {
     Vector(usize),
     /// Rows and columns.
     Matrix(usize, usize),
-    /// One of these; they have the names of their texts, or are the same in both languages.
+    /// One of these. They have the names of their texts, or are the same in both languages.
     Choice(Vec<String>),
     /// A camera.
     Camera,
@@ -172,7 +172,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// As the contract writes it; empty for plain numbers.
+    /// As the contract writes it. Empty for plain numbers.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -187,7 +187,7 @@ impl Unit {
 /// One way to understand a question.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// The name of its text; empty for the one that the statement settles.
+    /// The name of its text. Empty for the one that the statement settles.
     pub name: &'static str,
     /// The right answer in it.
     pub expected: Expected,
@@ -206,7 +206,7 @@ pub enum Expected {
     Quantity(Box<Subject>, QuantityPath),
     /// A value computed by a family.
     Computed(Compute, Vec<Worked>),
-    /// One of the choices; others that are known mistakes.
+    /// One of the choices. Others that are known mistakes.
     Choice(usize, Vec<(usize, Mistake)>, Vec<Worked>),
     /// A camera that fulfils all conditions; one that does, with the way to it; others that are known mistakes.
     Camera(Conditions, Box<Parameters>, Vec<(Parameters, Mistake)>, Vec<Worked>),

@@ -10,7 +10,7 @@ use super::value::Table;
 /// Computes an answer from others.
 pub(super) type FromAnswers = Arc<dyn Fn(&[Table]) -> Option<Table> + Send + Sync>;
 
-/// A way to an answer from other answers of the same exercise; a choice is its number, from 0.
+/// A way to an answer from other answers of the same exercise. A choice is its number, from 0.
 #[derive(Clone)]
 pub struct Follows {
     /// The names of the questions that it starts from.

@@ -25,7 +25,7 @@ pub struct Judged {
     pub score: f64,
     /// Right entries, row by row; one for a choice; one for each condition of a camera.
     pub entries: Vec<Vec<bool>>,
-    /// The name of the reading in which it is right, or as right as can be; empty for the one that the statement
+    /// The name of the reading in which it is right, or as right as can be. Empty for the one that the statement
     /// settles.
     pub reading: &'static str,
     /// The conditions that a camera has to fulfil, in the order of `entries`.

@@ -1,7 +1,7 @@
 //! Exercises: those of the notes, families with numbers from a seed, and a lecturer's own; answers are judged, and
 //! wrong ones explained.
 //!
-//! The right answer is the value of [`Subject::value`] (the numbers of `inspect`) or of a family; the result of a known
+//! The right answer is the value of [`Subject::value`] (the numbers of `inspect`) or of a family. The result of a known
 //! [`Mistake`] comes from the same place with a [`Slip`] built in. For an answer that is neither right nor explained,
 //! the wrong numbers are reported.
 

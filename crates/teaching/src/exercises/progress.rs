@@ -120,7 +120,7 @@ pub enum Why {
     Due(u64),
     /// The first unsolved one.
     NotSolved,
-    /// All are solved; this one was tried least recently.
+    /// All are solved. This one was tried least recently.
     LongestAgo,
 }
 
@@ -182,7 +182,7 @@ impl Progress {
         self.exercises.is_empty() && self.mistakes.is_empty() && self.guesses.is_empty()
     }
 
-    /// Records the number of open hints and worked steps of an ask, with the numbers of a seed; the greatest number
+    /// Records the number of open hints and worked steps of an ask, with the numbers of a seed. The greatest number
     /// ever counts.
     pub fn opened(&mut self, id: &str, seed: u64, ask: &str, hints: u32) {
         if self.of(id).seed != seed {

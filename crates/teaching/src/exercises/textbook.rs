@@ -1,6 +1,6 @@
 //! The notes' equations as they are written by hand, with the known mistakes built in: the reference for wrong answers.
 //!
-//! Right answers come from the camera itself ([`Subject::value`]); this chain only computes the results of mistakes.
+//! Right answers come from the camera itself ([`Subject::value`]). This chain only computes the results of mistakes.
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 

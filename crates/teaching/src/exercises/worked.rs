@@ -112,7 +112,7 @@ fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
     Setting::new(camera.notes_clip_space(), subject.figure.image, subject.figure.viewport)
 }
 
-/// The steps to a quantity of `inspect`; none to an entry of it.
+/// The steps to a quantity of `inspect`. None to an entry of it.
 #[must_use]
 pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Worked> {
     let QuantityPath { quantity, entry } = path.into();

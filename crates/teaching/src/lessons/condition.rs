@@ -21,7 +21,7 @@ pub struct Goal {
     pub text: Bilingual,
     /// The conditions: it is reached where all hold.
     pub until: Vec<Condition>,
-    /// Operations and keys with their values that reach it from the step's figure; may be empty.
+    /// Operations and keys with their values that reach it from the step's figure. May be empty.
     pub way: Vec<(String, String)>,
 }
 
@@ -82,7 +82,7 @@ pub struct Subject<'a> {
     pub scene: &'a Scene,
 }
 
-/// Counts what is seen; keeps its buffers.
+/// Counts what is seen. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Seen(Counter);
 

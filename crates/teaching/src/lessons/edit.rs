@@ -20,7 +20,7 @@ pub enum StepText {
     Title,
     /// Its text.
     Text,
-    /// The notes of the speaker; an empty text takes them away.
+    /// The notes of the speaker. An empty text takes them away.
     Notes,
 }
 
@@ -29,9 +29,9 @@ pub enum StepText {
 pub enum LessonText {
     /// Its title, one line.
     Title,
-    /// The sentence to keep; an empty text takes it away.
+    /// The sentence to keep. An empty text takes it away.
     Sentence,
-    /// The minutes that it takes, as they are typed, in the first language; an empty text takes them away.
+    /// The minutes that it takes, as they are typed, in the first language. An empty text takes them away.
     Minutes,
 }
 
@@ -83,7 +83,7 @@ pub fn reworded(text: &str, words: &[Words]) -> Result<(String, Lesson), FigureE
 pub enum Edit {
     /// Another figure of a step.
     Show(usize, Box<Figure>),
-    /// A step in the place of another one; those between move up or down.
+    /// A step in the place of another one. Those between move up or down.
     Move(usize, usize),
     /// A step less.
     Remove(usize),

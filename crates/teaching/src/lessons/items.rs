@@ -15,12 +15,12 @@ pub(super) fn number_item(typed: &str) -> Option<Item> {
     (!typed.is_empty()).then_some(Item::Value(value))
 }
 
-/// As [`told_item`]; nothing for an empty text.
+/// As [`told_item`]. Nothing for an empty text.
 pub(super) fn told_if_any(text: &Bilingual) -> Option<Item> {
     (!text.en.is_empty() || !text.pt_br.is_empty()).then(|| told_item(text))
 }
 
-/// A text in both languages; once where they are the same, or where it is written in one of them alone.
+/// A text in both languages. Once where they are the same, or where it is written in one of them alone.
 pub(super) fn told_item(text: &Bilingual) -> Item {
     if text.en == text.pt_br || text.pt_br.is_empty() {
         return Item::Value(text.en.as_str().into());

@@ -11,7 +11,7 @@ use crate::exercises::{self, Entry};
 pub struct Way {
     /// The lesson, one of the program.
     pub lesson: Arc<Lesson>,
-    /// The step that asks the exercise or names it, from 0; the first one if only the questions around the lesson do.
+    /// The step that asks the exercise or names it, from 0. The first one if only the questions around the lesson do.
     pub step: usize,
 }
 
@@ -56,7 +56,7 @@ pub fn lesson_of(exercise: &str) -> Option<Way> {
     })
 }
 
-/// Exercises in the order in which the lessons of the program come to them; those that none of them has come last.
+/// Exercises in the order in which the lessons of the program come to them. Those that none of them has come last.
 #[must_use]
 pub fn in_order_of_lessons<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Vec<&'a Entry> {
     let asked = shipped().iter().flat_map(|shipped| shipped.lesson.steps.iter().filter_map(asked));

@@ -128,6 +128,6 @@ pub enum Link {
     Note(String),
     /// An exercise with its seed.
     Exercise(String, u64),
-    /// A step of another lesson, by its identifier; steps count from 0.
+    /// A step of another lesson, by its identifier. Steps count from 0.
     Lesson(String, usize),
 }

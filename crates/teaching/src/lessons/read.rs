@@ -31,7 +31,7 @@ const MARKS: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
 /// Reads the bytes of a file that holds a lesson.
 ///
 /// # Guarantees
-/// Each step is a figure with a camera; its questions have right answers, and every `{quantity}` is a number of it.
+/// Each step is a figure with a camera. Its questions have right answers, and every `{quantity}` is a number of it.
 ///
 /// # Errors
 /// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.

@@ -20,7 +20,7 @@ pub struct Draft {
     pub text: Bilingual,
 }
 
-/// The text of a lesson file with one step more, which shows `now`; an empty text becomes a lesson with the identifier
+/// The text of a lesson file with one step more, which shows `now`. An empty text becomes a lesson with the identifier
 /// `id`. What is written already stays as it is.
 ///
 /// # Guarantees

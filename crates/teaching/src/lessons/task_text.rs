@@ -40,7 +40,7 @@ pub struct TaskText {
     pub right: usize,
     /// The right number, a list of numbers, a formula, or the path of a quantity in the output of `inspect`.
     pub number: String,
-    /// The greatest error of a number; empty for that of the program.
+    /// The greatest error of a number. Empty for that of the program.
     pub tolerance: String,
     /// Wrong numbers, each with its sentence.
     pub mistakes: Vec<(String, Bilingual)>,
@@ -63,7 +63,7 @@ pub struct ChoiceText {
     pub name: String,
     /// The choice as it is shown.
     pub text: Bilingual,
-    /// The sentence shown to those who choose it; unused for the right one.
+    /// The sentence shown to those who choose it. Unused for the right one.
     pub message: Bilingual,
 }
 
@@ -86,9 +86,9 @@ pub struct ConditionText {
     pub kind: ConditionKind,
     /// The path of the quantity, or the name of the object.
     pub name: String,
-    /// The least number; may be empty.
+    /// The least number. May be empty.
     pub least: String,
-    /// The greatest number; may be empty.
+    /// The greatest number. May be empty.
     pub most: String,
 }
 
@@ -244,7 +244,7 @@ impl TaskText {
     }
 }
 
-/// A number, or a list of numbers; nothing for an empty text.
+/// A number, or a list of numbers. Nothing for an empty text.
 fn numbers_item(typed: &str) -> Option<Item> {
     let is_list = typed.trim().starts_with('[');
     let list = is_list.then(|| typed.trim().parse::<Value>().ok()).flatten();

@@ -183,7 +183,7 @@ mod tests {
         m.transpose().to_cols_array_2d()
     }
 
-    /// The entries, rounded; the rest of an exact zero after 512 bits is zero.
+    /// The entries, rounded. The rest of an exact zero after 512 bits is zero.
     fn rounded(matrix: &Matrix<Reference>) -> [[f64; 4]; 4] {
         matrix.rounded::<f64>().0.map(|row| row.map(|x| if x.abs() < 1e-140 { 0.0 } else { x }))
     }

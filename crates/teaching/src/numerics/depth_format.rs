@@ -25,7 +25,7 @@ impl Range {
     }
 
     /// The range of a clip space, the unit of its depths, and a depth in it. In parallel projection F may be 0 or less,
-    /// and no unit; only differences count there, so the volume is moved to 1 … 2.
+    /// and no unit. Only differences count there, so the volume is moved to 1 … 2.
     fn with_unit(space: &ClipSpace<'_>, depth: f64) -> (Self, f64, f64) {
         let camera = space.camera();
         let (near, far) = (camera.near(), camera.far());

@@ -232,7 +232,7 @@ pub fn suggested_planes(camera: &Camera, bounds: Aabb) -> Option<[f64; 2]> {
     (near < far).then_some([near, far])
 }
 
-/// The parameters with other planes; a window that is given keeps its angles.
+/// The parameters with other planes. A window that is given keeps its angles.
 #[must_use]
 pub fn with_planes(p: &Parameters, [near, far]: [f64; 2]) -> Parameters {
     let scale = if p.projection == Projection::Perspective { near / p.near } else { 1.0 };

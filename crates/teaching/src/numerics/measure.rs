@@ -11,7 +11,7 @@ use crate::progress::Progress;
 /// The distance of one result from the truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Off {
-    /// In the unit of the study; the caller turns NaN into the worst error that the study knows.
+    /// In the unit of the study. The caller turns NaN into the worst error that the study knows.
     pub(super) error: f64,
     /// [`bits_off`], averaged over the components.
     pub(super) bits: f64,

@@ -115,7 +115,7 @@ fn nothing_yet(ui: &mut Ui, state: &State) {
     });
 }
 
-/// The chart of one case; gives the row whose point was clicked.
+/// The chart of one case. Gives the row whose point was clicked.
 fn chart(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     let lang = state.settings.lang;
     let t = words::texts(lang);
@@ -146,7 +146,7 @@ fn chart(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     .inner
 }
 
-/// The methods at one parameter; gives the row whose camera is to be opened.
+/// The methods at one parameter. Gives the row whose camera is to be opened.
 fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     let lang = state.settings.lang;
     let t = words::texts(lang);

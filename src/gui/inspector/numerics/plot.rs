@@ -18,7 +18,7 @@ const NEAR: f32 = 14.0;
 /// Room for the line that reads out the point under the pointer.
 const READOUT: f32 = 22.0;
 
-/// Shows a chart and the values under the pointer; returns the row whose point was clicked.
+/// Shows a chart and the values under the pointer. Returns the row whose point was clicked.
 pub(super) fn show(
     ui: &mut Ui,
     lang: Lang,

@@ -54,7 +54,7 @@ pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
     }
 }
 
-/// The rows; the last change that one of them asks for.
+/// The rows. The last change that one of them asks for.
 fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> Option<Change> {
     let camera = &form.good;
     let lens = camera.lens_numbers(form.image)?;
@@ -145,7 +145,7 @@ fn sensor(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, sensor: &mut Senso
     });
 }
 
-/// One positive number; whether it changed.
+/// One positive number. Whether it changed.
 fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), value: &mut f64) -> bool {
     let before = *value;
     let field = NumberField::new(name, Step::Multiply(1.1)).positive().hint(hint).width(92.0);
@@ -154,7 +154,7 @@ fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), v
     value.to_bits() != before.to_bits()
 }
 
-/// Two numbers side by side; whether one changed.
+/// Two numbers side by side. Whether one changed.
 fn pair(
     ui: &mut egui::Ui,
     form: &ParameterForm,

@@ -12,7 +12,7 @@ use crate::gui::state::State;
 use crate::i18n::window::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
-/// Kind, direction or position; returns the request of the button.
+/// Kind, direction or position. Returns the request of the button.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;

@@ -130,7 +130,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     state.say(Message::WrittenOut(preset));
 }
 
-/// The selection, with its fields; returns the request of its buttons.
+/// The selection, with its fields. Returns the request of its buttons.
 fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
     let scene = &state.document.figure().scene;
     let mut form = SceneForm::new(state);

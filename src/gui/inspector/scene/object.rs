@@ -27,7 +27,7 @@ use crate::scene::transform;
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
 use crate::views::Transforming;
 
-/// The fields of the object at this place of the list; returns the request of its buttons.
+/// The fields of the object at this place of the list. Returns the request of its buttons.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
@@ -81,7 +81,7 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, 
     }
 }
 
-/// A name takes effect with Enter, or when its field is left; one that is wrong stays with its reason until it is
+/// A name takes effect with Enter, or when its field is left. One that is wrong stays with its reason until it is
 /// mended.
 fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str) {
     let t = form.t;
@@ -125,7 +125,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
     state.tree.typing = Some(typing);
 }
 
-/// Another shape with the same transform; a shape with data of its own is not offered.
+/// Another shape with the same transform. A shape with data of its own is not offered.
 fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let object = &mut form.scene.objects[index];
@@ -411,7 +411,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     texture::mend(ui, state, [is_outside || outside, is_lacking || lacking]);
 }
 
-/// Duplicates the selection; the copies are selected then.
+/// Duplicates the selection. The copies are selected then.
 fn duplicate(state: &mut State, form: &mut SceneForm) {
     let names = state.tree.names(&form.scene);
     let mut copies = transform::duplicate(&mut form.scene, &names);
@@ -419,7 +419,7 @@ fn duplicate(state: &mut State, form: &mut SceneForm) {
     state.tree.select_all(first.map(Selected::Object), copies);
 }
 
-/// The delete button; a menu where the selection has children.
+/// The delete button. A menu where the selection has children.
 fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<Edit> {
     let t = form.t;
     let below = transform::below(&form.scene, names);

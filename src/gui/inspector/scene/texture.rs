@@ -40,7 +40,7 @@ fn has_faces(shape: &Shape) -> bool {
     !matches!(shape, Shape::Grid | Shape::Points(_) | Shape::Segments(_))
 }
 
-/// Notices about what cannot be used for an object; gives whether the user can allow files, and whether they can be
+/// Notices about what cannot be used for an object. Gives whether the user can allow files, and whether they can be
 /// read again.
 pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2] {
     let mut found = [false; 2];
@@ -149,7 +149,7 @@ fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mes
     });
 }
 
-/// Some words to choose from, and before them the one that leaves it open; the same word stands there once, unless the
+/// Some words to choose from, and before them the one that leaves it open. The same word stands there once, unless the
 /// figure says it.
 fn or_unsaid<T: Copy + PartialEq>(
     unsaid: &'static str,

@@ -36,7 +36,7 @@ pub struct Advice {
     pub camera: Camera,
     /// `None` where the image is too large to be drawn.
     pub diagnosis: Option<Diagnosis>,
-    /// Six quantities; none of an impossible camera.
+    /// Six quantities. None of an impossible camera.
     pub health: Vec<Health>,
 }
 
@@ -89,7 +89,7 @@ impl Coach {
 }
 
 impl State {
-    /// Has the coach look at the figure, where it has changed; not while the hand moves.
+    /// Has the coach look at the figure, where it has changed. Not while the hand moves.
     pub(in crate::gui) fn consult(&mut self, ctx: &egui::Context) {
         self.coach.take(Duration::ZERO);
         if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {

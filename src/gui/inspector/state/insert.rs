@@ -22,7 +22,7 @@ impl State {
         self.insert(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path }) });
     }
 
-    /// Adds an object to the group that is selected, else to no other; and selects it.
+    /// Adds an object to the group that is selected, else to no other, and selects it.
     pub(in crate::gui) fn insert(&mut self, object: ObjectSpec) {
         let scene = &self.document.figure().scene;
         let parent = self.group_selected(scene);

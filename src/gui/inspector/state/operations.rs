@@ -42,7 +42,7 @@ impl Operations {
         (after.parameters() == camera.parameters()).then_some((operation, before))
     }
 
-    /// Adds the operation that led to a camera to those that its figure shows, if it goes on from them; else it is
+    /// Adds the operation that led to a camera to those that its figure shows, if it goes on from them, else it is
     /// alone there.
     pub(in crate::gui) fn keep(&mut self, camera: &Camera, shown: &mut Vec<Operation>) {
         let Some((operation, before)) = self.led_to(camera) else { return };

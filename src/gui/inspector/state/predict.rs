@@ -35,7 +35,7 @@ pub struct Prediction {
     pub is_done: bool,
 }
 
-/// The subject of a question; places are pixels from the left edge of the image and from its upper one.
+/// The subject of a question. Places are pixels from the left edge of the image and from its upper one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum About {
     /// A vertex of the scene, in the image before and after.

@@ -52,7 +52,7 @@ pub struct SceneTree {
 /// A scene that is being typed and impossible.
 #[derive(Debug)]
 pub(in crate::gui) struct Draft {
-    /// The scene of the figure that it was made from; another one makes it void.
+    /// The scene of the figure that it was made from. Another one makes it void.
     pub(in crate::gui) base: SceneSpec,
     pub(in crate::gui) now: SceneSpec,
     pub(in crate::gui) error: SceneError,
@@ -169,7 +169,7 @@ impl SceneTree {
     }
 }
 
-/// The objects of a preset; their colours do not matter here.
+/// The objects of a preset. Their colours do not matter here.
 pub(in crate::gui) fn preset_objects(preset: Preset) -> Vec<ObjectSpec> {
     crate::scene::preset_objects(preset, &SceneColors::of(Theme::Light))
 }

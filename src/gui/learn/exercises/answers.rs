@@ -50,7 +50,7 @@ pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Resu
     read_answer(&text, ask, names).map(Some).map_err(unreadable)
 }
 
-/// Shows the question, its fields and the interpretation; returns whether one of the fields has the focus.
+/// Shows the question, its fields and the interpretation. Returns whether one of the fields has the focus.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> bool {
     let Sheet { t, exercise, .. } = sheet;
     prose::show(ui, &format!("**{}**", said::ask(t.lang, exercise, ask).replace("**", "")));
@@ -123,7 +123,7 @@ fn say_guess(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, guess: &[S
     prose::show(ui, words::you_said(t.lang, text, question).trim());
 }
 
-/// Keeps the answer as the guess, and shows the picture that answers the question. What is seen there is asked next; a
+/// Keeps the answer as the guess, and shows the picture that answers the question. What is seen there is asked next. A
 /// place, and a guess without a picture, are judged at once.
 fn take_guess(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     let text = joined(ask, state.exercises.fields(ask));
@@ -312,7 +312,7 @@ fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
     ui.painter().galley(place.min, galley, color);
 }
 
-/// One of several; chosen by name, so that it is the same in every language.
+/// One of several. Chosen by name, so that it is the same in every language.
 fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut String) -> Typing {
     let mut typing = Typing::default();
     ui.horizontal_wrapped(|ui| {

@@ -59,7 +59,7 @@ pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subjec
 /// The thumbnail drawn last.
 type Drawn = Memo<(Figure, Lang), Option<TextureHandle>>;
 
-/// The image of the figure by the camera that is to be found; drawn once.
+/// The image of the figure by the camera that is to be found. Drawn once.
 pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) -> Option<TextureHandle> {
     figure.style.theme = theme;
     let drawn = ui.data_mut(|data| {

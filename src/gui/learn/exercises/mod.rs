@@ -113,7 +113,7 @@ pub(in crate::gui) fn ui(ui: &mut Ui, state: &mut State) {
     });
 }
 
-/// Shows a question with its fields and the verdict; returns whether one of the fields has the focus.
+/// Shows a question with its fields and the verdict. Returns whether one of the fields has the focus.
 fn question(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) -> bool {
     ui.push_id(&ask.name, |ui| {
         let in_focus = answers::ui(ui, state, sheet, ask);

@@ -64,7 +64,7 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
     }
 }
 
-/// Shows the camera that a wrong answer describes, beside the right one; or takes it away.
+/// Shows the camera that a wrong answer describes, beside the right one, or takes it away.
 pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
@@ -181,7 +181,7 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
     }
 }
 
-/// The open steps, set as mathematics, and the reason why there is no camera; returns the place of the last step.
+/// The open steps, set as mathematics, and the reason why there is no camera. Returns the place of the last step.
 pub(super) fn steps(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
     let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);

@@ -24,13 +24,13 @@ pub struct Chosen {
 /// The typed answers of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Typed {
-    /// The fields by the name of the ask, row by row; one for a number, a choice or a camera.
+    /// The fields by the name of the ask, row by row. One for a number, a choice or a camera.
     pub answers: BTreeMap<String, Vec<String>>,
     /// Numbers that the source leaves open, by their names.
     pub free: BTreeMap<String, String>,
-    /// The answers judged as they are here, by the names of the asks; their verdicts are computed again, not stored.
+    /// The answers judged as they are here, by the names of the asks. Their verdicts are computed again, not stored.
     pub judged: BTreeSet<String>,
-    /// The guesses at questions of lessons, which can't be changed, by the names of the asks; fields as for answers.
+    /// The guesses at questions of lessons, which can't be changed, by the names of the asks. Fields as for answers.
     pub guesses: BTreeMap<String, Vec<String>>,
 }
 
@@ -43,7 +43,7 @@ impl Typed {
         all.all(|text| text.trim().is_empty())
     }
 
-    /// The numbers chosen where the source leaves them open; texts that are not numbers are left out.
+    /// The numbers chosen where the source leaves them open. Texts that are not numbers are left out.
     #[must_use]
     pub fn chosen_numbers(&self) -> Free {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
@@ -51,7 +51,7 @@ impl Typed {
     }
 }
 
-/// A question for a place in the image; places are pixels from its left edge and from its upper one.
+/// A question for a place in the image. Places are pixels from its left edge and from its upper one.
 #[derive(Clone, Debug)]
 pub struct Placing {
     /// The question.
@@ -90,7 +90,7 @@ fn place_in(ask: &Ask, fields: &[String]) -> Option<[f64; 2]> {
     }
 }
 
-/// A record of progress in a window; files are written from records, so that two windows lose nothing of each other.
+/// A record of progress in a window. Files are written from records, so that two windows lose nothing of each other.
 #[derive(Clone, Debug)]
 pub(in crate::gui) enum Done {
     /// An answer was judged, at a time in seconds since the beginning of 1970.
@@ -136,7 +136,7 @@ pub struct Opened {
     pub steps: usize,
     /// The whole solution, once a step was requested.
     pub(in crate::gui) way: Option<Arc<[Worked]>>,
-    /// Number of its steps that are shown as they are; the others are to be done.
+    /// Number of its steps that are shown as they are. The others are to be done.
     pub given: usize,
     /// The texts typed into the steps to be done, by their numbers.
     pub typed: BTreeMap<usize, String>,
@@ -303,7 +303,7 @@ impl Exercises {
         }
     }
 
-    /// Opens an exercise; its typed answers are restored.
+    /// Opens an exercise. Its typed answers are restored.
     pub fn work_on(&mut self, chosen: Chosen) {
         if self.open.as_ref() == Some(&chosen) {
             return;
@@ -491,7 +491,7 @@ impl Exercises {
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
     }
 
-    /// The next exercise to practise, and the reason; never the current one. `now`: seconds since the beginning of
+    /// The next exercise to practise, and the reason. Never the current one. `now`: seconds since the beginning of
     /// 1970.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
@@ -541,7 +541,7 @@ impl Exercises {
     }
 }
 
-/// The answer in the fields, as one text; empty where nothing was typed. Where the first field holds a whole list or
+/// The answer in the fields, as one text. Empty where nothing was typed. Where the first field holds a whole list or
 /// matrix in brackets, it is the answer.
 #[must_use]
 pub fn joined(ask: &Ask, fields: &[String]) -> String {

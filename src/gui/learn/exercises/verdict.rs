@@ -11,7 +11,7 @@ use crate::gui::state::{AfterSave, Chosen, State, joined};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, lesson_of};
 
-/// Shows the verdict on an answer, and the help; a verdict `just_said` is scrolled into sight.
+/// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
     let Sheet { t, exercise, .. } = sheet;
     let top = ui.cursor().top();

@@ -15,7 +15,7 @@ use crate::lessons::{OpenLesson, shipped};
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
 
-/// Shows the list; a lesson that is chosen is played.
+/// Shows the list. A lesson that is chosen is played.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     let lang = state.settings.lang;
     let t = words::texts(lang);

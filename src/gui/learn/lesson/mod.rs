@@ -34,7 +34,7 @@ use crate::lessons::{self, Lesson, Link, Task};
 pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(in crate::gui) use speaker::window as speaker_window;
 
-/// The share of the window that text and task may take; what is longer is scrolled.
+/// The share of the window that text and task may take. What is longer is scrolled.
 const SHARE: f32 = 0.42;
 /// The share that they may take while they are written.
 const SHARE_WRITTEN: f32 = 0.55;
@@ -43,7 +43,7 @@ const SHARE_WRITTEN: f32 = 0.55;
 const SHARE_ASKED: f32 = 0.5;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
-/// The least width at which text and task are side by side, in such lines; large type in a presentation has little
+/// The least width at which text and task are side by side, in such lines. Large type in a presentation has little
 /// height.
 const BESIDE: f32 = 1.4;
 const BESIDE_PRESENTED: f32 = 0.8;
@@ -67,7 +67,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     state.look_at_goal();
 }
 
-/// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time; gives a
+/// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
 /// command that is to be done.
 pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
@@ -180,7 +180,7 @@ fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
 const DIGITS: [Key; 10] =
     [Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
-/// The bar of the lesson, and the text and the task of its step, below the pictures; gives a command that is to be
+/// The bar of the lesson, and the text and the task of its step, below the pictures. Gives a command that is to be
 /// done. All steps have one height, so that nothing moves under the pointer.
 pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let playing = state.lesson.as_ref()?;

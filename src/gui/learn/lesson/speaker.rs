@@ -23,7 +23,7 @@ pub(super) fn has_window(ctx: &Context, state: &State) -> bool {
     !ctx.embed_viewports() && !is_alone
 }
 
-/// Shows the notes of the step, where they are wanted; gives a command that is to be done.
+/// Shows the notes of the step, where they are wanted. Gives a command that is to be done.
 pub(in crate::gui) fn window(ctx: &Context, state: &mut State) -> Option<Command> {
     let is_wanted = state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
     if !is_wanted || !has_window(ctx, state) {

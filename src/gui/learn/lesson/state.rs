@@ -45,17 +45,17 @@ pub struct Playing {
     pub writing: Option<Writing>,
     /// The lesson has been written since it is played.
     pub(in crate::gui) was_written: bool,
-    /// A link holds the whole lesson, where it is the user's own; else the figure of the step.
+    /// A link holds the whole lesson, where it is the user's own, else the figure of the step.
     pub links_whole: bool,
     /// The beginning of the fading of what was shown before the step, counted.
     pub(in crate::gui) fades: u64,
     /// The hands that the class has raised.
     pub(in crate::gui) hands: Hands,
-    /// Not all of text and task is in sight; written by the panel.
+    /// Not all of text and task is in sight. Written by the panel.
     pub is_cut: bool,
-    /// The height of the panel, and what it depends on; written by the panel.
+    /// The height of the panel, and what it depends on. Written by the panel.
     pub(in crate::gui) height: Option<(super::Fits, f32)>,
-    /// The documents of other steps in which there is work; each is shown again when its step is.
+    /// The documents of other steps in which there is work. Each is shown again when its step is.
     pub(in crate::gui) worked_on: BTreeMap<usize, Document>,
     /// The steps whose task is done.
     done: BTreeSet<usize>,
@@ -274,7 +274,7 @@ impl State {
         if furthest < last { furthest } else { (0..lesson.steps.len()).find(is_open).unwrap_or_default() }
     }
 
-    /// Plays a lesson; the figure is lost. Only the window's start calls this, and
+    /// Plays a lesson. The figure is lost. Only the window's start calls this, and
     /// [`file_flow`](crate::gui::files::file_flow) once it has asked.
     pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
@@ -315,7 +315,7 @@ impl State {
         self.show_step(playing, step, false);
     }
 
-    /// Ends the lesson; the figure of its step stays.
+    /// Ends the lesson. The figure of its step stays.
     pub(in crate::gui) fn leave_lesson(&mut self) {
         self.end_move();
         self.let_lesson_go();
@@ -331,7 +331,7 @@ impl State {
         self.exercises.leave_unknown();
     }
 
-    /// Shows the figure of the step as it was at first; undoing brings the changed one back.
+    /// Shows the figure of the step as it was at first. Undoing brings the changed one back.
     pub fn step_again(&mut self) {
         self.end_move();
         let Some(playing) = self.lesson.take() else { return };
@@ -346,7 +346,7 @@ impl State {
         }
     }
 
-    /// Goes to a step, from 0; nothing if there is none. Work in the step that is left waits there.
+    /// Goes to a step, from 0. Nothing if there is none. Work in the step that is left waits there.
     pub fn go_to_step(&mut self, step: usize) {
         if !self.save_text() {
             return;
@@ -477,7 +477,7 @@ impl State {
         self.follow_writing();
     }
 
-    /// Shows the figure that answers the question of the step, with a move to it; false where there is none.
+    /// Shows the figure that answers the question of the step, with a move to it. False where there is none.
     pub(in crate::gui) fn show_seen(&mut self) -> bool {
         self.end_move();
         let Some(playing) = &self.lesson else { return false };
@@ -505,7 +505,7 @@ impl State {
         self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
     }
 
-    /// Goes on with the move to the step; true while it goes on. `now`: a time in seconds.
+    /// Goes on with the move to the step. True while it goes on. `now`: a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
         let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);

@@ -62,7 +62,7 @@ pub enum Fields {
 /// The texts of a step and of its lesson as they are typed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Typed {
-    /// Title, text and notes of the step, then title, sentence and minutes of the lesson; the minutes in the first
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson. The minutes in the first
     /// language alone.
     pub words: [Bilingual; FIELDS.len()],
     /// The task of the step.
@@ -201,7 +201,7 @@ impl State {
         }
     }
 
-    /// Plays the last step of the lesson to which steps were added last, and begins to write it; the figure is lost.
+    /// Plays the last step of the lesson to which steps were added last, and begins to write it. The figure is lost.
     pub(in crate::gui) fn write_recorded(&mut self) {
         let Some(path) = self.lesson_file.clone() else { return };
         match files::read_lesson(&path) {
@@ -429,7 +429,7 @@ impl State {
         }
     }
 
-    /// Writes the text of the lesson into its file, unless another program has changed it; true where it is written.
+    /// Writes the text of the lesson into its file, unless another program has changed it. True where it is written.
     fn store(&mut self, path: &Path, text: String, step: usize) -> bool {
         let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
         let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
@@ -454,7 +454,7 @@ impl State {
         }
     }
 
-    /// Reads the lesson again that another program has changed; text that is not in the file is lost.
+    /// Reads the lesson again that another program has changed. Text that is not in the file is lost.
     pub(in crate::gui) fn read_lesson_again(&mut self) {
         let Some(playing) = &self.lesson else { return };
         let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
@@ -468,7 +468,7 @@ impl State {
         }
     }
 
-    /// Goes on after a change of the steps. The work in each goes where the step goes; that in a removed step is kept.
+    /// Goes on after a change of the steps. The work in each goes where the step goes. That in a removed step is kept.
     fn go_on_changed(&mut self, lesson: Lesson, change: StepChange, step: usize, then: usize) {
         self.end_move();
         if change == StepChange::Remove {

@@ -153,13 +153,13 @@ fn best(room: Rect, pictures: &[Framed]) -> Arrangement {
     best_arrangement(pictures.len(), |arrangement| used(room, pictures, arrangement))
 }
 
-/// The area that pictures use of a room in an arrangement; points².
+/// The area that pictures use of a room in an arrangement. Points².
 fn used(room: Rect, pictures: &[Framed], arrangement: Arrangement) -> f32 {
     let (panes, _) = lay_out(room, pictures.len(), arrangement, &Shares::default());
     pictures.iter().zip(panes).map(|(picture, pane)| used_of(pane.size(), picture.aspect)).sum()
 }
 
-/// The area of the largest picture of a shape (width by height) in a pane, below its title; points².
+/// The area of the largest picture of a shape (width by height) in a pane, below its title. Points².
 fn used_of(pane: Vec2, aspect: f32) -> f32 {
     let room = vec2(pane.x, pane.y - TITLE).max(Vec2::ZERO);
     used_area(room.x, room.y, aspect)

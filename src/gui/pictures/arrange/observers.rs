@@ -59,7 +59,7 @@ impl Canvas {
         }
     }
 
-    /// Repeats the framing by a button or a key when the picture changes its size; an observer that was turned by hand
+    /// Repeats the framing by a button or a key when the picture changes its size. An observer that was turned by hand
     /// stays.
     fn fit_again(&mut self, state: &mut State, pane: &Pane) {
         let (view, request, picture) = (pane.view, &pane.request, &mut self.pictures[pane.picture]);

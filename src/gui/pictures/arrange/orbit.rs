@@ -34,7 +34,7 @@ pub(in crate::gui::pictures) fn zoomed_at(observer: Observer, factor: f64, point
     observer.zoom(factor).pan(shift.x, shift.y, size.smaller_side())
 }
 
-/// Writes the observer of a picture into a figure; the image has none.
+/// Writes the observer of a picture into a figure. The image has none.
 pub(in crate::gui::pictures) fn set(observers: &mut Observers, view: View, observer: Option<Observer>) {
     match view {
         View::World => observers.world = observer,

@@ -101,7 +101,7 @@ impl Canvas {
         response.ctx.request_repaint();
     }
 
-    /// Lets the arrow keys move the chosen label, and Enter put a note; returns whether this key did.
+    /// Lets the arrow keys move the chosen label, and Enter put a note. Returns whether this key did.
     pub(in crate::gui::pictures) fn label_by_key(
         &self,
         state: &mut State,

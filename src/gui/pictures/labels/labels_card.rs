@@ -25,7 +25,7 @@ use crate::views::{View, unknown_labels};
 const LARGER: f64 = 1.25;
 
 impl Canvas {
-    /// Shows the card while the mode is on; it can be moved.
+    /// Shows the card while the mode is on. It can be moved.
     pub(in crate::gui::pictures) fn labels_card(&self, ui: &Ui, state: &mut State, panes: &[Pane]) {
         state.label_mode.is_typing = false;
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));

@@ -1,4 +1,4 @@
-//! Interaction with the pictures by keys and by a pointer without a drag; drags are in `held`.
+//! Interaction with the pictures by keys and by a pointer without a drag. Drags are in `held`.
 
 use eframe::egui::{self, Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
@@ -34,7 +34,7 @@ const STEP: f64 = 5.0;
 const STEP_FACTOR: f64 = 1.1;
 
 impl Canvas {
-    /// Handles pointer and keys; returns the status lines.
+    /// Handles pointer and keys. Returns the status lines.
     pub(in crate::gui::pictures) fn interact(
         &mut self,
         ui: &Ui,
@@ -278,7 +278,7 @@ impl Canvas {
         }
     }
 
-    /// Lets the keys move the probe in probing mode; returns whether this key did.
+    /// Lets the keys move the probe in probing mode. Returns whether this key did.
     fn probe_by_key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
         let step = |probing, arrow| ProbeStep { probing, from: None, arrow, fast: modifiers.shift };
         if let Some(asked) = Probing::asked(key, pane.view) {

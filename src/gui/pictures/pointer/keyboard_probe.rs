@@ -20,7 +20,7 @@ pub(in crate::gui::pictures) enum Probing {
 }
 
 impl Probing {
-    /// The mode that a key begins in a picture; pixels only in the image.
+    /// The mode that a key begins in a picture. Pixels only in the image.
     pub(in crate::gui::pictures) fn asked(key: Key, view: View) -> Option<Self> {
         match (key, view) {
             (Key::I, View::Image) => Some(Self::Pixels),

@@ -114,7 +114,7 @@ fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     }
 }
 
-/// Answers one pick after the other; one that has not been begun is forgotten when the next comes.
+/// Answers one pick after the other. One that has not been begun is forgotten when the next comes.
 pub(in crate::gui::pictures) struct Picker {
     found: Latest<PickRequest, PickResult>,
 }
@@ -126,7 +126,7 @@ impl Default for Picker {
 }
 
 impl Picker {
-    /// The result; during the search the last one nearby. A frame is requested of `ctx` when
+    /// The result. During the search the last one nearby. A frame is requested of `ctx` when
     /// it is found.
     pub(in crate::gui::pictures) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
         if let Some(found) = self.found(ctx, &pick) {

@@ -16,7 +16,7 @@ const RING: f32 = 7.0;
 const FAST: f64 = 10.0;
 
 impl Canvas {
-    /// Puts the cross under the pointer, where a place is asked for; false where none is.
+    /// Puts the cross under the pointer, where a place is asked for. False where none is.
     pub(in crate::gui::pictures) fn place(ui: &Ui, state: &mut State, pane: &Pane, placing: Option<&Placing>) -> bool {
         let Some(placing) = placing.filter(|placing| placing.is_open && pane.view == View::Image) else { return false };
         let response = &pane.response;
@@ -35,7 +35,7 @@ impl Canvas {
         true
     }
 
-    /// Moves the cross by an arrow key; returns whether it was one.
+    /// Moves the cross by an arrow key. Returns whether it was one.
     pub(in crate::gui::pictures) fn place_by_key(state: &mut State, pane: &Pane, key: Key, held: Modifiers) -> bool {
         let arrow = arrow_of(key);
         let placing = state.placing().filter(|placing| placing.is_open && pane.view == View::Image);

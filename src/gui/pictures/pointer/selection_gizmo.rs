@@ -103,7 +103,7 @@ impl Movable {
         if let MovedThing::Objects(names) = &self.what { names.len() } else { 1 }
     }
 
-    /// The scene after a part of the gizmo has been pulled, beginning with `before`, the scene when it was taken; and
+    /// The scene after a part of the gizmo has been pulled, beginning with `before`, the scene when it was taken, and
     /// whether all could do so. Digits that are smaller than a pixel are rounded away; with `snap` moves are multiples
     /// of it, turns of 15°, scales of 0.1.
     ///

@@ -8,7 +8,7 @@ use crate::gui::state::State;
 use crate::views::View;
 
 impl Canvas {
-    /// Lets two fingers move and zoom a three-dimensional picture; true while they are on it. What the first of them
+    /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. What the first of them
     /// had begun before the second came is taken back: it was not meant.
     pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, state: &mut State, pane: &Pane) -> bool {
         let touch = ui.input(|input| input.multi_touch());

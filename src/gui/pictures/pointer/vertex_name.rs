@@ -53,7 +53,7 @@ struct OfMesh {
 
 impl VertexNames {
     /// The vertex at a point of the world, if one is exactly there. In a heavy scene it is found beside the window's
-    /// thread; a frame is requested of `ctx` then.
+    /// thread. A frame is requested of `ctx` then.
     pub(in crate::gui::pictures) fn at(
         &mut self,
         ctx: &egui::Context,

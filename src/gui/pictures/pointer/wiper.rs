@@ -61,7 +61,7 @@ impl Canvas {
     }
 }
 
-/// Shows a wiper; gives its new place where it has been moved.
+/// Shows a wiper. Gives its new place where it has been moved.
 fn wiper(ui: &Ui, state: &State, pane: &Pane, share: f64) -> Option<f64> {
     let words = words::texts(state.settings.lang);
     let Rect { min, max } = pane.rect.rect;

@@ -89,7 +89,7 @@ fn open(ctx: &egui::Context, question: FileQuestion, answer: &Answer) -> Option<
     Some(())
 }
 
-/// The requested file; the others are those that it names.
+/// The requested file. The others are those that it names.
 fn first_of(paths: Vec<PathBuf>, endings: &[&str]) -> Option<PathBuf> {
     let is_asked_for = |path: &Path| {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();

@@ -8,7 +8,7 @@ use web_sys::{KeyboardEvent, Window};
 
 use crate::gui::app::command::Command;
 
-/// Keeps the browser from acting on the keys of this program; it still gets those that it has for itself.
+/// Keeps the browser from acting on the keys of this program. It still gets those that it has for itself.
 pub(super) fn keep_from_browser(window: &Window) -> Result<(), JsValue> {
     let pressed = Closure::<dyn FnMut(KeyboardEvent)>::new(|event: KeyboardEvent| {
         let modifiers = Modifiers {

@@ -93,7 +93,7 @@ fn downloaded(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// The object that has the locks of all tabs of this origin; older browsers have none, and pages from disk may not use
+/// The object that has the locks of all tabs of this origin. Older browsers have none, and pages from disk may not use
 /// it.
 fn locks() -> Option<JsValue> {
     let locks = js_sys::Reflect::get(&super::window()?.navigator(), &"locks".into()).ok()?;

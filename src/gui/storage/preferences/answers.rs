@@ -6,7 +6,7 @@ use crate::gui::state::{Chosen, State, Typed};
 
 /// The prefix of the keys.
 const PREFIX: &str = "answers ";
-/// The prefix of chosen values of open numbers; no ask has such a name.
+/// The prefix of chosen values of open numbers. No ask has such a name.
 const FREE: &str = "free ";
 /// The key of answers judged as typed.
 const JUDGED: &str = "is judged";

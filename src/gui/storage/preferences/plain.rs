@@ -1,4 +1,4 @@
-//! The value of a preference as it is in the window, compared in each frame; it becomes TOML only to be written.
+//! The value of a preference as it is in the window, compared in each frame. It becomes TOML only to be written.
 
 use std::borrow::Cow;
 

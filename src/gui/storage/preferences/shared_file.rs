@@ -41,7 +41,7 @@ pub(super) trait Change: Clone + Send + 'static {
 /// The content of a file, as text and understood, and the new place of one that could not be understood.
 type Held<T> = (String, T, Option<PathBuf>);
 
-/// The file as it is, empty where there is none; what cannot be understood, or is far too large, is set aside under
+/// The file as it is, empty where there is none. What cannot be understood, or is far too large, is set aside under
 /// another name.
 fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
     let bytes = match files::read_at_most(file, MAX_KEPT_BYTES) {
@@ -58,7 +58,7 @@ fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
     Ok((String::new(), C::Content::default(), Some(aside)))
 }
 
-/// Merges a change into a file; also where one went that could not be understood.
+/// Merges a change into a file. Also where one went that could not be understood.
 fn write<C: Change>(file: &Path, change: &C) -> Result<(C::Merged, Option<PathBuf>), FileError> {
     let _lock = locked(file)?;
     let (before, content, set_aside) = read::<C>(file)?;

@@ -107,7 +107,7 @@ impl Preferences {
         Self { file, kept, remembered, progress, has_answers }
     }
 
-    /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
+    /// Sets a key as the system wants it, unless the user has chosen otherwise. That is not remembered.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(in crate::gui) fn follow(&mut self, state: &mut State, key: &str, set: impl FnOnce(&mut State)) {
         let is_chosen = values(state).any(|(of, value)| of == key && self.kept.get(of) != Some(&value));

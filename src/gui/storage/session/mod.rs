@@ -161,7 +161,7 @@ impl Sessions {
         }
     }
 
-    /// Gives each document that the window holds its own slot back; those of all others are free.
+    /// Gives each document that the window holds its own slot back. Those of all others are free.
     fn follow(&mut self, shown: Revision, others: &[&Document]) {
         let is_held = |id: Revision| others.iter().any(|document| document.id() == id);
         if self.shown.is_some_and(|before| before != shown && is_held(before)) {

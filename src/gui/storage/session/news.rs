@@ -7,12 +7,12 @@ use std::path::PathBuf;
 use crate::files::FileError;
 use crate::scene::system_kind;
 
-/// A message about the storage of windows; each is shown once.
+/// A message about the storage of windows. Each is shown once.
 #[derive(Debug)]
 pub enum News {
     /// The session was restored.
     Restored,
-    /// The session was restored without these keys of the figure, which are not known here; the whole is in this file.
+    /// The session was restored without these keys of the figure, which are not known here. The whole is in this file.
     RestoredInPart(Vec<String>, PathBuf),
     /// The session cannot be read, and is in this file.
     Damaged(PathBuf),
@@ -105,7 +105,7 @@ impl NewsList {
         self.shown.is_empty()
     }
 
-    /// Adds a message. A failure with a cause already shown joins that message; a closed one does not come back.
+    /// Adds a message. A failure with a cause already shown joins that message. A closed one does not come back.
     pub fn tell(&mut self, news: News) {
         let News::NotKept(not_kept) = news else { return self.shown.push(news) };
         let cause = not_kept.cause();

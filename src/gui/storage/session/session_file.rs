@@ -31,7 +31,7 @@ impl From<&Path> for KeptPath {
 }
 
 impl KeptPath {
-    /// The path; a relative one says nothing: nobody knows of which folder.
+    /// The path. A relative one says nothing: nobody knows of which folder.
     fn whole(&self) -> Option<PathBuf> {
         let path = match self {
             Self::Text(text) => PathBuf::from(text),
@@ -76,7 +76,7 @@ pub(super) struct SessionFile {
     lesson: Option<KeptText>,
 }
 
-/// The text of a lesson that is not in its file; see [`UnsavedText`].
+/// The text of a lesson that is not in its file. See [`UnsavedText`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 struct KeptText {
     path: KeptPath,

@@ -121,7 +121,7 @@ const SYMBOL: f32 = 56.0;
 /// Numbers in a row: those of a vector, or of a row of a matrix.
 const IN_A_ROW: usize = 3;
 
-/// A line with a field for each number; returns the one that was set.
+/// A line with a field for each number. Returns the one that was set.
 fn numbers(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary, line: &Line) -> Option<(CameraNumber, f64)> {
     let (mut set, mut error) = (None, None);
     let is_call = line.name.starts_with("gl");

@@ -20,7 +20,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// Sets the present text; differences from the last one begin to glow.
+    /// Sets the present text. Differences from the last one begin to glow.
     fn follow(self, text: &str, now: f64) -> Self {
         if self.text == text {
             return self;
@@ -30,7 +30,7 @@ impl Shown {
 }
 
 /// For each character of the new text, whether it differs from the old one. Numbers are compared digit by digit,
-/// aligned at their decimal points; the text between them, and texts with another count of numbers, between their
+/// aligned at their decimal points. The text between them, and texts with another count of numbers, between their
 /// common beginning and their common end.
 fn difference(old: &str, new: &str) -> Vec<bool> {
     let (before, after) = (parts(old), parts(new));

@@ -90,7 +90,7 @@ fn take_all(state: &mut State, cameras: &[Pasted], stated: &Stated) {
     state.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
 }
 
-/// A choice among the cameras of a file; a text with one camera has none.
+/// A choice among the cameras of a file. A text with one camera has none.
 fn which_camera(ui: &mut egui::Ui, state: &mut State, t: &Texts, names: &[String]) {
     let chosen = &mut state.explain.pasted.camera;
     if *chosen >= names.len() {
@@ -186,7 +186,7 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
     }
 }
 
-/// A small sentence whose symbols have subscripts; screen readers say it as it is written.
+/// A small sentence whose symbols have subscripts. Screen readers say it as it is written.
 fn note(ui: &mut egui::Ui, text: &str) {
     let job = theme::sentence(ui, text, &egui::TextStyle::Small, ui.visuals().text_color());
     let response = ui.add(egui::Label::new(job).wrap());

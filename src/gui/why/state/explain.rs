@@ -68,7 +68,7 @@ pub struct Explain {
     pub share: f64,
     /// The numbers of the triangle that is followed step by step.
     pub triangle: TriangleNumbers,
-    /// The report of the strip's picture, stage by stage; written by the pictures while the stages are explained.
+    /// The report of the strip's picture, stage by stage. Written by the pictures while the stages are explained.
     pub reports: Vec<StageReport>,
     /// The target of the code.
     pub code: CodeTarget,

@@ -25,14 +25,14 @@ pub(in crate::gui) enum Space {
 pub struct Follow {
     /// The name of the point that is followed.
     pub(in crate::gui) chosen: Option<String>,
-    /// The name that is being typed, of the point that has this one; and whether its field has been left.
+    /// The name that is being typed, of the point that has this one, and whether its field has been left.
     pub(in crate::gui) typing: Option<(String, String, bool)>,
-    /// The reason why the last typed coordinates belong to no point; shown until something else is typed.
+    /// The reason why the last typed coordinates belong to no point. Shown until something else is typed.
     pub(in crate::gui) refused: Option<(Space, NotProjectable)>,
 }
 
 impl Follow {
-    /// The place in the list of the point that is followed; the first one where the chosen one is gone. `None` without
+    /// The place in the list of the point that is followed. The first one where the chosen one is gone. `None` without
     /// points.
     pub(in crate::gui) fn index(&self, points: &[NamedPoint]) -> Option<usize> {
         let chosen = self.chosen.as_ref().and_then(|name| points.iter().position(|point| point.name == *name));

@@ -20,7 +20,7 @@ pub enum Reading {
 /// The explanation of matrices.
 #[derive(Clone, Debug)]
 pub struct Matrices {
-    /// The matrix; never an inverse.
+    /// The matrix. Never an inverse.
     pub matrix: Matrix,
     /// Its inverse is shown.
     pub inverse: bool,

@@ -5,7 +5,7 @@
 pub struct Notes {
     /// The search text.
     pub wanted: String,
-    /// The identifier of the note that is read; empty: the first one.
+    /// The identifier of the note that is read. Empty: the first one.
     pub chosen: &'static str,
     /// Those that were read before it, the last one at the end.
     pub(in crate::gui) before: Vec<&'static str>,

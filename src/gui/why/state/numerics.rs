@@ -57,7 +57,7 @@ impl Numerics {
         self.measured.ask_again(ctx, (self.study, self.effort));
     }
 
-    /// Begins the study that is shown, once, where it has not been measured; one that runs makes room for it.
+    /// Begins the study that is shown, once, where it has not been measured. One that runs makes room for it.
     pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context) {
         if self.begun != Some(self.study) && self.found(self.study).is_none() {
             self.begun = Some(self.study);

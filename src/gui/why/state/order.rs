@@ -97,7 +97,7 @@ impl Order {
     }
 }
 
-/// The first two calls of a list that cannot be exchanged without another result; else its first two.
+/// The first two calls of a list that cannot be exchanged without another result, else its first two.
 fn telling(calls: &[Call]) -> [usize; 2] {
     let other = |pair: [usize; 2]| match (product(calls), product(&exchanged(calls, pair))) {
         (Ok(a), Ok(b)) => !same(&a, &b),

@@ -53,7 +53,7 @@ impl Steps {
         self.played.is_some()
     }
 
-    /// Plays from where it is, from the beginning where it is at its end; or holds. `now` is a time in seconds. Where
+    /// Plays from where it is, from the beginning where it is at its end, or holds. `now` is a time in seconds. Where
     /// it is then.
     pub(in crate::gui) fn play_or_hold(&mut self, step: ShownStep, now: f64) -> ShownStep {
         if self.played.take().is_some() {

@@ -94,7 +94,7 @@ use thresholds::{COARSE_DEPTH, FAR_AWAY, NEARLY_COLLINEAR_DEGREES, WIDE_DEGREES}
 const STEPS: f64 = 16_777_216.0;
 
 impl Camera {
-    /// Warnings about a camera that is possible, but probably not meant; empty when there are none.
+    /// Warnings about a camera that is possible, but probably not meant. Empty when there are none.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();

@@ -92,7 +92,7 @@ impl Ndc {
         if self.reversed { [1.0, 0.0] } else { [self.api.row().2, 1.0] }
     }
 
-    /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not; turning y or z
+    /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not. Turning y or z
     /// round changes it.
     #[must_use]
     pub const fn is_right_handed(self) -> bool {

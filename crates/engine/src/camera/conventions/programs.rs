@@ -96,7 +96,7 @@ impl Program {
         Self { name: "Bevy", word: "bevy", ndc: reversed_infinite(Api::WebGpu), angle: RADIANS, ..Self::OF_THE_NOTES },
     ];
 
-    /// True if all programs with these axes write matrices by columns; false if there is none.
+    /// True if all programs with these axes write matrices by columns. False if there is none.
     pub(crate) fn is_always_by_columns(axes: Axes) -> bool {
         let mut own = Self::ALL.iter().filter(|program| program.axes == axes).peekable();
         own.peek().is_some() && own.all(|program| program.order == Order::Columns)

@@ -54,7 +54,7 @@ pub enum Step {
     Box,
     /// The middle of the box moves to the origin.
     Centre,
-    /// The box becomes the cube; z turns around.
+    /// The box becomes the cube. Z turns around.
     Scale,
     /// `[1]` M_pers
     Pers,

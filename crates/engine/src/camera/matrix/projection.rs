@@ -91,7 +91,7 @@ impl Camera {
         DVec3::new(basis.u.dot(d), basis.v.dot(d), basis.n.dot(d))
     }
 
-    /// A world point in clip coordinates, in plain `f64`; see [`Camera::view_point`].
+    /// A world point in clip coordinates, in plain `f64`. See [`Camera::view_point`].
     #[must_use]
     pub fn clip_point(&self, p_world: DVec3) -> DVec4 {
         self.clip_from_view() * self.view_point(p_world).extend(1.0)

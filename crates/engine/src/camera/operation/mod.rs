@@ -2,7 +2,7 @@
 //!
 //! One rule covers the five rotations: a positive angle turns counter-clockwise seen from the tip of the axis (the
 //! right-hand rule), and the whole VRC turns rigidly, VUP with it, so that nothing flips at a pole. The notes turn
-//! guinada (yaw) about x_c and arfagem (pitch) about y_c; the field, and the author's own library, turn yaw about **v**
+//! guinada (yaw) about x_c and arfagem (pitch) about y_c. The field, and the author's own library, turn yaw about **v**
 //! and pitch about **u**, as is done here.
 
 mod descriptors;

@@ -81,8 +81,8 @@ impl MatrixEntries {
         }
     }
 
-    /// The matrix, which acts on column vectors; three rows are followed by 0 0 0 1. By columns the numbers go down
-    /// first, as OpenGL, glTF and three.js have them; so does a matrix that is written for row vectors.
+    /// The matrix, which acts on column vectors. Three rows are followed by 0 0 0 1. By columns the numbers go down
+    /// first, as OpenGL, glTF and three.js have them, so does a matrix that is written for row vectors.
     #[must_use]
     pub fn matrix(&self, by_columns: bool) -> DMat4 {
         self.in_order(if by_columns { Order::Columns } else { Order::Rows })

@@ -145,7 +145,7 @@ impl Recovery {
         }
     }
 
-    /// F and B of a parallel camera may be 0 or less; a perspective takes the usual ones then.
+    /// F and B of a parallel camera may be 0 or less. A perspective takes the usual ones then.
     pub(crate) fn distances(&mut self) {
         if self.found.near <= 0.0 {
             let Parameters { near, far, .. } = Parameters::default();

@@ -13,7 +13,7 @@ pub enum MatrixKind {
     Projection,
     /// M_p M_v
     ViewProjection,
-    /// K \[R | t\] of computer vision, from the world to pixels; it may be padded to four rows.
+    /// K \[R | t\] of computer vision, from the world to pixels. It may be padded to four rows.
     Pinhole,
     /// K alone: focal lengths and principal point in pixels.
     Intrinsics,
@@ -79,9 +79,9 @@ pub struct Reading {
     pub kind: MatrixKind,
     /// Whose axes: those of the camera if the kind has some, and those of the world.
     pub axes: Axes,
-    /// Its NDC; counts for M_p and M_p M_v.
+    /// Its NDC. Counts for M_p and M_p M_v.
     pub ndc: NdcRange,
-    /// The image that its pixels are of; counts for K.
+    /// The image that its pixels are of. Counts for K.
     pub image: ImageSize,
 }
 

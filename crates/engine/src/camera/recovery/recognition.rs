@@ -40,7 +40,7 @@ impl Evidence {
 pub enum Certainty {
     /// Others are about as likely.
     Open,
-    /// The evidence is for this one; others aren't refused.
+    /// The evidence is for this one. Others aren't refused.
     Likely,
     /// The numbers, or words of the text, refuse all others.
     Only,
@@ -77,13 +77,13 @@ pub struct Candidate {
 /// A part of the best reading that was assumed, with the best reading in which it differs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Assumed {
-    /// The kind; the index of the other reading.
+    /// The kind. The index of the other reading.
     Kind(usize),
-    /// The axes; the index of the other reading.
+    /// The axes. The index of the other reading.
     Axes(usize),
-    /// The order; the index of the other reading.
+    /// The order. The index of the other reading.
     Order(usize),
-    /// The NDC; the index of the other reading.
+    /// The NDC. The index of the other reading.
     Ndc(usize),
     /// The size of the image.
     Image(ImageSize),
@@ -122,7 +122,7 @@ const LIKELY: f64 = 3.0;
 
 /// Reads a camera of a text as stated, and recognises the rest.
 ///
-/// Every kind is tried in all axes, ranges of NDC and orders that it may have. The numbers refuse most of them; the
+/// Every kind is tried in all axes, ranges of NDC and orders that it may have. The numbers refuse most of them. The
 /// evidence ranks the others. See [`Reason`].
 ///
 /// # Errors
@@ -256,7 +256,7 @@ fn candidate(
     Ok(Candidate { reading, order, found, reasons, certainty: Certainty::Open, weight })
 }
 
-/// Keeps the readings that a word of the text means, if there are some; what you state yourself goes first. A weak word
+/// Keeps the readings that a word of the text means, if there are some. What you state yourself goes first. A weak word
 /// only adds to their evidence.
 fn follow(word: &Word, stated: &Stated, entries: &MatrixEntries, readings: &mut Vec<Candidate>) {
     let is_twelve = entries.count() == 12;
@@ -296,7 +296,7 @@ fn follow(word: &Word, stated: &Stated, entries: &MatrixEntries, readings: &mut 
     }
 }
 
-/// The readings with their certainty; the other kinds and the assumptions.
+/// The readings with their certainty. The other kinds and the assumptions.
 fn judged(mut readings: Vec<Candidate>, elsewhere: &[Candidate], stated: &Stated) -> Recognised {
     // Shares of the sides and pixels of a tiny image are the same numbers.
     let is_odd =

@@ -28,7 +28,7 @@ impl Recovery {
         Ok(())
     }
 
-    /// C and the axes are the columns; an object may be scaled as well.
+    /// C and the axes are the columns. An object may be scaled as well.
     pub(crate) fn camera_to_world(&mut self, m: DMat4) -> Result<(), RecoveryError> {
         let rows = affine_rows(m)?;
         let column = |i: usize| DVec3::new(rows[0][i], rows[1][i], rows[2][i]);
@@ -297,7 +297,7 @@ impl Recovery {
         Ok(())
     }
 
-    /// A window of a size around a middle; a symmetric one as angle or height and aspect.
+    /// A window of a size around a middle. A symmetric one as angle or height and aspect.
     pub(crate) fn window(&mut self, [width, height]: [f64; 2], [middle_x, middle_y]: [f64; 2]) {
         let symmetric = middle_x.abs() <= EXACT * width && middle_y.abs() <= EXACT * height;
         if symmetric {

@@ -23,7 +23,7 @@ pub(crate) struct Edge {
     pub(crate) inside: usize,
     /// The corner outside.
     pub(crate) outside: usize,
-    /// The shares of the corner inside and of the one outside; they add up to 1.
+    /// The shares of the corner inside and of the one outside. They add up to 1.
     pub(crate) shares: [f64; 2],
 }
 

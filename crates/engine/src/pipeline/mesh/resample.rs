@@ -21,7 +21,7 @@ pub(crate) enum VertexOrigin {
     Between {
         /// Vertices of the old mesh.
         of: [u32; 3],
-        /// Their shares; they add up to 1.
+        /// Their shares. They add up to 1.
         weights: [f64; 3],
     },
 }
@@ -93,7 +93,7 @@ impl Attribute for Rgba {
     }
 }
 
-/// The colour at a vertex; grey without a colour.
+/// The colour at a vertex. Grey without a colour.
 pub(crate) fn color_at(colors: &[Rgba], index: u32) -> Rgba {
     colors.get(index as usize).copied().unwrap_or(Rgba::rgb(128, 128, 128))
 }
@@ -184,7 +184,7 @@ pub(crate) fn base_of(paint: ObjectPaint) -> Base {
     }
 }
 
-/// The normals of a mesh whose vertices come from those of another; none where that has none.
+/// The normals of a mesh whose vertices come from those of another. None where that has none.
 pub(crate) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
     if old.normals.is_empty() {
         return Vec::new();
@@ -208,7 +208,7 @@ pub(crate) struct Remake {
     /// The old triangle of each new one.
     pub(crate) sources: Vec<u32>,
     pub(crate) edges: Vec<[u32; 2]>,
-    /// The remaining edges of the old mesh's adjacency; the faces are still the old ones.
+    /// The remaining edges of the old mesh's adjacency. The faces are still the old ones.
     pub(crate) shared: Vec<SharedEdge>,
 }
 
@@ -291,7 +291,7 @@ fn of_triangles(old: &InWorld, triangles: &[u32]) -> InWorld {
     InWorld { light: kept(&old.light), taken, ..old.clone() }
 }
 
-/// A surface without triangles that takes pieces of `old`; one colour becomes a colour for each face, so that surfaces
+/// A surface without triangles that takes pieces of `old`. One colour becomes a colour for each face, so that surfaces
 /// of different objects can be one.
 pub(crate) fn empty_like(old: &Surface) -> Surface {
     let base = match &old.base {

@@ -75,7 +75,7 @@ pub(crate) fn pieces(layers: &[Layer]) -> (Vec<Piece>, usize) {
 pub(crate) struct Cuts(Vec<Vec<DVec3>>);
 
 impl Cuts {
-    /// No cuts yet; the faces have this number of sides.
+    /// No cuts yet. The faces have this number of sides.
     pub(crate) fn new(sides: usize) -> Self {
         Self(vec![Vec::new(); sides])
     }

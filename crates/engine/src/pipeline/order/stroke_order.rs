@@ -25,7 +25,7 @@ use crate::pipeline::budget::OverBudget;
 /// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes
 /// later. Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes
 /// another twice within the sum of their widths. The parts of a split run follow one another along the polyline without
-/// a gap; a part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
+/// a gap. A part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].
@@ -271,7 +271,7 @@ fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
     segments
 }
 
-/// The index of a square among those of the picture; places beside the picture belong to those at its border.
+/// The index of a square among those of the picture. Places beside the picture belong to those at its border.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates")]
 fn square(v: f64, count: usize) -> usize {
     ((v / SQUARE).max(0.0) as usize).min(count - 1)

@@ -1,6 +1,6 @@
 //! The visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer.
 //!
-//! A raster asks its depth buffer pixel by pixel; here each segment of a stroke is held against each triangle that it
+//! A raster asks its depth buffer pixel by pixel. Here each segment of a stroke is held against each triangle that it
 //! passes. Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)): a triangle
 //! hides a segment between two points, which are found without steps (the quantitative invisibility of Appel 1967, one
 //! face at a time).
@@ -22,7 +22,7 @@ pub struct Run {
     pub set: usize,
     /// The index of its polyline in the set.
     pub polyline: usize,
-    /// x, y in pixels and depth; two or more.
+    /// x, y in pixels and depth. Two or more.
     pub points: Vec<[f32; 3]>,
     /// Pixels along the polyline from its first point: dashes go on from one run to the next.
     pub start: f32,
@@ -112,7 +112,7 @@ fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
 /// Parts of a stroke shorter than this (pixels) go with the part before them: they are rounding.
 const SHORTEST: f64 = 0.02;
 
-/// Calls `found` for each run of a polyline; its set and its index are left to the caller.
+/// Calls `found` for each run of a polyline. Its set and its index are left to the caller.
 fn split(
     points: &[[f32; 3]],
     faces: Option<&Occluders>,
@@ -402,7 +402,7 @@ impl Face {
         px * x + py * y + c - z - f64::from(on_a_face(single(z), [single(px), single(py)]))
     }
 
-    /// True if it is before a place; also on its border, which two faces may share.
+    /// True if it is before a place. Also on its border, which two faces may share.
     fn is_before(&self, place: [f64; 3]) -> bool {
         let [x, y, _] = place;
         let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= BORDER * DVec2::new(a, b).length();

@@ -41,7 +41,7 @@ pub enum LitAt {
 pub struct ObjectPlan {
     /// The place of its bounding box.
     pub containment: Containment,
-    /// Whether it is drawn; else the other fields are meaningless.
+    /// Whether it is drawn, else the other fields are meaningless.
     pub drawn: bool,
     /// The planes that its faces are clipped against.
     pub clip_planes: PlaneSet,

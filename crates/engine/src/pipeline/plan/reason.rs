@@ -67,7 +67,7 @@ pub enum Reason {
         /// Those that take light.
         objects: usize,
     },
-    /// Left to the pixels; here only normals and positions are passed on.
+    /// Left to the pixels. Here only normals and positions are passed on.
     LitPixels {
         /// Those that take light.
         objects: usize,

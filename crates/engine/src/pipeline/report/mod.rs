@@ -33,7 +33,7 @@ pub struct Frame {
     /// The report of each object, in the order of the scene.
     pub objects: Vec<ObjectReport>,
     /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
-    /// requested; it is reported in preference to rounding.
+    /// requested. It is reported in preference to rounding.
     pub too_much: Option<OverBudget>,
     /// The scale of the depths of the drawing.
     pub depths: DepthScale,
@@ -91,7 +91,7 @@ pub struct StageReport {
     pub counts: Option<(usize, usize)>,
     /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
-    /// Its operations by the textbook, as soon as the picture is painted; none if they are not counted
+    /// Its operations by the textbook, as soon as the picture is painted. None if they are not counted
     /// ([`Stage::is_counted`]).
     pub operations: Operations,
 }

@@ -1,7 +1,7 @@
 //! Detection of vertices that rounding misplaces in the picture, by the code that draws them.
 //!
 //! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is
-//! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex; it is
+//! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex. It is
 //! not if a picture magnifies more than its coordinates have digits, or if the window is far off-axis. Then each vertex
 //! is compared with its place in double-double.
 
@@ -88,7 +88,7 @@ impl<'a> Misplaced<'a> {
     }
 }
 
-/// Whether an offset is within the tolerance; false for NaN.
+/// Whether an offset is within the tolerance. False for NaN.
 fn within(off: f64) -> bool {
     off <= ALLOWED
 }

@@ -28,7 +28,7 @@ use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPai
 /// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise), but for
 /// what is textured or in the reach of shadows: light stays apart there, and shadows fall where they fall in the world.
 /// The result takes no light, so the meshes have no normals. No face is culled: the observer of the result is elsewhere
-/// than the camera. An object that was cut is open, so both sides of its faces show; an uncut one stays closed, and
+/// than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays closed, and
 /// convex if it was.
 #[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {

@@ -1,7 +1,7 @@
 //! The scene in two parts, cut at the planes of the view volume in world space: the parts that clipping keeps and
 //! removes, and the vertices that it makes.
 //!
-//! Pictures are drawn without this; it shows the effect of clipping. The corners and the cuts are those of `clip`.
+//! Pictures are drawn without this. It shows the effect of clipping. The corners and the cuts are those of `clip`.
 
 use std::collections::HashSet;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! The result of dividing by w before clipping: the mistake that homogeneous clipping avoids `[2]`.
 //!
-//! Behind the eye w < 0, and the divide moves a point there through the eye to the front, upside down; an edge that
+//! Behind the eye w < 0, and the divide moves a point there through the eye to the front, upside down. An edge that
 //! passes the plane w = 0 leads to the wrong place, although both its ends have coordinates. Clipping comes too late to
 //! repair that.
 

@@ -1,7 +1,7 @@
 //! One triangle step by step, as every triangle goes: its corners in each space, their sides of each plane, the cut of
 //! each plane, and the rest, on the image.
 //!
-//! Pictures are drawn without this; it shows the steps. The numbers are those of the functions that draw.
+//! Pictures are drawn without this. It shows the steps. The numbers are those of the functions that draw.
 
 use glam::{DVec2, DVec3};
 
@@ -32,7 +32,7 @@ pub struct TriangleSteps {
     pub is_outside: bool,
     /// The planes that it crosses, in the order in which they cut.
     pub cuts: Vec<PlaneCut>,
-    /// The corners of the rest, in order; none if nothing remains.
+    /// The corners of the rest, in order. None if nothing remains.
     pub left: Vec<CornerLeft>,
 }
 

@@ -15,7 +15,7 @@ use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::{Mesh, SharedEdge};
 use crate::simd::with_vectors;
 
-/// `(x_n, y_n, −z_n)`; the last is twice the depth of the picture less one, so it has no cancellation either.
+/// `(x_n, y_n, −z_n)`. The last is twice the depth of the picture less one, so it has no cancellation either.
 #[inline(always)]
 pub(crate) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
     let z = match projector.sheet {

@@ -1,5 +1,5 @@
 //! Shadows by rays: whether a light sees a point, in `f64`, on the triangles of the scene. The truth that shadow maps
-//! are compared with; no picture is made so.
+//! are compared with. No picture is made so.
 
 use glam::DVec3;
 

@@ -38,7 +38,7 @@ pub struct DepthScale {
 pub struct InView {
     /// The least.
     pub nearest: f64,
-    /// The greatest; less than the least if nothing is in view.
+    /// The greatest. Less than the least if nothing is in view.
     pub farthest: f64,
     /// The size of the numbers from which they are computed.
     pub magnitude: f64,

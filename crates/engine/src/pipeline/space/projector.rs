@@ -17,7 +17,7 @@ pub(crate) struct Projector {
     pub(crate) near: f64,
     /// B.
     pub(crate) far: f64,
-    /// `x_clip = scale[0] · x_view − shift[0] · w`, the same for y; the shift is 0 for a symmetric window.
+    /// `x_clip = scale[0] · x_view − shift[0] · w`, the same for y. The shift is 0 for a symmetric window.
     pub(crate) scale: [f64; 2],
     pub(crate) shift: [f64; 2],
     /// The scale of the depths of the display list: of the range from F to B, unless a picture has less in view.

@@ -93,7 +93,7 @@ impl ClippedCorner {
     ///
     /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the front
     /// plane is anywhere next to the window there, although both distances from its sides, which are means too, are
-    /// positive. The distances decide, so that neighbours agree and planes that both ends are inside of need no test;
+    /// positive. The distances decide, so that neighbours agree and planes that both ends are inside of need no test,
     /// and the point is moved to agree with them.
     fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
         let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
@@ -130,7 +130,7 @@ impl ClippedCorner {
     }
 }
 
-/// Clips triangles and segments; keeps its buffers.
+/// Clips triangles and segments. Keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clipper {
     polygon: Vec<ClippedCorner>,
@@ -216,7 +216,7 @@ mod tests {
     use glam::DVec3;
     use proptest::prelude::*;
 
-    /// At the origin, looking along −z; window ±1 on F = 1, B = 9: the planes are |x| = d, |y| = d.
+    /// At the origin, looking along −z. Window ±1 on F = 1, B = 9: the planes are |x| = d, |y| = d.
     fn eye() -> Projector {
         Projector::new(
             &Camera::new(&Parameters {

@@ -4,7 +4,7 @@
 //! *Textbook*: three divisions. *Here*: one division, 1/w, and products with it. The depth isn't z_n, which is −1 at F
 //! and crowds nearly everything next to 1, but the reversed depth of [`DepthScale`]: linear in 1/w too, so that it's
 //! linear over a face on the image, but 0 at the far end, where floating-point numbers are densest. Vertices outside
-//! the volume are divided as well, since that is faster than asking; no face uses their results. In parallel projection
+//! the volume are divided as well, since that is faster than asking. No face uses their results. In parallel projection
 //! w is 1, and the division changes nothing.
 
 use crate::pipeline::space::depths::DepthScale;

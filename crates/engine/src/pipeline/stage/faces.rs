@@ -33,18 +33,18 @@ pub(super) struct CulledChunk {
     pub(super) turned_over: usize,
 }
 
-/// The remaining triangles of one object; reuses its buffers.
+/// The remaining triangles of one object. Reuses its buffers.
 #[derive(Debug, Default)]
 pub(crate) struct Faces {
     /// All vertices of the mesh on the image, then the cuts.
     pub(crate) image: OnImage,
     /// Indices of vertices.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// The triangle of the mesh that each one comes from; empty if not requested.
+    /// The triangle of the mesh that each one comes from. Empty if not requested.
     pub(crate) source: Vec<u32>,
     /// The vertices that clipping made.
     pub(crate) cuts: Vec<VertexOrigin>,
-    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them; empty if not
+    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them. Empty if not
     /// requested.
     pub(crate) used: Vec<AtomicBool>,
     /// Triangles that were dropped because they turn away.

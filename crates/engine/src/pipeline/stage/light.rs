@@ -6,7 +6,7 @@
 //! [`reflection`](super::reflection), for eight points at a time; this file decides which points those are ([`LitAt`]):
 //! one for each face (flat), the vertices of the remaining faces (Gouraud), or none, if the pixels are lit by the
 //! rasterizer (Phong), which then needs normals and positions. Light stays apart from the colours under a texture, and
-//! if a shadow may take some of it away; elsewhere it's multiplied in.
+//! if a shadow may take some of it away. Elsewhere it's multiplied in.
 
 use glam::{DMat4, DVec3};
 
@@ -44,7 +44,7 @@ pub(crate) struct Shaded<'a> {
     pub(crate) depth_test: bool,
 }
 
-/// Lights the faces of an object and makes their surface; takes the arrays of `faces`. `None` if no face is left.
+/// Lights the faces of an object and makes their surface. Takes the arrays of `faces`. `None` if no face is left.
 pub(crate) fn light(shaded: &Shaded, faces: &mut Faces, pool: &mut Pool) -> Option<Surface> {
     if faces.triangles.is_empty() {
         return None;
@@ -147,7 +147,7 @@ impl Shaded<'_> {
         }
     }
 
-    /// 1/w of the vertices of the object if it's the image of another one under a perspective; else empty.
+    /// 1/w of the vertices of the object if it's the image of another one under a perspective, else empty.
     fn inverse_w(&self) -> &[f32] {
         self.object.in_world.as_ref().map_or(&[], |in_world| &in_world.inverse_w)
     }
@@ -200,7 +200,7 @@ impl Shaded<'_> {
         light.faces(shares, faces.source.len(), |k| (triangles[faces.source[k] as usize], WHITE))
     }
 
-    /// Light at each vertex, whatever its colour; cuts interpolate between their neighbours.
+    /// Light at each vertex, whatever its colour. Cuts interpolate between their neighbours.
     fn vertex_shares(faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
         Self::at_cuts(faces, light.vertices(shares, &faces.used, |_| WHITE))
     }
@@ -289,7 +289,7 @@ impl Shaded<'_> {
         }))
     }
 
-    /// Light at each vertex; cuts interpolate between their neighbours.
+    /// Light at each vertex. Cuts interpolate between their neighbours.
     fn lit_vertices(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> Base {
         let colors = pool.colors();
         let mut colors = match &self.object.paint {

@@ -56,7 +56,7 @@ pub(crate) fn lines(strokes: &mut Strokes, scenes: Scenes, style: &Style) -> (Ve
     (strokes.marks(scenes), strokes.labels(scenes))
 }
 
-/// Collects strokes. Strokes that follow each other in the same style become one set; the order of styles is that of
+/// Collects strokes. Strokes that follow each other in the same style become one set. The order of styles is that of
 /// the lines.
 pub(crate) struct Strokes<'a> {
     projector: &'a Projector,
@@ -94,7 +94,7 @@ impl<'a> Strokes<'a> {
     }
 
     /// A polyline through points of view space, `scale` pixels for one unit of its style. Where it leaves the volume it
-    /// ends, and where it comes back another begins; an arrow head stays only at the true end.
+    /// ends, and where it comes back another begins. An arrow head stays only at the true end.
     fn polyline(&mut self, points: impl IntoIterator<Item = ViewPoint>, style: LineStyle, scale: f32) {
         let style = LineStyle { width: style.width * scale, ..style };
         let mut points = points.into_iter().map(|p| clip_from_view(self.projector, p)).peekable();
@@ -324,7 +324,7 @@ fn edge_style(object: &Object, style: &Style, background: Rgba) -> Option<LineSt
     Some(LineStyle { color: color.legible_on(background), ..style })
 }
 
-/// Indices of the display list are 32 bits wide; a longer list than that would not fit in memory.
+/// Indices of the display list are 32 bits wide. A longer list than that would not fit in memory.
 fn range(start: usize, end: usize) -> Range<u32> {
     u32::try_from(start).unwrap_or(u32::MAX)..u32::try_from(end).unwrap_or(u32::MAX)
 }

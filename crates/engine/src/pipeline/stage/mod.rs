@@ -19,7 +19,7 @@
 //! The other stages work on pixels and live in [`raster`](crate::raster).
 //!
 //! A vertex goes through transform, projection, oblique window, divide and viewport in one loop, in [`vertices`]. The
-//! loop runs before culling and clipping, which need the vertices on the image and their sides of the planes; corners
+//! loop runs before culling and clipping, which need the vertices on the image and their sides of the planes. Corners
 //! that clipping makes follow on their own. Light comes last, so that only visible faces are lit. [`faces`] and
 //! [`pool`] hold the buffers in between, [`shadow_maps`] the lights' own pictures.
 

@@ -24,7 +24,7 @@ pub(super) fn normals<S: Simd>(simd: S, normal_matrix: &Rows, normals: [[f32; LA
     product(normal_matrix, eight(simd, normals))
 }
 
-/// Takes one normal to view space, with length 1; zero if it has no direction.
+/// Takes one normal to view space, with length 1. Zero if it has no direction.
 pub(super) fn unit_normal(normal_matrix: DMat3, normal: DVec3) -> DVec3 {
     /// Squares of shorter vectors are too small, and of longer ones too large.
     const SAFE: std::ops::Range<f64> = 1e-200..1e200;

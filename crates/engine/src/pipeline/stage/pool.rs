@@ -16,7 +16,7 @@ type StrokeArrays = (Vec<[f32; 3]>, Vec<Range<u32>>);
 /// Arrays for strokes.
 #[derive(Debug, Default)]
 pub(crate) struct StrokePool {
-    /// Points and polylines of sets, the first set on top; contents unspecified, overwrite before use.
+    /// Points and polylines of sets, the first set on top. Contents unspecified, overwrite before use.
     pub(crate) sets: Vec<StrokeArrays>,
     /// The vertices of an object on the image, for its edges.
     pub(crate) ends: OnImage,
@@ -74,12 +74,12 @@ impl Pool {
         refill(&mut faces.triangles, &mut self.triangles);
     }
 
-    /// An array of light or texture coordinates; contents unspecified, overwrite before use.
+    /// An array of light or texture coordinates. Contents unspecified, overwrite before use.
     pub(crate) fn shares(&mut self) -> Vec<LightShare> {
         self.shares.pop().unwrap_or_default()
     }
 
-    /// An array of colours; contents unspecified, overwrite before use.
+    /// An array of colours. Contents unspecified, overwrite before use.
     pub(crate) fn colors(&mut self) -> Vec<Rgba> {
         self.colors.pop().unwrap_or_default()
     }

@@ -28,7 +28,7 @@ pub const SPECULAR: f32 = 0.3;
 /// The exponent of a highlight.
 pub const SHININESS: f32 = 24.0;
 
-/// Lights of the scene in view space; lengths in units of B, so that they fit in single precision in worlds of any
+/// Lights of the scene in view space. Lengths in units of B, so that they fit in single precision in worlds of any
 /// size.
 pub(crate) struct Lights {
     lighting: Lighting,
@@ -167,7 +167,7 @@ impl<'a> ObjectLight<'a> {
         })
     }
 
-    /// The colours of the vertices in those groups of [`LANES`] that are `used`; black for others.
+    /// The colours of the vertices in those groups of [`LANES`] that are `used`. Black for others.
     pub(crate) fn vertices<L: OfLight>(
         &self,
         colors: Vec<L>,
@@ -194,7 +194,7 @@ impl<'a> ObjectLight<'a> {
         shade(&self.lighting, at(&self.normal_matrix, &one.normals), at(&self.position_matrix, &one.offsets), color)
     }
 
-    /// The unit normal of a vertex in view space; zero if there is none.
+    /// The unit normal of a vertex in view space. Zero if there is none.
     pub(crate) fn unit_normal(&self, i: u32) -> DVec3 {
         let normal = self.mesh.normals.get(i as usize).copied().unwrap_or_default();
         unit_normal(self.exact_normal_matrix, normal)
@@ -303,7 +303,7 @@ fn largest(m: DMat3) -> f64 {
     m.to_cols_array().iter().fold(0.0, |most, c| c.abs().max(most))
 }
 
-/// A power of two p with 1/4 < p · value < 2 or so, without a division; a harmless one for 0 and for NaN.
+/// A power of two p with 1/4 < p · value < 2 or so, without a division. A harmless one for 0 and for NaN.
 #[inline(always)]
 fn power_of_two_below_inverse(value: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;

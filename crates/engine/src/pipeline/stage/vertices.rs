@@ -46,7 +46,7 @@ impl Vertices<'_> {
     }
 }
 
-/// The vertices of an object on the image, in the order of the mesh; keeps its buffers.
+/// The vertices of an object on the image, in the order of the mesh. Keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct OnImage {
     /// Pixels, on the grid or not, and depth. A vertex outside the volume is anywhere on the image.
@@ -54,7 +54,7 @@ pub(crate) struct OnImage {
     /// See [`DepthScale::relative_inverse_w`](crate::pipeline::space::depths::DepthScale::relative_inverse_w); empty if
     /// not requested.
     pub(crate) inverse_w: Vec<f32>,
-    /// The planes that each vertex is outside of; empty if none is outside any.
+    /// The planes that each vertex is outside of. Empty if none is outside any.
     pub(crate) outcodes: Vec<PlaneSet>,
     /// The planes that any vertex is outside of.
     pub(crate) outside: PlaneSet,
@@ -111,7 +111,7 @@ impl OnImage {
 impl VertexChunk<'_> {
     /// Takes the vertices from object space to the image. Returns the planes that any of them is outside of.
     ///
-    /// The arrays x, y and z hold first the way from the eye, then clip space; each loop over [`BLOCK`] becomes vector
+    /// The arrays x, y and z hold first the way from the eye, then clip space. Each loop over [`BLOCK`] becomes vector
     /// instructions, which is also why a short last block is worked on whole.
     #[inline(always)]
     fn fill<const GRID: bool>(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {

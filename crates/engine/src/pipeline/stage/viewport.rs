@@ -12,7 +12,7 @@ use crate::pipeline::space::point::{NdcPoint, Pixel};
 use crate::pipeline::space::screen::{SUBPIXELS, Screen};
 use crate::simd::round_to_steps;
 
-/// Takes a point inside the volume to the image. The clamp only takes back what rounding adds at the border; a vertex
+/// Takes a point inside the volume to the image. The clamp only takes back what rounding adds at the border. A vertex
 /// outside the volume lands anywhere on the image, and no face that is drawn uses it.
 #[inline(always)]
 pub(crate) fn viewport(screen: &Screen, p: NdcPoint) -> Pixel {

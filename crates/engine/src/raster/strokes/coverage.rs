@@ -4,7 +4,7 @@
 //! pieces overlap: at joints, crossings, arrow heads. Here all pieces of a layer (the visible or the hidden parts of a
 //! set of strokes) meet in one mask, in which a pixel keeps the greatest share, and the colour is blended once at the
 //! end, eight pixels at a time. A layer that no depth can put behind another is painted as soon as its mask is
-//! complete. Of the others each pixel keeps share and depth, as in an A-buffer (Carpenter 1984); they are painted from
+//! complete. Of the others each pixel keeps share and depth, as in an A-buffer (Carpenter 1984). They are painted from
 //! back to front when all are known. So strokes are as smooth where one passes in front of another as anywhere else.
 
 use std::ops::Range;
@@ -28,7 +28,7 @@ pub(super) struct Coverage {
     pitch: usize,
     /// Of the layer at hand 255 times the share of each pixel, and ½; in a layer with a rank, the whole number below.
     shares: Vec<f32>,
-    /// The depth of a stroke's middle line where it is nearest to the pixel, and its [`Fragment::reach`]; arbitrary
+    /// The depth of a stroke's middle line where it is nearest to the pixel, and its [`Fragment::reach`]. Arbitrary
     /// where the share is 0. Only in layers with a rank.
     depths: Vec<f32>,
     reaches: Vec<f32>,

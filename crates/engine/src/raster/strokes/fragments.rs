@@ -9,7 +9,7 @@ use crate::drawing::order::{StrokePoint, later_is_over};
 use super::eights::{Eights, next_column};
 use crate::raster::pixel::{LANES, Pixel, over, scale};
 
-/// The pixels of some rows of a picture with all that layers of strokes cover of them; empty once it is painted.
+/// The pixels of some rows of a picture with all that layers of strokes cover of them. Empty once it is painted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Fragments {
     width: usize,
@@ -53,7 +53,7 @@ struct Fragment {
 }
 
 impl Fragments {
-    /// Makes room for some rows of a picture; only when it is empty.
+    /// Makes room for some rows of a picture. Only when it is empty.
     pub(super) fn fit(&mut self, width: usize, rows: usize) {
         (self.width, self.rows) = (width, rows);
         self.last.clear();

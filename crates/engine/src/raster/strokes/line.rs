@@ -24,7 +24,7 @@ const LONGEST: f32 = 1e6;
 /// The most points that are tried on one segment: enough for the longest diagonal.
 const MOST_STEPS: f32 = 60_000.0;
 
-/// Makes pieces of polylines; keeps its buffers.
+/// Makes pieces of polylines. Keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lines {
     line: Polyline,
@@ -101,7 +101,7 @@ fn whole_segment(a: Point, b: Point) -> Option<[Point; 2]> {
 }
 
 impl Polyline {
-    /// Measures a polyline; its length.
+    /// Measures a polyline. Its length.
     fn measure(&mut self, points: &[[f32; 3]]) -> f32 {
         self.arcs.clear();
         let mut arc = 0.0;
@@ -191,7 +191,7 @@ impl Polyline {
     }
 }
 
-/// Adds a run of a polyline; one that goes on as the last did makes that longer.
+/// Adds a run of a polyline. One that goes on as the last did makes that longer.
 fn push(runs: &mut Vec<ArcRun>, run: ArcRun) {
     match runs.last_mut() {
         Some(last) if last.behind == run.behind => last.range.end = run.range.end,

@@ -37,10 +37,10 @@ const CHUNKS_OF_A_THREAD: usize = 8;
 const FEW: usize = 64;
 /// The masks of a band should stay in a processor's own cache: this many pixels, with twelve bytes each.
 const BAND_PIXELS: usize = 1 << 16;
-/// Rows of the lowest and of the highest band; powers of two.
+/// Rows of the lowest and of the highest band. Powers of two.
 const BAND_ROWS: (usize, usize) = (8, 64);
 
-/// Draws strokes; keeps its buffers from one picture to the next.
+/// Draws strokes. Keeps its buffers from one picture to the next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Strokes {
     chunks: Vec<Chunk>,

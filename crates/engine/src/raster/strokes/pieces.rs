@@ -65,7 +65,7 @@ impl Bands {
     }
 }
 
-/// The pieces of some strokes, by layer and band; keeps its buffers.
+/// The pieces of some strokes, by layer and band. Keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pieces {
     bands: Bands,

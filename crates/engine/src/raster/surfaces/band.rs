@@ -21,14 +21,14 @@ pub(super) struct Band<'a> {
     pub(super) rows: Range<i32>,
     /// Offsets of the samples from the centre, in steps: as many as `fill` expects.
     pub(super) samples: &'a [[i32; 2]],
-    /// Values from one row to the next; beyond `width` there is room for eight more.
+    /// Values from one row to the next. Beyond `width` there is room for eight more.
     pub(super) pitch: u32,
     /// Values from one plane to the next.
     pub(super) plane: u32,
     pub(super) colors: &'a mut [Pixel],
     /// Empty where nothing writes depths: then no test can fail.
     pub(super) depths: &'a mut [f32],
-    /// The slope of the face whose depth was written at the first sample (packed); empty if not requested.
+    /// The slope of the face whose depth was written at the first sample (packed). Empty if not requested.
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,

@@ -154,7 +154,7 @@ impl<K: Simd> Batch<K> {
         Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, small, one, right }
     }
 
-    /// The rows of one that lie in a band; none if it owns no sample.
+    /// The rows of one that lie in a band. None if it owns no sample.
     #[inline(always)]
     pub(super) fn rows(&self, lane: usize, band: &Range<i32>) -> Range<i32> {
         let end = if self.some[lane] != 0 { self.bottom[lane].min(band.end) } else { 0 };
@@ -223,7 +223,7 @@ fn grid_bits<K: Simd>(v: f32x8<K>) -> i32x8<K> {
     round_bits(v * STEPS as f32, GRID_ZERO).bitcast::<i32x8<K>>()
 }
 
-/// Eight small triangles, ready to be filled; see [`Triangle`](super::setup::Triangle).
+/// Eight small triangles, ready to be filled. See [`Triangle`](super::setup::Triangle).
 pub(super) struct SetUp<K: Simd> {
     /// Vertices 1 and 2 changed places.
     turned: mask32x8<K>,

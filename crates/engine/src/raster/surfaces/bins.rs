@@ -228,7 +228,7 @@ fn boxes(
     }
 }
 
-/// The rows and columns that eight triangles touch, first and end of each; zeros for those that own no sample.
+/// The rows and columns that eight triangles touch, first and end of each. Zeros for those that own no sample.
 #[inline(always)]
 fn eight_boxes<K: Simd>(
     simd: K,

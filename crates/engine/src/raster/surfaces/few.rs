@@ -24,7 +24,7 @@ pub(super) const FEW_COSTLY: u32 = 11;
 /// Pixels of the largest box.
 const MOST: usize = (FEW_COSTLY * FEW_COSTLY) as usize;
 
-/// The pixels of tiny triangles, eight at a time; kept for the next eight, since to clear them would cost as much as to
+/// The pixels of tiny triangles, eight at a time. Kept for the next eight, since to clear them would cost as much as to
 /// find them.
 #[derive(Clone, Debug)]
 pub(super) struct Few {

@@ -41,10 +41,10 @@ use setup::Size;
 
 /// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).
 const BAND_SAMPLES: usize = 1 << 16;
-/// Rows of the highest and of the lowest band; powers of two.
+/// Rows of the highest and of the lowest band. Powers of two.
 const BAND_ROWS: (usize, usize) = (64, 8);
 
-/// Paints surfaces; keeps its buffers from one picture to the next.
+/// Paints surfaces. Keeps its buffers from one picture to the next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Surfaces {
     bins: Bins,
@@ -56,7 +56,7 @@ pub(super) struct Surfaces {
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     colors: Vec<Pixel>,
-    /// Depths of the samples, with more than one sample in a pixel; else they go straight to the depth buffer.
+    /// Depths of the samples, with more than one sample in a pixel, else they go straight to the depth buffer.
     depths: Vec<f32>,
     few: Few,
     counts: Counts,
@@ -267,7 +267,7 @@ fn fit<T: Copy>(buffer: &mut Vec<T>, length: usize, new: T) {
     buffer.resize(buffer.len().max(length), new);
 }
 
-/// Writes the means of the samples of each pixel, whose planes lie `plane` apart; beyond some columns the background.
+/// Writes the means of the samples of each pixel, whose planes lie `plane` apart. Beyond some columns the background.
 #[inline(always)]
 fn resolve<const S: usize>(
     pixels: &mut [[u8; 4]],

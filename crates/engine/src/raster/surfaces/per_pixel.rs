@@ -35,7 +35,7 @@ pub(super) struct PerPixel<'a, K: Simd> {
     inverse_w: [f32x8<K>; 3],
     base: BaseColors<'a, K>,
     light: Light<'a, K>,
-    /// The first of the shadows; those after it are read anew at each pixel.
+    /// The first of the shadows. Those after it are read anew at each pixel.
     shadow: Option<ShadowOn<K>>,
     /// Those that go together.
     simple: mask32x8<K>,
@@ -69,7 +69,7 @@ enum Light<'a, K: Simd> {
 struct ShadowOn<K: Simd> {
     places: Attribute<K, 3>,
     planes: [f32x8<K>; 3],
-    /// The light at the vertices that is missing in the shadow; none if light is found at pixels.
+    /// The light at the vertices that is missing in the shadow. None if light is found at pixels.
     taken: Option<Attribute<K, 2>>,
 }
 

@@ -143,7 +143,7 @@ impl<K: Simd> Borders<K> {
         true
     }
 
-    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width; those of
+    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width. Those of
     /// rows that have no pixel inside are equal or the wrong way round. `first`: the first row, or the only one.
     #[inline(always)]
     pub(super) fn rows(&self, first: i32) -> ([i32; ROWS], [i32; ROWS]) {
@@ -172,7 +172,7 @@ pub(super) struct AffineValue {
     pub(super) high: f32,
 }
 
-/// Above this number of a format, 2²³, single precision has whole numbers only; added and taken away, it rounds the
+/// Above this number of a format, 2²³, single precision has whole numbers only. Added and taken away, it rounds the
 /// numbers below.
 const WHOLE: f32 = 8_388_608.0;
 
@@ -197,7 +197,7 @@ pub(super) fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
     all.any_true()
 }
 
-/// The greater of two numbers; one machine instruction, where `f64::max` takes four for the sake of NaN.
+/// The greater of two numbers. One machine instruction, where `f64::max` takes four for the sake of NaN.
 #[inline(always)]
 pub(super) fn greater<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }

@@ -81,7 +81,7 @@ pub(super) struct FlatColors<K: Simd> {
     present: mask32x8<K>,
 }
 
-/// The colour of a face; the alpha of opaque surfaces doesn't count.
+/// The colour of a face. The alpha of opaque surfaces doesn't count.
 #[inline(always)]
 fn face_color(surface: &Surface, triangle: u32) -> Option<Pixel> {
     let color = surface.face_color(triangle as usize)?;
@@ -175,7 +175,7 @@ impl<K: Simd> Shader<K> for Affine<K> {
 /// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture;
 /// without, or where it makes no difference, the colours are.
 pub(super) struct Gouraud<K: Simd> {
-    /// Red, green, blue, divided by w if `perspective`; their ranges aren't.
+    /// Red, green, blue, divided by w if `perspective`. Their ranges aren't.
     affine: Affine<K>,
     perspective: bool,
     inverse_w: AffineValue,

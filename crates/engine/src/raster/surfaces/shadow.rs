@@ -19,7 +19,7 @@ const STEP: f32 = 0.5;
 /// texel, and depths are single.
 const UNSURE: f32 = 1.0 / 32.0;
 
-/// The greatest number of texels along one side that is looked at; beyond, a place is no number.
+/// The greatest number of texels along one side that is looked at. Beyond, a place is no number.
 const FAR: f32 = 1e6;
 
 /// Places on a map: x and y in texels, the depth, its change from texel to texel, and the step of the bias.

@@ -22,7 +22,7 @@ pub(super) struct Textured<'a, K: Simd> {
     tint: [f32; 4],
     /// Texture coordinates, u and v, of the three vertices, near 0 where the picture repeats, so that they are exact.
     pub(super) uv: [[f32x8<K>; 3]; 2],
-    /// The change of u/w and v/w in texels, and of 1/w, along x and y; only for a filter that asks for it.
+    /// The change of u/w and v/w in texels, and of 1/w, along x and y. Only for a filter that asks for it.
     change: Option<[[f32x8<K>; 3]; 2]>,
 }
 
@@ -195,7 +195,7 @@ fn near_line<K: Simd>(t: f32x8<K>, size: u32, width: f32x8<K>) -> mask32x8<K> {
     (width * SMALLEST).simd_lt(1.0) & distance.simd_lt(width * 0.5)
 }
 
-/// log₂ to 0.01, by operations that every machine does alike; very small for 0, and for what is none.
+/// log₂ to 0.01, by operations that every machine does alike. Very small for 0, and for what is none.
 #[inline(always)]
 fn log2<K: Simd>(value: f32x8<K>) -> f32x8<K> {
     let bits = value.bitcast::<u32x8<K>>();

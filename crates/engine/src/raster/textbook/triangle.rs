@@ -110,7 +110,7 @@ impl<'a> Triangle<'a> {
         rows.flat_map(move |y| columns.clone().map(move |x| [x, y]))
     }
 
-    /// The way from the first vertex to the centre of a pixel, in pixels; exact.
+    /// The way from the first vertex to the centre of a pixel, in pixels. Exact.
     pub(super) fn to_center(&self, pixel: [i32; 2]) -> [f32; 2] {
         [0, 1].map(|k| in_pixels(pixel[k] * STEPS + HALF - self.v[0][k]))
     }

@@ -37,7 +37,7 @@ pub enum MeshError {
     /// The JSON of a glTF file does not parse.
     #[error("line {line}, column {column}: {fault}")]
     Json {
-        /// From 1; within the JSON part of a GLB file.
+        /// From 1. Within the JSON part of a GLB file.
         line: usize,
         /// From 1.
         column: usize,
@@ -47,7 +47,7 @@ pub enum MeshError {
     /// A glTF file is not as it should be.
     #[error("{place}{}{fault}", if place.is_empty() { "" } else { ": " })]
     Gltf {
-        /// Such as `accessors[3]`; empty when it is the file as a whole.
+        /// Such as `accessors[3]`. Empty when it is the file as a whole.
         place: String,
         /// The fault.
         fault: GltfFault,
@@ -117,11 +117,11 @@ pub enum ObjFault {
     },
 }
 
-/// A part of a mesh file that was left out, or read otherwise than written, because other programs write it so; the
+/// A part of a mesh file that was left out, or read otherwise than written, because other programs write it so. The
 /// surface is the same.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshNotice {
-    /// Corners of faces name normals or texture coordinates that do not exist; one of them is reported.
+    /// Corners of faces name normals or texture coordinates that do not exist. One of them is reported.
     #[error(
         "line {line}: \"{found}\" names a normal or texture coordinate that does not exist; such indices are ignored"
     )]
@@ -149,7 +149,7 @@ pub enum MeshNotice {
         /// Number of such faces.
         count: usize,
     },
-    /// A texture cannot be used; the object's colour is shown in its place.
+    /// A texture cannot be used. The object's colour is shown in its place.
     #[error("the texture {0}; the object's colour is shown instead")]
     Texture(TextureError),
     /// A texture was asked for, and the mesh has no texture coordinates.

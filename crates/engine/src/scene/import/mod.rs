@@ -16,7 +16,7 @@ use crate::scene::{Mesh, ReadFile, TextureError, Wanted};
 pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 pub use part::{Imported, Part, PartTexture};
 
-/// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN); a material
+/// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN). A material
 /// library that cannot be read is left out, and its materials have no colour then. Pauses after each stretch of the
 /// file.
 ///

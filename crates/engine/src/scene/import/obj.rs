@@ -23,7 +23,7 @@ use crate::scene::{MeshError, MeshNotice, ObjFault};
 /// Bytes read between two checks whether the work was cancelled.
 const STRETCH: usize = 1 << 16;
 
-/// The objects of an OBJ file; one that has several materials comes in several parts, one for each, however often the
+/// The objects of an OBJ file. One that has several materials comes in several parts, one for each, however often the
 /// file changes between them.
 ///
 /// # Errors
@@ -103,7 +103,7 @@ pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
     Ok(Imported { parts, notices })
 }
 
-/// The lines of a file; one that ends with `\` goes on in the next.
+/// The lines of a file. One that ends with `\` goes on in the next.
 struct Lines<'a> {
     rest: &'a [u8],
     /// The number of the last line that was read, from 1.
@@ -457,7 +457,7 @@ fn point(values: &str) -> Result<DVec3, ObjFault> {
     if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: escaped(weight) }) }
 }
 
-/// The first two numbers, v downwards; what is none is 0: the surface is the same.
+/// The first two numbers, v downwards. What is none is 0: the surface is the same.
 fn texture_coordinate(values: &str) -> [f32; 2] {
     let mut numbers = values.split_whitespace().map(|word| word.parse().ok().filter(|v: &f32| v.is_finite()));
     let mut next = || numbers.next().flatten().unwrap_or(0.0);

@@ -29,7 +29,7 @@ pub struct PartTexture {
 /// One object of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Its name in the file; may be empty, need not be unique.
+    /// Its name in the file. May be empty, need not be unique.
     pub name: String,
     /// Its surface.
     pub mesh: Arc<Mesh>,
@@ -37,7 +37,7 @@ pub struct Part {
     pub file_from_part: DMat4,
     /// The base colour of its material.
     pub color: Option<Rgba>,
-    /// Texture coordinates of the corners of each triangle; empty: it has none.
+    /// Texture coordinates of the corners of each triangle. Empty: it has none.
     pub uv: Arc<Vec<CornerUv>>,
     /// The texture of its material.
     pub texture: Option<PartTexture>,

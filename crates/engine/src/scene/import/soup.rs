@@ -11,7 +11,7 @@ use crate::scene::texture::CornerUv;
 /// The threshold for missing normals: faces that meet at less than this angle are smoothed together: cos 45°.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Number of vertices at one place that are compared before a new one is made; more come only from meshes made to
+/// Number of vertices at one place that are compared before a new one is made. More come only from meshes made to
 /// annoy.
 const MOST_COMPARED: u32 = 64;
 
@@ -25,13 +25,13 @@ pub(crate) struct Soup {
     pub(crate) positions: Vec<DVec3>,
     /// The corners of all polygons, one polygon after the other: indices into `positions`, all in range.
     pub(crate) corners: Vec<u32>,
-    /// The number of corners of each polygon; empty: 3 each.
+    /// The number of corners of each polygon. Empty: 3 each.
     pub(crate) arities: Vec<u32>,
-    /// Normals of any length; empty: to be computed.
+    /// Normals of any length. Empty: to be computed.
     pub(crate) normals: Vec<DVec3>,
     /// For each corner, its normal: indices into `normals`, all in range. Empty: the same as `corners`.
     pub(crate) corner_normals: Vec<u32>,
-    /// For each corner, its texture coordinates; empty: there are none.
+    /// For each corner, its texture coordinates. Empty: there are none.
     pub(crate) corner_uv: Vec<[f32; 2]>,
 }
 
@@ -59,8 +59,8 @@ impl Soup {
         }
     }
 
-    /// The mesh. Polygons may be concave; corners that repeat the one before are left out, and so are polygons that
-    /// keep fewer than three. Given normals are taken unless one has no length; missing ones are means over the faces
+    /// The mesh. Polygons may be concave. Corners that repeat the one before are left out, and so are polygons that
+    /// keep fewer than three. Given normals are taken unless one has no length. Missing ones are means over the faces
     /// that meet at a point (weighted by area), with creases at 45° and more.
     ///
     /// *Edges* are the sides of the polygons; *closed* says that each side is met by another one in the other

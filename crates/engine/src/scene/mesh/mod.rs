@@ -19,7 +19,7 @@ use polygon::Triangulator;
 pub struct Mesh {
     /// Vertices.
     pub positions: Vec<DVec3>,
-    /// Unit normals, one for each vertex; only an object that no light falls on may go without.
+    /// Unit normals, one for each vertex. Only an object that no light falls on may go without.
     pub normals: Vec<DVec3>,
     /// Counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
@@ -37,8 +37,8 @@ pub struct Mesh {
 
 impl Mesh {
     /// A polyhedron with flat faces. `faces` lists the corners of each planar face (convex or not), counter-clockwise
-    /// seen from outside; each corner becomes one vertex per face, with the face's normal. Every side of a face is an
-    /// edge, once. A face without area gets the normal +y; an index out of range leaves its face out.
+    /// seen from outside. Each corner becomes one vertex per face, with the face's normal. Every side of a face is an
+    /// edge, once. A face without area gets the normal +y. An index out of range leaves its face out.
     #[must_use]
     pub fn polyhedron(corners: &[DVec3], faces: &[&[usize]]) -> Self {
         let mut mesh = Self::default();
@@ -107,7 +107,7 @@ impl Mesh {
     }
 }
 
-/// A vertex number. Meshes are indexed with 32 bits; importers refuse larger ones ([`MAX_VERTICES`]).
+/// A vertex number. Meshes are indexed with 32 bits. Importers refuse larger ones ([`MAX_VERTICES`]).
 #[expect(
     clippy::cast_possible_truncation,
     reason = "importers refuse meshes beyond 32-bit indices; primitives are small"

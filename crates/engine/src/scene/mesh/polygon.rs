@@ -41,8 +41,8 @@ impl Default for Triangulator {
 }
 
 impl Triangulator {
-    /// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears;
-    /// appends three indices into `corners` for each. Always n − 2 triangles; if the polygon crosses itself some of
+    /// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears.
+    /// Appends three indices into `corners` for each. Always n − 2 triangles; if the polygon crosses itself some of
     /// them overlap.
     pub(crate) fn triangulate(&mut self, corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
         let n = corners.len();

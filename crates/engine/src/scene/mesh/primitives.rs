@@ -1,7 +1,7 @@
 //! Tessellated solids about the y axis, `[3]` "Primitivas".
 //!
-//! Every solid is closed, with outward normals; smooth sides share their vertices, creases double them. Angles start on
-//! +x and grow counter-clockwise seen from +y; the point at angle φ is (cos φ, y, −sin φ).
+//! Every solid is closed, with outward normals. Smooth sides share their vertices, creases double them. Angles start on
+//! +x and grow counter-clockwise seen from +y. The point at angle φ is (cos φ, y, −sin φ).
 //!
 //! *Edges.* Faceted solids (box, prism, pyramid) name every side of every face. Curved solids name their rims and up to
 //! [`MAX_MERIDIANS`] meridians (and as many parallels as keep the meshes of the net about square), each along sides of
@@ -58,7 +58,7 @@ pub fn cuboid(min: DVec3, max: DVec3) -> Mesh {
     Mesh { closed: true, convex: true, ..Mesh::polyhedron(&corners, &faces) }
 }
 
-/// A regular prism with `sides` sides, circumradius 1, from y = 0 to y = 2; one vertex of the base on −z, so that for
+/// A regular prism with `sides` sides, circumradius 1, from y = 0 to y = 2. One vertex of the base on −z, so that for
 /// an odd number of sides a face looks to +z.
 #[must_use]
 pub fn prism(sides: u32) -> Mesh {

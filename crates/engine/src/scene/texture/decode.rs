@@ -81,7 +81,7 @@ impl Textures {
     /// The picture in a file.
     ///
     /// # Errors
-    /// [`TextureError`]; a file that could not be read is tried again the next time.
+    /// [`TextureError`]. A file that could not be read is tried again the next time.
     pub(in crate::scene) fn get(
         &mut self,
         file: &str,
@@ -153,7 +153,7 @@ fn key(file: &str, alpha: Alpha) -> String {
 /// The picture in the bytes of a file, with its levels of detail.
 ///
 /// # Errors
-/// [`TextureFault`]; what is too large is refused before it is unpacked.
+/// [`TextureFault`]. What is too large is refused before it is unpacked.
 pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, TextureFault> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| TextureFault::Damaged)?;
     if reader.format().is_none() {

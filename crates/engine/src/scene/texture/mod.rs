@@ -17,7 +17,7 @@ pub type CornerUv = [[f32; 2]; 3];
 /// A mesh whose vertices have texture coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UvMesh {
-    /// The mesh; a vertex is there once for each of its coordinates.
+    /// The mesh. A vertex is there once for each of its coordinates.
     pub mesh: Arc<Mesh>,
     /// One for each vertex.
     pub uv: Arc<Vec<[f32; 2]>>,

@@ -1,6 +1,6 @@
 //! Texture coordinates of the primitives, and vertices that are there once for each of theirs.
 //!
-//! u goes to the right and v up, seen from outside; angles are counted as in
+//! u goes to the right and v up, seen from outside. Angles are counted as in
 //! [`primitives`](crate::scene::mesh::primitives), from +x counter-clockwise seen from above.
 //!
 //! | shape | u, v |

@@ -1,7 +1,7 @@
 //! Edits of the scene of a figure: objects moved to another parent, renamed and removed, a preset expanded into a list.
 //!
-//! An object is known by its name. Parents are looked for among a figure's own objects, then among those of its preset;
-//! a change here never leaves an object whose parent does not exist.
+//! An object is known by its name. Parents are looked for among a figure's own objects, then among those of its preset.
+//! A change here never leaves an object whose parent does not exist.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -85,7 +85,7 @@ fn preset_names(spec: &SceneSpec) -> impl Iterator<Item = String> {
     presets::objects(spec.preset, &SceneColors::of(Theme::Light)).into_iter().map(|object| object.name)
 }
 
-/// The names of the figure's objects below the one called `name`, at any depth; not itself.
+/// The names of the figure's objects below the one called `name`, at any depth. Not itself.
 #[must_use]
 pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
@@ -100,7 +100,7 @@ pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     found
 }
 
-/// Renames an object of a figure; its children follow.
+/// Renames an object of a figure. Its children follow.
 ///
 /// # Errors
 /// [`SceneError::DuplicateName`] where another object already has this name, also one of the preset: its children would
@@ -133,7 +133,7 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
 /// translation, rotation and scale cannot express. The numbers stay then.
 ///
 /// # Errors
-/// [`SceneError`] where the parent does not exist or is below the object; nothing has changed then.
+/// [`SceneError`] where the parent does not exist or is below the object. Nothing has changed then.
 pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) -> Result<bool, SceneError> {
     let before = placements(spec)?;
     let mut changed = spec.clone();
@@ -156,7 +156,7 @@ pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) 
 /// Removes a figure's object. True where everything that is left stays where it is in the world.
 ///
 /// # Errors
-/// [`SceneError`] where the scene could not be built before; nothing has changed then.
+/// [`SceneError`] where the scene could not be built before. Nothing has changed then.
 pub fn remove(spec: &mut SceneSpec, name: &str, children: Children) -> Result<bool, SceneError> {
     let mut changed = spec.clone();
     let mut stayed = true;
@@ -178,7 +178,7 @@ pub fn remove(spec: &mut SceneSpec, name: &str, children: Children) -> Result<bo
     Ok(stayed)
 }
 
-/// Chooses another preset; a figure's objects whose parent was one of the old preset's have none then.
+/// Chooses another preset. A figure's objects whose parent was one of the old preset's have none then.
 pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
     spec.preset = preset;
     let known = names(spec);
@@ -187,7 +187,7 @@ pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
     }
 }
 
-/// Writes the preset's objects into the figure's list, before its own, so that they can be edited; the preset is empty
+/// Writes the preset's objects into the figure's list, before its own, so that they can be edited. The preset is empty
 /// then. In the colours of `theme`, and with the names that `called` gives them, numbered where others are called so.
 /// What [`Preset::beyond_objects`] names is lost. Returns the new name of each.
 pub fn write_out_preset(

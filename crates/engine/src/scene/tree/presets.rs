@@ -152,7 +152,7 @@ const HALF_WIDTH: f64 = 1.75;
 /// The ends of the corridor, on z.
 const CORRIDOR: [f64; 2] = [1.75, -12.25];
 
-/// Two rows of columns under beams; equal balls, as a measure of how distance shrinks.
+/// Two rows of columns under beams. Equal balls, as a measure of how distance shrinks.
 fn corridor(colors: &SceneColors) -> Vec<ObjectSpec> {
     let mut all = Vec::new();
     let middle = (CORRIDOR[0] + CORRIDOR[1]) / 2.0;
@@ -299,7 +299,7 @@ fn make_wire(scene: &mut Scene, colors: &SceneColors) {
     }
 }
 
-/// Writes their coordinates beside the corners of the last object (each corner once); below them where `below` holds.
+/// Writes their coordinates beside the corners of the last object (each corner once). Below them where `below` holds.
 fn name_corners(scene: &mut Scene, colors: &SceneColors, below: impl Fn(DVec3) -> bool) {
     let Some(object) = scene.objects.last() else { return };
     let mut corners: Vec<DVec3> = Vec::new();

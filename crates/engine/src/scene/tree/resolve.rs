@@ -80,7 +80,7 @@ fn product_of_rotations(degrees: DVec3) -> DMat3 {
     rz * ry * rx
 }
 
-/// The index of each object, by its name; the rule that each name is used once.
+/// The index of each object, by its name. The rule that each name is used once.
 pub(crate) fn by_name(specs: &[ObjectSpec]) -> Result<BTreeMap<&str, usize>, SceneError> {
     let mut by_name = BTreeMap::new();
     for (i, spec) in specs.iter().enumerate() {
@@ -91,7 +91,7 @@ pub(crate) fn by_name(specs: &[ObjectSpec]) -> Result<BTreeMap<&str, usize>, Sce
     Ok(by_name)
 }
 
-/// Multiplies out the tree of `specs`; parents are looked for among them, then among `others`.
+/// Multiplies out the tree of `specs`. Parents are looked for among them, then among `others`.
 pub(crate) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
     let by_name = by_name(specs)?;
     let mut done: Vec<Option<(DMat4, Option<Rgba>)>> = vec![None; specs.len()];
@@ -138,7 +138,7 @@ pub(crate) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Resul
         .collect())
 }
 
-/// The lights of a scene; the default one where there is none.
+/// The lights of a scene. The default one where there is none.
 pub(crate) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
     if specs.is_empty() {
         return Ok(vec![Light::directional(DEFAULT_LIGHT)]);

@@ -34,7 +34,7 @@ pub enum Transform {
         /// The angle.
         angle: Angle,
     },
-    /// Each is scaled along its own axes, from its own place; no factor is 0.
+    /// Each is scaled along its own axes, from its own place. No factor is 0.
     Scale(DVec3),
 }
 
@@ -61,7 +61,7 @@ impl Default for Trs {
 /// object, nothing changes.
 ///
 /// # Errors
-/// [`SceneError`] where the scene cannot be built afterwards; nothing has changed then.
+/// [`SceneError`] where the scene cannot be built afterwards. Nothing has changed then.
 pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str) -> Result<(), SceneError> {
     let Some((own, above)) = chain.split_last() else { return Ok(()) };
     let mut changed = spec.clone();
@@ -90,13 +90,13 @@ pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
     own.filter(|name| names.contains(*name) && !below.contains(*name)).cloned().collect()
 }
 
-/// Moves, turns or scales a figure's objects; their descendants go along.
+/// Moves, turns or scales a figure's objects. Their descendants go along.
 ///
 /// Returns true if each could be transformed: turned below a parent with unequal scales an object would be sheared,
 /// which translation, rotation and scale cannot express. Such an object stays as it was.
 ///
 /// # Errors
-/// [`SceneError`] where the scene cannot be built, before or afterwards; nothing has changed then.
+/// [`SceneError`] where the scene cannot be built, before or afterwards. Nothing has changed then.
 pub fn transform(spec: &mut SceneSpec, names: &BTreeSet<String>, transform: Transform) -> Result<bool, SceneError> {
     let placed = placements(spec)?;
     let mut changed = spec.clone();
@@ -130,7 +130,7 @@ pub fn turned(direction: DVec3, axis: DVec3, angle: Angle) -> DVec3 {
     tidy(DQuat::from_axis_angle(axis, angle.radians()) * direction)
 }
 
-/// Copies a figure's objects with all their descendants, each group after its original; children of a copied object
+/// Copies a figure's objects with all their descendants, each group after its original. Children of a copied object
 /// become children of its copy. Returns the names of the copies of the [`topmost`].
 pub fn duplicate(spec: &mut SceneSpec, names: &BTreeSet<String>) -> BTreeSet<String> {
     let mut copies = BTreeSet::new();

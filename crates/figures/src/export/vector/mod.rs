@@ -1,4 +1,4 @@
-//! Pages of vectors: the list of the things on one, and its writers. What a picture looks like is decided before; the
+//! Pages of vectors: the list of the things on one, and its writers. What a picture looks like is decided before. The
 //! writers only say it in their format.
 
 mod embedded;
@@ -26,7 +26,7 @@ pub use pixels::pixels;
 pub struct Page {
     /// Width and height in units.
     pub size: [f32; 2],
-    /// Points of paper per unit; a point is 1/72 inch.
+    /// Points of paper per unit. A point is 1/72 inch.
     pub points: f32,
     /// The title of the figure.
     pub title: String,
@@ -67,7 +67,7 @@ pub enum Item {
         color: Rgba,
         /// Its width.
         width: f32,
-        /// Lengths of dashes and of the gaps between them, in turn; empty: none.
+        /// Lengths of dashes and of the gaps between them, in turn. Empty: none.
         dashes: Vec<f32>,
         /// The length along the path at which the dashes begin, backwards.
         phase: f32,
@@ -180,7 +180,7 @@ pub fn art_of(stem: &str) -> String {
 /// How letters are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Letters {
-    /// As text, which can be selected, searched and edited; the letters that it needs of the fonts go with it.
+    /// As text, which can be selected, searched and edited. The letters that it needs of the fonts go with it.
     #[default]
     Text,
     /// As the outlines of the font: the same everywhere.

@@ -25,7 +25,7 @@ const FONTS: i32 = 11;
 /// The first of the pictures: each has two.
 const PICTURES: i32 = FONTS + 5 * 4;
 
-/// Pages as a PDF file, each tagged as a figure with its description, and with a figure file attached; an empty one is
+/// Pages as a PDF file, each tagged as a figure with its description, and with a figure file attached. An empty one is
 /// none. The file has title and language of the first page. `None` if the font can't be cut.
 ///
 /// *Guarantees*: the same pages and figure give the same bytes.
@@ -199,7 +199,7 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// The operators of a page; fonts and pictures are collected over all of them.
+    /// The operators of a page. Fonts and pictures are collected over all of them.
     fn page(&mut self, page: &'a Page) -> Vec<u8> {
         self.operators = Content::new();
         self.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
@@ -304,7 +304,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Writes a path; curves of second degree are raised to third.
+/// Writes a path. Curves of second degree are raised to third.
 fn path_of(operators: &mut Content, path: &[Element]) {
     let mut here = [0.0f32; 2];
     for element in path {

@@ -10,7 +10,7 @@ use super::{Item, Letters, Page, number, straight};
 use crate::appearance::Rgba;
 use crate::text::{self, Element, Face};
 
-/// The page as an SVG file, with a figure file in it; an empty one is none.
+/// The page as an SVG file, with a figure file in it. An empty one is none.
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
 #[must_use]
@@ -282,7 +282,7 @@ fn look(face: Face) -> &'static [(&'static str, &'static str)] {
 }
 
 /// A text as XML can hold it, in elements and in attributes: the writer escapes quotes alone in these. `>` must not
-/// follow `]]`. Two characters that XML excludes become U+FFFD; the others that it excludes are controls.
+/// follow `]]`. Two characters that XML excludes become U+FFFD. The others that it excludes are controls.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars().filter(|c| !c.is_control()) {

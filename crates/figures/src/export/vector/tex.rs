@@ -10,7 +10,7 @@ use crate::text;
 /// `\input`. The document needs the packages graphicx and color (or xcolor). Compiled alone, it is a document of one
 /// page as large as the picture.
 ///
-/// Each label is set in the document's font, at the height that it has on the page; its symbols are mathematics.
+/// Each label is set in the document's font, at the height that it has on the page. Its symbols are mathematics.
 #[must_use]
 pub(super) fn tex(page: &Page, art: &str) -> String {
     let [width, height] = page.size.map(|side| number(side * page.points));

@@ -10,7 +10,7 @@ use crate::figure::{Figure, FigureError, Show, read};
 pub(in crate::figure) const NOTHING: &str = "\"\"";
 
 /// The figure with one key set to a TOML value: `style.shading`, `"flat"`, or a part of one, `show.step.at`, `2.5`. A
-/// value that is a plain word may lack its quotes; an empty one removes the key.
+/// value that is a plain word may lack its quotes. An empty one removes the key.
 ///
 /// # Errors
 /// [`FigureError`]: the key is not known, or the value is not among the allowed ones; its line is meaningless.

@@ -15,7 +15,7 @@ pub(super) fn current(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (Cam
     (tag, parameters, lens)
 }
 
-/// Reads the list; a camera that has no name or is impossible is left out, with a fault.
+/// Reads the list. A camera that has no name or is impossible is left out, with a fault.
 pub(super) fn cameras(sections: Vec<Section<'_>>, current: &CameraTag, faults: &mut Vec<Fault>) -> Vec<NamedCamera> {
     if let Some(beyond) = sections.get(MAX_CAMERAS) {
         let problem = Problem::TooMany { count: sections.len(), limit: MAX_CAMERAS };

@@ -59,7 +59,7 @@ pub(super) fn comparison(
 /// A comparison of one key as it is typed, `camera.near = 0.5`. A value that is a plain word may lack its quotes.
 ///
 /// # Errors
-/// As for a figure file with this comparison; the line is meaningless.
+/// As for a figure file with this comparison. The line is meaningless.
 pub fn typed_comparison(text: &str) -> Result<Comparison, FigureError> {
     let (key, value) = text.split_once('=').unwrap_or((text, ""));
     let (key, value) = (key.trim(), value.trim());

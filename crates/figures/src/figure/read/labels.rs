@@ -11,7 +11,7 @@ use crate::figure::{
 };
 use crate::limits::{LABEL_SIZE, MAX_LABEL_MOVE, MAX_LABEL_TEXT, MAX_LABELS};
 
-/// Reads the section; a faulty label is left out, with a fault.
+/// Reads the section. A faulty label is left out, with a fault.
 pub(super) fn labels(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Labels {
     let letters = section.word("letters", LETTERS, Letters::default());
     let hidden = section.list("hidden", Allowed::Texts, |name| {

@@ -70,7 +70,7 @@ pub fn parse_with<T>(text: &str, read: impl FnOnce(Section<'_>, &mut Vec<Fault>)
     first_of(text, faults).map_or(Ok(found), Err)
 }
 
-/// Reads a figure file. A missing key has its default; the empty text is the default figure.
+/// Reads a figure file. A missing key has its default. The empty text is the default figure.
 ///
 /// # Guarantees
 /// The camera of the figure is one that [`Camera::new`] accepts.
@@ -86,7 +86,7 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
     }
 }
 
-/// As [`parse`], but keys that are not known, which a later version may have written, are passed over; they are given
+/// As [`parse`], but keys that are not known, which a later version may have written, are passed over. They are given
 /// back.
 ///
 /// # Errors

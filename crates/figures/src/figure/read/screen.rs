@@ -20,7 +20,7 @@ pub(super) fn told(root: &mut Section<'_>) -> [Option<Bilingual>; 2] {
     })
 }
 
-/// Reads the section; a faulty key changes nothing in the window.
+/// Reads the section. A faulty key changes nothing in the window.
 pub(super) fn screen(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Screen {
     let views = section.words("pictures", PICTURES);
     let pictures = View::ALL.map(|view| views.contains(&view));

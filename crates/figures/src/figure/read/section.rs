@@ -1,4 +1,4 @@
-//! One section of a figure file, whose keys are read one by one; the keys left over are unknown.
+//! One section of a figure file, whose keys are read one by one. The keys left over are unknown.
 
 use glam::{DMat4, DVec2, DVec3};
 use toml_edit::{Item, TableLike, Value};
@@ -128,7 +128,7 @@ impl<'a> Section<'a> {
         self.item(key)
     }
 
-    /// The value that `read` finds at `key`; the default, and a fault, where it finds none.
+    /// The value that `read` finds at `key`. The default, and a fault, where it finds none.
     fn read<T>(
         &mut self,
         key: &'static str,
@@ -241,7 +241,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// `true` or `false`; false if the key is missing.
+    /// `true` or `false`. False if the key is missing.
     pub fn switch(&mut self, key: &'static str) -> bool {
         self.switch_else(key, false)
     }
@@ -251,7 +251,7 @@ impl<'a> Section<'a> {
         self.read(key, default, Allowed::Switch, Value::as_bool)
     }
 
-    /// One of two values, or one of `words`; the first where there is nothing.
+    /// One of two values, or one of `words`. The first where there is nothing.
     pub fn switch_or<T: Copy>(&mut self, key: &'static str, [off, on]: [T; 2], words: Words<T>) -> T {
         self.read(key, off, Allowed::SwitchOr(words::names(words)), |value| match value.as_bool() {
             Some(switch) => Some(if switch { on } else { off }),
@@ -333,7 +333,7 @@ impl<'a> Section<'a> {
         self.read(key, Vec::new(), allowed, |value| value.as_array()?.iter().map(|text| read(text.as_str()?)).collect())
     }
 
-    /// A list of `words`; the first that is none of them is named.
+    /// A list of `words`. The first that is none of them is named.
     pub fn words<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Vec<T> {
         let Some(item) = self.ask(key) else { return Vec::new() };
         let list: Option<Vec<&str>> = item.as_array().and_then(|list| list.iter().map(Value::as_str).collect());
@@ -556,7 +556,7 @@ fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
     }
 }
 
-/// A text for both languages; one that is missing is the other.
+/// A text for both languages. One that is missing is the other.
 fn told(value: &Value) -> Option<[String; 2]> {
     match value.as_inline_table() {
         Some(table) => told_in(table),

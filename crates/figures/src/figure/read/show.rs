@@ -11,7 +11,7 @@ use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, Tr
 use crate::geometry::Ray;
 use crate::limits::MAX_SHOWN_OBJECTS;
 
-/// Reads the section; a faulty key shows nothing.
+/// Reads the section. A faulty key shows nothing.
 pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
     let painted = section.is_present("painted").then(|| section.number_in("painted", 0.0, 1.0, 1.0));
     let [step_section, triangle_section, probe_section] =

@@ -1,6 +1,6 @@
 //! The canonical volume: the scene after clipping and projection, in the cube \[−1, 1\]³.
 //!
-//! NDC is left-handed; the picture shows (x_n, y_n, −z_n), which is right-handed, so that with x_n to the right and y_n
+//! NDC is left-handed. The picture shows (x_n, y_n, −z_n), which is right-handed, so that with x_n to the right and y_n
 //! up z_n goes into the screen, as in `[0]` Fig. 5.4. The mirror is in the display space, not in the numbers.
 
 pub(super) mod canonical_box;
@@ -102,7 +102,7 @@ pub(super) fn observer_of(request: &Request) -> Observer {
     request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
-/// Draws the canonical volume; an observer that is not a camera sees nothing.
+/// Draws the canonical volume. An observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);

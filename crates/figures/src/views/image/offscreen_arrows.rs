@@ -43,7 +43,7 @@ fn border(size: DVec2, direction: DVec2, scale: f64) -> DVec2 {
     size / 2.0 + unit * (half / unit.abs().max(DVec2::splat(1e-12))).min_element()
 }
 
-/// Adds the arrows and the names; those behind the eye are dashed, and marked as such.
+/// Adds the arrows and the names. Those behind the eye are dashed, and marked as such.
 pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) {
     let size = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
     let scale = f64::from(request.size.scale);

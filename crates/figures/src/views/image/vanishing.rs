@@ -141,7 +141,7 @@ struct WindowPicture<'a> {
 }
 
 impl WindowPicture<'_> {
-    /// The place in pixels of a window point; also far outside.
+    /// The place in pixels of a window point. Also far outside.
     fn place(&self, point: DVec2) -> DVec2 {
         let w = self.camera.window();
         self.size * DVec2::new((point.x - w.left) / w.width(), (w.top - point.y) / w.height())

@@ -33,7 +33,7 @@ pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle
         .map(|(handle, _)| handle)
 }
 
-/// The places of the handles in the world; a part that is left out has none.
+/// The places of the handles in the world. A part that is left out has none.
 pub(in crate::views) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
     let parts = request.shot.look.world.parts;
@@ -51,7 +51,7 @@ pub(in crate::views) fn on_screen(request: &Request, screen: &Screen, volume: &D
 }
 
 /// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C,
-/// where a small F would hide its handle; none where the axis is seen end-on. That of a broken volume's far plane is
+/// where a small F would hide its handle. None where the axis is seen end-on. That of a broken volume's far plane is
 /// where it is drawn.
 pub(in crate::views) fn on_axis(
     request: &Request,
@@ -77,7 +77,7 @@ pub(in crate::views) fn on_axis(
 /// `request`, which must be the one at the time of taking.
 ///
 /// C and PF move on the plane y = their own height, or vertically; where that plane is seen from the edge they move in
-/// the plane of the picture. Near and far move along the axis of projection and stop at each other; the far plane of a
+/// the plane of the picture. Near and far move along the axis of projection and stop at each other. The far plane of a
 /// volume that is drawn broken moves in proportion: drawn half as far away, B is half as great. The tip of VUP moves in
 /// the plane of the picture; VUP keeps its length.
 ///

@@ -120,7 +120,7 @@ impl Probe {
     }
 }
 
-/// An operation and the camera before it; the camera after it is the one of the [`Request`](crate::views::Request).
+/// An operation and the camera before it. The camera after it is the one of the [`Request`](crate::views::Request).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ghost {
     /// The camera before.
@@ -163,7 +163,7 @@ pub enum Handle {
     Far,
 }
 
-/// The mode of a [`TransformGizmo`]; the letters are those of the fields.
+/// The mode of a [`TransformGizmo`]. The letters are those of the fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Transforming {
     /// Three arrows move (T).
@@ -182,7 +182,7 @@ pub struct TransformGizmo {
     pub does: Transforming,
     /// Its middle (world).
     pub origin: DVec3,
-    /// Its axes (world), unit vectors; they need not be at right angles.
+    /// Its axes (world), unit vectors. They need not be at right angles.
     pub axes: [DVec3; 3],
     /// The part under the pointer, drawn stronger.
     pub hovered: Option<GizmoPart>,

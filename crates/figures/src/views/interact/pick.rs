@@ -170,7 +170,7 @@ fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
     scene.vertices().map(|v| v.p_world).chain(lines).chain(marks)
 }
 
-/// Of points (as drawn, with their meaning) the one nearest to a place; one that faces hide loses to any that can be
+/// Of points (as drawn, with their meaning) the one nearest to a place. One that faces hide loses to any that can be
 /// seen.
 fn nearest(
     points: impl Iterator<Item = (DVec3, DVec3)>,

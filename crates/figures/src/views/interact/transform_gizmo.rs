@@ -144,7 +144,7 @@ fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> 
     Some(Angle::from_radians(normal.dot(a.cross(b)).atan2(a.dot(b))))
 }
 
-/// Adds the gizmo, if there is one; nothing hides it. Its letters are those of the fields, T, R and S, which tells it
+/// Adds the gizmo, if there is one. Nothing hides it. Its letters are those of the fields, T, R and S, which tells it
 /// from the axes of the world.
 pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(gizmo) = request.hover.gizmo else { return };

@@ -85,7 +85,7 @@ struct Turn {
 }
 
 impl Turn {
-    /// About PF the arc is that of the line of sight, since C is where the picture is seen from; about C it is the way
+    /// About PF the arc is that of the line of sight, since C is where the picture is seen from. About C it is the way
     /// of PF. A roll is seen at PF.
     fn of(ghost: &Ghost, after: &Camera) -> Option<Self> {
         let before = &ghost.before;

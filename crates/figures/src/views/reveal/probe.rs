@@ -90,7 +90,7 @@ pub(in crate::views) fn points<'a>(request: &'a Request, palette: Palette) -> im
     named.chain(probed)
 }
 
-/// A point with its projector from O_R, on to the window where it lies before it; behind the eye, the line back to it
+/// A point with its projector from O_R, on to the window where it lies before it. Behind the eye, the line back to it
 /// is dotted, since nothing of it reaches the window.
 fn point_in_world(builder: &mut GearBuilder, request: &Request, p: DVec3, look: Look<'_>) {
     let c = request.camera.view_point(p);
@@ -112,7 +112,7 @@ fn point_in_world(builder: &mut GearBuilder, request: &Request, p: DVec3, look: 
     look.mark(builder, p);
 }
 
-/// The rays of points, from O_R to each; or the ray from O_R through the window.
+/// The rays of points, from O_R to each, or the ray from O_R through the window.
 pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
     for (p, look) in points(request, palette) {
         cameras::projectors(builder, request, palette, p);
@@ -196,7 +196,7 @@ pub(in crate::views) fn on_the_way(
     }
 }
 
-/// A cross at the pixel, or a ring around the point; the figure's points with their names.
+/// A cross at the pixel, or a ring around the point. The figure's points with their names.
 pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     for (p, look) in points(request, palette) {
         // A ring around a corner of the scene hides nothing of it, and needs no name.

@@ -26,11 +26,11 @@ use crate::views::{Labels, Palette, Request};
 
 /// Range in which parts outside the canonical volume are shown, in its own half sides.
 pub(in crate::views) const REACH: f64 = 2.0;
-/// More new vertices than this are not marked one by one; the sides between them still are.
+/// More new vertices than this are not marked one by one. The sides between them still are.
 const MOST_MARKS: usize = 500;
 /// Greatest number of dropped objects with their reason written on them.
 const MOST_NAMES: usize = 24;
-/// Share of the error colour in wrong faces; the rest is their own colour, so that objects can be distinguished.
+/// Share of the error colour in wrong faces. The rest is their own colour, so that objects can be distinguished.
 const WRONG: f64 = 0.75;
 /// The opacity of wrong parts: the right scene behind them is still seen.
 const GLASS: u8 = 140;

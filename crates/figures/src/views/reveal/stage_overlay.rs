@@ -27,7 +27,7 @@ const MOST_NAMES: usize = 4;
 const MOST_MARKS: usize = 3000;
 /// Opacity of a dropped face.
 const GLASS: u8 = 150;
-/// The beginnings of the names of labels at objects and at vertices; the object's name or a number, from 1, follows.
+/// The beginnings of the names of labels at objects and at vertices. The object's name or a number, from 1, follows.
 const OBJECT: &str = "object:";
 const VERTEX: &str = "vertex:";
 /// The objects that the pictures add to the scene.

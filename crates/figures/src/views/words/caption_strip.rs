@@ -12,7 +12,7 @@ use crate::{sanitize, text};
 /// The distance from one line to the next, and of the first from the picture, in letters.
 const LINE: f32 = 1.35;
 const ABOVE: f32 = 0.25;
-/// The most lines of a caption; what is longer ends in dots.
+/// The most lines of a caption. What is longer ends in dots.
 const MOST_LINES: usize = 4;
 /// The longest caption in characters.
 const LONGEST: usize = 300;
@@ -20,7 +20,7 @@ const LONGEST: usize = 300;
 /// Texts under pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Captions {
-    /// The text of each picture, in their order; it may be empty.
+    /// The text of each picture, in their order. It may be empty.
     pub texts: Vec<String>,
     /// The height of the letters in pixels.
     pub letters: f32,

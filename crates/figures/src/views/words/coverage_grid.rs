@@ -70,7 +70,7 @@ struct Grid {
 }
 
 impl Grid {
-    /// The column, or the row, of a place; those beside the picture have the nearest one.
+    /// The column, or the row, of a place. Those beside the picture have the nearest one.
     fn index(v: f64, count: usize) -> usize {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell of the picture")]
         let index = v.max(0.0) as usize;

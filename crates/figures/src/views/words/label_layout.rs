@@ -257,9 +257,9 @@ impl Taken {
         self.solids.share(place.center, place.half)
     }
 
-    /// The cost of a place; infinite where a text must not be, and where it costs `most` or more.
+    /// The cost of a place. Infinite where a text must not be, and where it costs `most` or more.
     fn cost(&self, candidate: &Candidate, most: f64) -> f64 {
-        /// Standing wholly before a body; less than standing far off with a line.
+        /// Standing wholly before a body. Less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;
         /// Smallest distance between texts, in ems.
         const APART: f64 = 0.18;
@@ -342,7 +342,7 @@ impl Candidate {
 /// Greatest distance of a text, in heights of its type.
 const FARTHEST: f64 = 6.0;
 
-/// Places around a label's point and how little each is liked; those farther off if a line may lead to the point, which
+/// Places around a label's point and how little each is liked. Those farther off if a line may lead to the point, which
 /// is harder to tell on a body.
 fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = Candidate> + use<> {
     let half = half_size(label);

@@ -6,7 +6,7 @@ use crate::numbers::DecimalMark;
 use crate::pipeline::{NEAR, PlaneSet};
 use crate::stage::Stage;
 
-/// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
+/// The few words in the pictures. Symbols (C, PF, u, v, n …) are the same in every language.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Labels {
     /// The number format.

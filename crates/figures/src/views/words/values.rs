@@ -105,7 +105,7 @@ pub(in crate::views) fn said(key: &str, value: Option<&str>, labels: &Labels) ->
     })
 }
 
-/// A number or a list of numbers in the notation of the pictures' language; else as it is written.
+/// A number or a list of numbers in the notation of the pictures' language, else as it is written.
 fn printed(value: &str, labels: &Labels) -> String {
     /// Longer ones are not what anybody typed.
     const LONGEST: usize = 8;

@@ -97,7 +97,7 @@ fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, co
     builder.closed(&corners[..4], color, 1.2, Dash::Dotted);
 }
 
-/// The axis through the pivot, and the arc in the sense of the rotation; gives its middle.
+/// The axis through the pivot, and the arc in the sense of the rotation. Gives its middle.
 fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) -> DVec3 {
     let (before, pivot) = (&ghost.before, axis.origin);
     let [u, v, n] = palette.axes;
@@ -126,7 +126,7 @@ fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, 
     middle
 }
 
-/// The path of a point that turns about an axis; more than two full turns are not distinguished.
+/// The path of a point that turns about an axis. More than two full turns are not distinguished.
 pub(in crate::views) fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
     const STEPS: u32 = 96;
     let angle = radians.clamp(-2.0 * std::f64::consts::TAU, 2.0 * std::f64::consts::TAU);

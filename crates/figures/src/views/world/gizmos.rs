@@ -32,7 +32,7 @@ pub(in crate::views) struct GearBuilder<'a> {
 }
 
 impl<'a> GearBuilder<'a> {
-    /// No gear yet; lines are hidden as those of the scene are.
+    /// No gear yet. Lines are hidden as those of the scene are.
     pub(in crate::views) fn new(screen: &'a Screen) -> Self {
         Self { gear: Scene::default(), screen, hidden: HiddenLines::OfStyle }
     }
@@ -88,7 +88,7 @@ impl<'a> GearBuilder<'a> {
         self.gear.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: false });
     }
 
-    /// A text beside a point, if there is room in this direction (pixels, y down); texts that come first have the
+    /// A text beside a point, if there is room in this direction (pixels, y down). Texts that come first have the
     /// choice.
     pub(in crate::views) fn text(&mut self, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
         // What says a value is called by its symbol.

@@ -40,7 +40,7 @@ use crate::views::world::framing::Content;
 use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::world_framing::{screen_of, seen_from};
 
-/// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
+/// Draws the world with `on_window` as the image on the view window. An observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
@@ -191,7 +191,7 @@ impl World<'_> {
         self.face(&far, color, 1.5, Dash::Dashed);
     }
 
-    /// The sides of the window or of the far face; broken where they are longer than they are drawn.
+    /// The sides of the window or of the far face. Broken where they are longer than they are drawn.
     fn face(&mut self, corners: &[DVec3; 4], color: Rgba, width: f32, dash: Dash) {
         const GAPS: [[f64; 2]; 2] = [[0.11, 0.14], [0.86, 0.89]];
         let volume = self.content.volume;

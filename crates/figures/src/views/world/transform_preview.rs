@@ -24,7 +24,7 @@ pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, p
     }
 }
 
-/// The objects as glass, and of those without faces their strokes; objects scaled to nothing have no faces to be seen.
+/// The objects as glass, and of those without faces their strokes. Objects scaled to nothing have no faces to be seen.
 /// Where they are in place already, there is nothing to add.
 fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {

@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::camera::{Camera, Projection};
 use crate::geometry::Aabb;
 
-/// Greatest enlargement of the visible content by the whole volume; beyond it, the volume is broken.
+/// Greatest enlargement of the visible content by the whole volume. Beyond it, the volume is broken.
 const MOST_ENLARGED: f64 = 2.5;
 
 /// The end of a broken volume in the picture, and its gap, relative to the greatest depth of the other content.
@@ -184,7 +184,7 @@ impl DrawnVolume {
         self.window().into_iter().chain(self.far_face())
     }
 
-    /// The corners that a picture should hold; those of an angle so wide that little else would be seen are drawn in.
+    /// The corners that a picture should hold. Those of an angle so wide that little else would be seen are drawn in.
     pub(in crate::views) fn of_interest(&self, camera: &Camera, core: &Aabb) -> Vec<DVec3> {
         let limit = WIDEST * core.radius();
         let (c, dop) = (camera.position(), camera.direction_of_projection());

@@ -43,7 +43,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     framing_of(request.each_side(), direction, request.size)
 }
 
-/// Frames the content; the camera's gear has a size in pixels, so its extent is known after a framing only, and each
+/// Frames the content. The camera's gear has a size in pixels, so its extent is known after a framing only, and each
 /// next one knows it better.
 fn framing_of(sides: impl IntoIterator<Item = Request>, direction: Direction, size: Size) -> Observer {
     let sides: Vec<Request> = sides.into_iter().collect();

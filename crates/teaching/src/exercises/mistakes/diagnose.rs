@@ -16,7 +16,7 @@ use crate::inspect::quantity::{BasisAxis, Quantity};
 /// The known mistakes that give the numbers of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not
+    /// One, or two that were made together. The first is the one that comes first on the way. None where `own` is not
     /// among the known ones.
     pub causes: Vec<Cause>,
     /// Other mistakes that give the same numbers, the likelier first.
@@ -45,7 +45,7 @@ impl Diagnosis {
 /// Numbers, not 0, that have to agree before two mistakes together are told, or one number alone is wrong.
 const ENOUGH: usize = 4;
 
-/// The agreement of an answer with what a mistake gives; the closer first.
+/// The agreement of an answer with what a mistake gives. The closer first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Agreement {
     /// To more digits than anybody rounds to by chance.
@@ -134,7 +134,7 @@ fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(S
 /// Causes of which one was made that are worth reading: more of them say nothing.
 const MOST: usize = 3;
 
-/// The diagnosis of slips that give the same numbers; a reversed axis may be a lost minus as well.
+/// The diagnosis of slips that give the same numbers. A reversed axis may be a lost minus as well.
 fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
     let mut causes: Vec<Cause> = Vec::new();
     for slip in slips {
@@ -150,7 +150,7 @@ fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
     (!causes.is_empty() && others.len() < MOST).then(|| Diagnosis { others, ..Diagnosis::together(causes) })
 }
 
-/// The slips that the answers beside this one allow; only those that explain another wrong one, where some do.
+/// The slips that the answers beside this one allow. Only those that explain another wrong one, where some do.
 fn supported(slips: &[Slip], ask: &Ask, beside: Option<Beside<'_>>) -> Vec<Slip> {
     let allowed: Vec<Slip> = slips.iter().copied().filter(|slip| !is_excluded(*slip, ask, beside)).collect();
     let explains_another = |slip: &Slip| {

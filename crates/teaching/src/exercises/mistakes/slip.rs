@@ -7,7 +7,7 @@ use super::mistake::Mistake;
 pub struct Cause {
     /// The mistake.
     pub mistake: Mistake,
-    /// The name of the texts that tell this way of making it; empty where those of the mistake do.
+    /// The name of the texts that tell this way of making it. Empty where those of the mistake do.
     pub variant: &'static str,
 }
 
@@ -19,7 +19,7 @@ impl Cause {
 
 macro_rules! slips {
     ($($(#[doc = $doc:literal])+ $name:ident = $mistake:ident $($variant:literal)?;)*) => {
-        /// One way of making a [`Mistake`]; some are made in several ways, which give different numbers.
+        /// One way of making a [`Mistake`]. Some are made in several ways, which give different numbers.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Slip {
             $($(#[doc = $doc])+ $name,)*

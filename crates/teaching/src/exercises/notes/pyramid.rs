@@ -38,7 +38,7 @@ impl Birth {
         }
     }
 
-    /// M_m; the base touches the planes x = 0 and z = 0.
+    /// M_m. The base touches the planes x = 0 and z = 0.
     fn model(&self, slips: Slips) -> DMat4 {
         let (day, month) = if slips.has(Slip::DayAndMonth) { (self.month, self.day) } else { (self.day, self.month) };
         let scale = DMat4::from_scale(DVec3::new(month, day, month));

@@ -56,7 +56,7 @@ impl Progress {
     }
 }
 
-/// The tables in a table of the file; none where it is not there.
+/// The tables in a table of the file. None where it is not there.
 fn table<'a>(document: &'a DocumentMut, key: &str) -> Result<Vec<(&'a str, &'a dyn TableLike)>, ProgressError> {
     let Some(item) = document.get(key) else { return Ok(Vec::new()) };
     let tables = item.as_table_like().ok_or_else(|| ProgressError::Value(key.to_owned()))?;
@@ -79,7 +79,7 @@ fn entered<'a>(document: &'a mut DocumentMut, key: &str, name: &str) -> Option<&
     outer.as_table_like_mut()?.entry(name).or_insert(empty).as_table_like_mut()
 }
 
-/// The value of a key that is there; the key where it is something else.
+/// The value of a key that is there. The key where it is something else.
 fn known<T>(table: &dyn TableLike, key: &str, read: impl Fn(&Item) -> Option<T>) -> Result<Option<T>, String> {
     table.get(key).map(|item| read(item).ok_or_else(|| key.to_owned())).transpose()
 }
@@ -88,7 +88,7 @@ fn count(item: &Item) -> Option<u32> {
     item.as_integer().and_then(|count| count.try_into().ok())
 }
 
-/// A whole number of 64 bits; those that TOML has no room for are written as text.
+/// A whole number of 64 bits. Those that TOML has no room for are written as text.
 fn long(item: &Item) -> Option<u64> {
     match item.as_integer() {
         Some(number) => number.try_into().ok(),

@@ -8,7 +8,7 @@ use crate::pipeline::{ObjectReport, Options, OverBudget, Pipeline, Target};
 use crate::raster::Rasterizer;
 use crate::scene::{Object, ObjectPaint, Scene};
 
-/// Draws images in order to count their pixels; keeps its buffers.
+/// Draws images in order to count their pixels. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Counter {
     pipeline: Pipeline,

@@ -2,7 +2,7 @@
 //! camera that would show them.
 //!
 //! Visibility is counted in pixels that the pipeline really draws. The reason for a missing part is found from the
-//! sides of the planes of the volume on which its points lie; a repair is offered only after it was applied, and its
+//! sides of the planes of the volume on which its points lie. A repair is offered only after it was applied, and its
 //! picture was checked. Then the image is compared with exact visibility: only if that finds no wrong pixel either is
 //! there nothing to report.
 
@@ -135,7 +135,7 @@ impl Cause {
 pub struct Finding {
     /// Why.
     pub cause: Cause,
-    /// The names of the objects that are lost whole, in the order of the scene; empty for an object without a name.
+    /// The names of the objects that are lost whole, in the order of the scene. Empty for an object without a name.
     pub whole: Vec<String>,
     /// The names of those of which something is seen all the same.
     pub partly: Vec<String>,
@@ -159,7 +159,7 @@ pub struct ImageSpec<'a> {
     pub reveal: &'a Reveal,
     /// Its size.
     pub image: ImageSize,
-    /// The most of its pixels that are compared with exact visibility, evenly spread; see [`IN_A_WINDOW`].
+    /// The most of its pixels that are compared with exact visibility, evenly spread. See [`IN_A_WINDOW`].
     pub compared: u64,
 }
 

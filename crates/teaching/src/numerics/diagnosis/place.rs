@@ -190,7 +190,7 @@ impl Lens {
         [left, right, bottom, top, -p.z - camera.near(), camera.far() + p.z]
     }
 
-    /// The place on the image, from its middle, in images; y up.
+    /// The place on the image, from its middle, in images. Y up.
     fn off_middle(&self, p: DVec3) -> DVec2 {
         let ViewWindow { left, right, bottom, top } = self.window;
         let w = if self.perspective { -p.z } else { 1.0 };

@@ -311,7 +311,7 @@ fn rounded(p: DVec3, unit: f64) -> DVec3 {
     if far_out { p } else { DVec3::from_array(p.to_array().map(|x| round_to(x, unit))) }
 }
 
-/// VUP where it can stay; else **v**, or an axis.
+/// VUP where it can stay, else **v**, or an axis.
 fn upright(up: DVec3, forward: DVec3, v: DVec3) -> DVec3 {
     let aslant = |up: &DVec3| up.normalize_or_zero().cross(forward).length() > 0.02;
     [up, v, DVec3::Y, DVec3::Z].into_iter().find(aslant).unwrap_or(up)

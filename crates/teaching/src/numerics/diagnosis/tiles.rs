@@ -43,7 +43,7 @@ pub(super) struct Nearest {
     pub(super) depth: f64,
 }
 
-/// A ray in view space; its points are origin + depth · `per_depth`.
+/// A ray in view space. Its points are origin + depth · `per_depth`.
 struct Ray {
     origin: DVec3,
     per_depth: DVec3,
@@ -183,7 +183,7 @@ impl<'a> Tiles<'a> {
 /// The intersection of a ray with a plane takes some ten roundings of 2⁻⁵³ of the largest number in it.
 const ROUNDING: f64 = 1e-14;
 
-/// The tile of a coordinate in pixels; before the image the first.
+/// The tile of a coordinate in pixels. Before the image the first.
 fn tile(coordinate: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and an image's side")]
     let tile = (coordinate / TILE).max(0.0) as usize;

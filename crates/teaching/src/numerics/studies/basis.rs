@@ -112,7 +112,7 @@ fn scaled<R: Real>(p: &Parameters) -> [DVec3; 3] {
 }
 
 /// Scaled, and each difference of products with the error of its products: W. Kahan's algorithm with a fused
-/// multiply-add; see C.-P. Jeannerod, N. Louvet, J.-M. Muller, *Further analysis of Kahan's algorithm for the accurate
+/// multiply-add. See C.-P. Jeannerod, N. Louvet, J.-M. Muller, *Further analysis of Kahan's algorithm for the accurate
 /// computation of 2×2 determinants* (2013).
 fn compensated(p: &Parameters) -> [DVec3; 3] {
     let scaled = |v: DVec3| v / v.abs().max_element();

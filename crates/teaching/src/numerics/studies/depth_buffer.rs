@@ -1,7 +1,7 @@
 //! The formats of depth buffers: the distances that each resolves, by depth and by far/near.
 //!
 //! The program's own pictures spread their depths over the part of the volume in view, where F … B would not resolve
-//! it; here the cubes of the figure are in view, which begin at the depths under test.
+//! it. Here the cubes of the figure are in view, which begin at the depths under test.
 //!
 //! F is 1. The error is the length of the interval of depths that get the same value, in scene units: surfaces within
 //! it may flicker. Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N.

@@ -94,7 +94,7 @@ impl Solid {
         }
     }
 
-    /// The function that is negative inside; the unit sphere, and the torus about y.
+    /// The function that is negative inside. The unit sphere, and the torus about y.
     fn value<R: Real>(self, p: &Vector<R>) -> R {
         let square = p.dot(p);
         match self {

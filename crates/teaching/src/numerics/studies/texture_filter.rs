@@ -94,7 +94,7 @@ const METHODS: [(&str, Way); 5] = [
     (OWN, Way::Own),
 ];
 
-/// Black and white squares; the first is white.
+/// Black and white squares. The first is white.
 fn chequer() -> Texture {
     let square = |i: u32| (i % TEXELS / SQUARE + i / TEXELS / SQUARE).is_multiple_of(2);
     let rgba = (0..TEXELS * TEXELS).flat_map(|i| if square(i) { [255; 4] } else { [0, 0, 0, 255] });

@@ -233,7 +233,7 @@ const METHODS: [(&str, Seen); 5] = [
     (OWN, |setup, trial, watch| picture(setup, Visibility::default(), trial, watch)),
 ];
 
-/// As the program draws it; the time is that of a pixel of the whole picture.
+/// As the program draws it. The time is that of a pixel of the whole picture.
 fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
     let mut painter = Painter::default();
     let style = flat(visibility, 1);

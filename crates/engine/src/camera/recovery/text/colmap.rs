@@ -35,7 +35,7 @@ pub(crate) fn cameras(text: &str) -> Option<Vec<Pasted>> {
     (!alone.is_empty()).then_some(alone)
 }
 
-/// `CAMERA_ID MODEL WIDTH HEIGHT PARAMS…`; distortion is left out.
+/// `CAMERA_ID MODEL WIDTH HEIGHT PARAMS…`. Distortion is left out.
 fn lens(line: &str) -> Option<Lens<'_>> {
     let mut parts = line.split_whitespace();
     let (id, model) = (parts.next()?, parts.next()?);

@@ -25,7 +25,7 @@ pub(crate) use words::Word;
 /// A camera of a text: its numbers, and the parts of their reading that the format or the words say.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pasted {
-    /// Its name in the file, such as that of its image; empty if it has none.
+    /// Its name in the file, such as that of its image. Empty if it has none.
     pub name: String,
     /// The matrix, or the three vectors; `None` if the file only has a lens.
     pub(crate) entries: Option<MatrixEntries>,
@@ -44,7 +44,7 @@ pub(crate) enum GivenLens {
     Pixels { focal_lengths: [f64; 2], principal_point: [f64; 2] },
     /// The angle from left to right, in radians.
     AngleX(f64),
-    /// The angle from bottom to top in degrees; what isn't there stays.
+    /// The angle from bottom to top in degrees. What isn't there stays.
     AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
     /// A parallel projection: H, and A, F and B if they are there.
     Parallel { height: f64, aspect: Option<f64>, planes: Option<[f64; 2]> },
@@ -70,7 +70,7 @@ pub enum MatrixTextError {
     NotText,
 }
 
-/// The names of several cameras, none for a single one; a number from 1 stands for a missing name.
+/// The names of several cameras, none for a single one. A number from 1 stands for a missing name.
 #[must_use]
 pub fn camera_names(cameras: &[Pasted]) -> Vec<String> {
     if cameras.len() < 2 {

@@ -226,7 +226,7 @@ fn written(part: &str) -> Option<Written> {
     Some(Written { value, error: error(bare, value) })
 }
 
-/// Half of the last digit; numbers with the digits of an `f32` have its rounding, shorter ones are what they say.
+/// Half of the last digit. Numbers with the digits of an `f32` have its rounding, shorter ones are what they say.
 fn error(text: &str, value: f64) -> f64 {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let Some((_, decimals)) = mantissa.split_once(['.', ',']) else { return 0.0 };
