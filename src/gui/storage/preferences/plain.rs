@@ -11,7 +11,7 @@ pub(super) enum Plain<'t> {
     Whole(i64),
     Number(f64),
     Text(Cow<'t, str>),
-    List(Vec<Plain<'t>>),
+    List(Vec<Self>),
 }
 
 impl Plain<'_> {
@@ -57,7 +57,7 @@ impl From<String> for Plain<'_> {
     }
 }
 
-impl<'t, T: Into<Plain<'t>>> FromIterator<T> for Plain<'t> {
+impl<'t, T: Into<Self>> FromIterator<T> for Plain<'t> {
     fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
         Self::List(values.into_iter().map(Into::into).collect())
     }
@@ -70,7 +70,7 @@ impl From<&Plain<'_>> for Value {
             Plain::Whole(value) => (*value).into(),
             Plain::Number(value) => (*value).into(),
             Plain::Text(text) => text.as_ref().into(),
-            Plain::List(values) => values.iter().map(Value::from).collect(),
+            Plain::List(values) => values.iter().map(Self::from).collect(),
         }
     }
 }

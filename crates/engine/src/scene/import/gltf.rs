@@ -143,7 +143,7 @@ impl Materials<'_> {
     }
 }
 
-/// Wrapping and filter. GlTF's filter for smaller pictures that asks for levels of detail is ours with levels.
+/// Wrapping and filter: glTF's filter for smaller pictures that asks for levels of detail is ours with levels.
 fn sampler(sampler: &::gltf::texture::Sampler<'_>) -> Sampler {
     use ::gltf::texture::{MagFilter, MinFilter, WrappingMode};
     let wrap = |mode| match mode {
@@ -326,7 +326,7 @@ fn matrix(node: &::gltf::Node<'_>) -> DMat4 {
     }
 }
 
-/// The base colour. GlTF's factors are linear light.
+/// The base colour; glTF's factors are linear light.
 fn color(material: &::gltf::Material<'_>) -> Rgba {
     let [r, g, b, a] = material.pbr_metallic_roughness().base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
     let byte = |share: f64| {
