@@ -101,6 +101,7 @@ pub(super) fn members(
     for variant in figures {
         let same = |(other, _): &&(Variant, SharedScene)| {
             other.figure.scene == variant.figure.scene
+                && other.figure.photograph == variant.figure.photograph
                 && other.figure.style == variant.figure.style
                 && other.figure.show.triangle == variant.figure.show.triangle
         };

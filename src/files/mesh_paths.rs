@@ -27,7 +27,7 @@ fn whole_folder(folder: &Path) -> PathBuf {
 }
 
 /// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names
-/// its meshes anew, so that they are the same files. A figure without a folder names them as from where the program was
+/// its meshes and its photograph anew, so that they are the same files. A figure without a folder names them as from where the program was
 /// started.
 #[must_use]
 pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
@@ -35,13 +35,16 @@ pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Fi
     if from.map(whole_folder) == to.map(whole_folder) {
         return figure;
     }
-    for object in &mut figure.scene.objects {
-        if let Some(Shape::Mesh { path }) = &mut object.shape {
-            let file = from.unwrap_or(Path::new("")).join(&path);
-            // A foreign figure must not make the system look for another machine.
-            if !is_network(&file) && file.exists() {
-                *path = named_in_figure(to, &file);
-            }
+    let shapes = figure.scene.objects.iter_mut().filter_map(|object| object.shape.as_mut());
+    let meshes = shapes.filter_map(|shape| match shape {
+        Shape::Mesh { path } => Some(path),
+        _ => None,
+    });
+    for path in meshes.chain(figure.photograph.as_mut().map(|photograph| &mut photograph.file)) {
+        let file = from.unwrap_or(Path::new("")).join(&*path);
+        // A foreign figure must not make the system look for another machine.
+        if !is_network(&file) && file.exists() {
+            *path = named_in_figure(to, &file);
         }
     }
     figure

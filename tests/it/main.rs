@@ -66,6 +66,7 @@ mod own_exercises;
 mod paper;
 mod paper_pictures;
 mod photograph;
+mod photograph_under;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;

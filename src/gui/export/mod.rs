@@ -313,7 +313,9 @@ impl ExportSource {
         let mut members: Vec<(Variant, SharedScene)> = Vec::new();
         for variant in variants(&self.figure, camera, variations, self.convention, MAX_FAMILY)? {
             let same = |(other, _): &&(Variant, SharedScene)| {
-                other.figure.scene == variant.figure.scene && other.figure.style == variant.figure.style
+                other.figure.scene == variant.figure.scene
+                    && other.figure.photograph == variant.figure.photograph
+                    && other.figure.style == variant.figure.style
             };
             let scene = match members.iter().find(same) {
                 Some((_, scene)) => scene.clone(),

@@ -143,5 +143,6 @@ fn own_files(figure: &Figure) -> Vec<String> {
         Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(sanitize::path_text(path)),
         _ => None,
     });
-    paths.chain(textures.map(sanitize::path_text)).collect()
+    let photograph = figure.photograph.as_ref().map(|photograph| photograph.file.as_str());
+    paths.chain(textures.chain(photograph).map(sanitize::path_text)).collect()
 }

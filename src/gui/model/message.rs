@@ -15,7 +15,7 @@ use crate::i18n::{Lang, messages, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::OverBudget;
 use crate::sanitize;
-use crate::scene::{Preset, SceneError};
+use crate::scene::{MeshNotice, Preset, SceneError};
 use crate::views::View;
 
 /// A message at the bottom of the window.
@@ -86,6 +86,8 @@ pub enum Message {
     Camera(CameraError),
     /// The scene cannot be built.
     Scene(SceneError),
+    /// The photograph under the image cannot be used.
+    NoPhotograph(MeshNotice),
     /// A picture has a shortfall.
     OverBudget(OverBudget),
     /// A picture is being written.
@@ -186,6 +188,7 @@ impl Message {
             ),
             Self::Camera(error) => (Error, faults::camera_error(lang, error)),
             Self::Scene(error) => (Error, messages::scene(lang, error)),
+            Self::NoPhotograph(notice) => (Error, messages::mesh_notice(lang, notice)),
             Self::OverBudget(too_much) => (Error, messages::too_much(lang, too_much)),
             Self::Exporting => (Lasting, t.exporting.to_owned()),
             Self::SavedOtherwise(path, too_much) => {

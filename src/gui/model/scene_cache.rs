@@ -12,14 +12,15 @@ use super::document::Document;
 use super::history::Revision;
 use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::clock;
+use crate::figure::Figure;
 use crate::files::{FigureFiles, FileAccess};
 use crate::gui::background::memo::Latest;
 use crate::gui::background::worker::Running;
 use crate::progress::Progress;
 use crate::scene::import::{Imported, read, read_texture};
 use crate::scene::{
-    self, MeshError, MeshFiles, Preset, ReadError, Scene, SceneError, SceneSpec, Shape, TextureError, TextureSource,
-    Wanted,
+    self, MeshError, MeshFiles, MeshNotice, Preset, ReadError, Scene, SceneError, SceneSpec, Shape, TextureError,
+    TextureSource, Wanted,
 };
 use crate::views::SharedScene;
 
@@ -42,6 +43,8 @@ pub struct SceneCache {
     unread: BTreeMap<String, Vec<ReadError>>,
     reader: Reader,
     scene: SharedScene,
+    /// Why the photograph of the scene cannot be used, and whether that is still to be said.
+    lacks_photograph: (Option<MeshNotice>, bool),
     /// Counts the scenes that have nothing to do with each other.
     subject: u64,
 }
@@ -49,6 +52,8 @@ pub struct SceneCache {
 #[derive(Clone, Debug)]
 struct MadeFrom {
     spec: SceneSpec,
+    /// The file of the photograph under the image.
+    photograph: Option<String>,
     /// The revision of the document's scene.
     revision: Revision,
     theme: Theme,
@@ -64,6 +69,7 @@ impl MadeFrom {
             && self.hidden_lines == figure.style.hidden_lines
             && self.folder.as_deref() == document.folder()
             && self.reach == document.reach()
+            && self.photograph.as_deref() == photograph_of(figure)
             && (self.revision == document.revision() || self.spec == figure.scene)
     }
 }
@@ -230,6 +236,11 @@ impl SceneCache {
         self.unread.get(path).map_or(&[], Vec::as_slice)
     }
 
+    /// Why the photograph under the image cannot be used, once.
+    pub(in crate::gui) fn take_notice(&mut self) -> Option<MeshNotice> {
+        std::mem::take(&mut self.lacks_photograph.1).then(|| self.lacks_photograph.0.clone()).flatten()
+    }
+
     /// Tries the files again that could not be read, and reads the others anew.
     pub fn read_again(&mut self) {
         self.forget_files();
@@ -267,6 +278,7 @@ impl SceneCache {
         }
         let wanted = MadeFrom {
             spec: figure.scene.clone(),
+            photograph: photograph_of(figure).map(str::to_owned),
             revision: document.revision(),
             theme,
             hidden_lines: figure.style.hidden_lines,
@@ -289,7 +301,7 @@ impl SceneCache {
         self.made_from = before;
         let mut arrived = self.receive(ctx, Duration::ZERO, &wanted, &mut said);
         if changed || arrived {
-            let used = paths(&wanted.spec);
+            let used = paths(&wanted);
             let is_used = |path: &String| [true, false].into_iter().any(|kind| used.contains(&(path.clone(), kind)));
             self.broken.retain(|path, _| is_used(path));
             self.unread.retain(|path, _| is_used(path));
@@ -356,7 +368,7 @@ impl SceneCache {
         let folder = wanted.folder.clone().unwrap_or_default();
         let file =
             |(path, is_texture)| SceneFile { path, is_texture, folder: folder.clone(), reach: wanted.reach, spent: 0 };
-        let missing: Vec<SceneFile> = paths(&wanted.spec).into_iter().filter(unknown).map(file).collect();
+        let missing: Vec<SceneFile> = paths(wanted).into_iter().filter(unknown).map(file).collect();
         if missing.is_empty() {
             return false;
         }
@@ -381,17 +393,30 @@ impl SceneCache {
             hidden_lines: wanted.hidden_lines,
             ..crate::appearance::Style::default()
         };
+        // Without it until it is there.
+        let photograph = wanted.photograph.as_deref();
+        self.files.show_photograph(photograph.filter(|path| self.files.knows_texture(path)));
         self.made_from = Some(wanted);
         let scene = scene::build_with(&spec, &style, &mut scene::no_files, &mut self.files)?;
+        let mut notices = scene.notices.iter().map(|(_, notice)| notice);
+        let lacks = notices.find(|notice| matches!(notice, MeshNotice::Photograph(_))).cloned();
+        if lacks != self.lacks_photograph.0 {
+            self.lacks_photograph = (lacks, true);
+        }
         self.scene = SharedScene::new(scene);
         Ok(())
     }
 }
 
-/// The mesh files of a scene and its textures. True for these.
-fn paths(spec: &SceneSpec) -> BTreeSet<(String, bool)> {
+fn photograph_of(figure: &Figure) -> Option<&str> {
+    figure.photograph.as_ref().map(|photograph| photograph.file.as_str())
+}
+
+/// The mesh files of a scene, and its textures and photograph; true for these.
+fn paths(MadeFrom { spec, photograph, .. }: &MadeFrom) -> BTreeSet<(String, bool)> {
     let meshes = spec.objects.iter().filter_map(|object| Some((object.shape.as_ref()?.mesh_file()?, false)));
     let textures = spec.objects.iter().filter_map(|object| Some((object.texture.as_ref()?.file()?, true)));
     // An empty name is one that is still to be typed.
+    let textures = textures.chain(photograph.iter().map(|path| (path.as_str(), true)));
     meshes.chain(textures.filter(|(path, _)| !path.is_empty())).map(|(path, is)| (path.to_owned(), is)).collect()
 }

@@ -238,6 +238,9 @@ impl Canvas {
         } else if state.scene_cache.loading().is_empty() {
             state.forget_missing();
         }
+        if let Some(notice) = state.scene_cache.take_notice() {
+            state.say(Message::NoPhotograph(notice));
+        }
         self.hover = Hover {
             ghost: state.hover.ghost.clone(),
             measured: state.hover.measured.clone(),

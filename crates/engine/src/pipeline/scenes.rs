@@ -21,6 +21,7 @@ static NOTHING: Scene = Scene {
     grids: Vec::new(),
     marks: Vec::new(),
     texts: Vec::new(),
+    photograph: None,
     notices: Vec::new(),
 };
 

@@ -12,8 +12,8 @@ use super::texture::{Alpha, UvMesh, builtin, mapped, split};
 use super::tree::presets;
 use super::tree::resolve::{Placed, allowed_segments, lights, place};
 use super::{
-    Adjacency, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, Pictured, ReadFile, Scene, SceneError,
-    SceneSpec, Shape, TextureSource, Wanted, primitives,
+    Adjacency, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, ObjectSpec, Pictured, ReadFile, Scene,
+    SceneError, SceneSpec, Shape, TextureError, TextureSource, Wanted, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;
@@ -52,9 +52,11 @@ pub fn build_with(
     let is_used =
         |path: &str| spec.objects.iter().any(|o| matches!(&o.shape, Some(Shape::Mesh { path: p }) if p == path));
     files.retain(is_used);
-    files
-        .textures
-        .retain(|path| spec.objects.iter().any(|o| o.texture.as_ref().and_then(TextureSource::file) == Some(path)));
+    let photograph = files.photograph.clone();
+    files.textures.retain(|path| {
+        let is_on_object = |o: &ObjectSpec| o.texture.as_ref().and_then(TextureSource::file) == Some(path);
+        photograph.as_deref() == Some(path) || spec.objects.iter().any(is_on_object)
+    });
     let before = std::mem::take(&mut files.primitives);
     let mapped_before = std::mem::take(&mut files.mapped);
     let mut maker = Maker { colors, before, mapped_before, read_file, files };
@@ -70,6 +72,8 @@ pub fn build_with(
             return Err(SceneError::TooManyObjects);
         }
     }
+    // After the textures: of what is too much, they come first.
+    maker.photograph(&mut scene, photograph.as_deref());
     scene.lights = lights(&spec.lights)?;
     Ok(scene)
 }
@@ -188,17 +192,13 @@ impl Maker<'_, '_> {
         let spec = placed.spec;
         let (image, sampler) = match (&spec.texture, own) {
             (None, own) => own.map(|own| (Arc::clone(&own.image), own.sampler))?,
-            (Some(TextureSource::File(path)), _) => {
-                let read_file = &mut *self.read_file;
-                let mut beside = |path: &str| read_file(Wanted { path, named_by: None });
-                match self.files.textures.get(path, Alpha::Kept, &mut beside) {
-                    Ok(image) => (image, Sampler::default()),
-                    Err(error) => {
-                        scene.notices.push((spec.name.clone(), MeshNotice::Texture(error)));
-                        return None;
-                    }
+            (Some(TextureSource::File(path)), _) => match self.picture(path) {
+                Ok(image) => (image, Sampler::default()),
+                Err(error) => {
+                    scene.notices.push((spec.name.clone(), MeshNotice::Texture(error)));
+                    return None;
                 }
-            }
+            },
             (Some(source), _) => (builtin(source)?, Sampler::default()),
         };
         let sampler = Sampler {
@@ -210,7 +210,22 @@ impl Maker<'_, '_> {
         Some((image, sampler))
     }
 
-    /// A solid, whose mesh is made once for each number of segments. Faceted ones show their edges, curved ones their
+    /// The picture in a file that the figure names.
+    fn picture(&mut self, path: &str) -> Result<Arc<Texture>, TextureError> {
+        let read_file = &mut *self.read_file;
+        let mut beside = |path: &str| read_file(Wanted { path, named_by: None });
+        self.files.textures.get(path, Alpha::Kept, &mut beside)
+    }
+
+    /// The photograph in a file; where it cannot be used, a notice says so.
+    fn photograph(&mut self, scene: &mut Scene, path: Option<&str>) {
+        match path.map(|path| self.picture(path)) {
+            Some(Err(error)) => scene.notices.push(("[image]".to_owned(), MeshNotice::Photograph(error))),
+            read => scene.photograph = read.and_then(Result::ok),
+        }
+    }
+
+    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges, curved ones their
     /// outline.
     fn solid(
         &mut self,

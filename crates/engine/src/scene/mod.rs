@@ -49,7 +49,9 @@ pub struct Scene {
     pub marks: Vec<PointMark>,
     /// Texts in the world.
     pub texts: Vec<Text>,
-    /// Parts of mesh files that were left out, by the name of the object. None of them is drawn.
+    /// The photograph under the image, where the figure has one and its file can be read.
+    pub photograph: Option<Arc<Texture>>,
+    /// Parts of mesh files that were left out, by the name of the object; none of them is drawn.
     pub notices: Vec<(String, MeshNotice)>,
 }
 

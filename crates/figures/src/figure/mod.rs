@@ -10,6 +10,7 @@ pub mod labels;
 mod near;
 pub mod observer;
 mod other_side;
+mod photograph;
 pub mod points;
 pub mod read;
 mod recommended;
@@ -35,6 +36,7 @@ pub use labels::{
 };
 pub use observer::Observer;
 pub use other_side::OtherSide;
+pub use photograph::Photograph;
 pub use points::NamedPoint;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal, ShadowReveal};
@@ -67,6 +69,8 @@ pub struct Figure {
     /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not
     /// as the m × n image of `[0]` Eq. (5.22).
     pub undistorted: bool,
+    /// `[image] photograph` and `photograph_opacity`.
+    pub photograph: Option<Photograph>,
     /// `[viewport]`; `None`: the whole image, depth 0 … 1.
     pub viewport: Option<Viewport>,
     /// `[scene]`
@@ -118,6 +122,7 @@ impl Figure {
             cameras,
             image,
             undistorted,
+            photograph,
             viewport,
             scene: _,
             points,
@@ -139,6 +144,7 @@ impl Figure {
             cameras: cameras.clone(),
             image: *image,
             undistorted: *undistorted,
+            photograph: photograph.clone(),
             viewport: *viewport,
             scene: SceneSpec::default(),
             points: points.clone(),

@@ -80,6 +80,8 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("layout", "arrangement"),
     ("explanation", "panel"),
     ("tab", "panel"),
+    ("photo", "photograph"),
+    ("opacity", "photograph_opacity"),
     ("donut", "torus"),
 ];
 
@@ -97,6 +99,8 @@ const HOMES: &[(&str, &str)] = &[
     ("width", "image"),
     ("height", "image"),
     ("undistorted", "image"),
+    ("photograph", "image"),
+    ("photograph_opacity", "image"),
     ("depth_near", "viewport"),
     ("depth_far", "viewport"),
     ("preset", "scene"),

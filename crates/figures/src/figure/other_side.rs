@@ -5,7 +5,7 @@ use toml_edit::{Item, TableLike, Value};
 use super::edit::{Difference, NOTHING, difference, value_of, varied_whole};
 use super::error::{Allowed, FigureError, Problem};
 use super::write::{document, quoted};
-use super::{Comparison, Figure, WorldPart};
+use super::{Comparison, Figure, Photograph, WorldPart};
 use crate::appearance::Style;
 use crate::camera::{Camera, Convention, Ndc};
 use crate::limits::MAX_COMPARED_KEYS;
@@ -152,6 +152,7 @@ fn own_value(figure: &Figure, key: &str) -> Option<String> {
 fn unwritten(key: &str) -> Option<String> {
     Some(match key {
         "camera.window" => NOTHING.to_owned(),
+        "image.photograph_opacity" => Photograph::USUAL_OPACITY.to_string(),
         "style.depth_format" => "\"f32-reversed\"".to_owned(),
         "show.ndc" => format!("\"{}\"", Ndc::default().name()),
         "reveal.outside" | "reveal.texture" | "reveal.shadows" => return None,

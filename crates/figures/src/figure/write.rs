@@ -13,8 +13,8 @@ use super::words::{
     SENSOR_FITS, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use super::{
-    Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View,
-    WorldLook, WorldPart,
+    Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Photograph, Reveal, Screen, ScreenEntry, Show,
+    View, WorldLook, WorldPart,
 };
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{LensForm, Parameters, Projection, Sensor, Viewport};
@@ -44,6 +44,11 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     let mut image = table([("width", i64::from(size.width).into()), ("height", i64::from(size.height).into())]);
     if figure.undistorted {
         image.insert("undistorted", Item::Value(true.into()));
+    }
+    // Both or none: an opacity alone is refused.
+    if let Some(Photograph { file, opacity }) = &figure.photograph {
+        image.insert("photograph", Item::Value(quoted(file)));
+        image.insert("photograph_opacity", Item::Value(number(*opacity)));
     }
     put("image", image);
     if let Some(v) = figure.viewport {

@@ -97,7 +97,9 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
 /// # Errors
 /// [`SceneError`] names the object and its fault.
 pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Scene, SceneError> {
-    scene::build_with(&figure.scene, &figure.style, read_file, &mut MeshFiles::watched(progress))
+    let mut files = MeshFiles::watched(progress);
+    files.show_photograph(figure.photograph.as_ref().map(|photograph| photograph.file.as_str()));
+    scene::build_with(&figure.scene, &figure.style, read_file, &mut files)
 }
 
 /// Pictures of one kind and one size, seen by one observer, so that what differs between them is what has moved: that

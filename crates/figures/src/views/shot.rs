@@ -157,8 +157,9 @@ impl Shot {
         };
         let mut look = Look { reveal: self.revealed_in(view), ..self.look };
         if view == View::Canonical {
-            // Depths are stored for the image, which the world shows on the window.
+            // Depths are stored for the image, which the world shows on the window, with its photograph.
             look.style.depth_format = DepthFormat::default();
+            look.photograph_opacity = 0.0;
         }
         let seen = Self {
             look,
@@ -228,6 +229,8 @@ pub struct Look {
     pub image: ImageSize,
     /// `[image] undistorted`
     pub undistorted: bool,
+    /// `[image] photograph_opacity`; 0 without a photograph.
+    pub photograph_opacity: f64,
     /// `[viewport]`: the figure's, or the whole image.
     pub viewport: Viewport,
     /// `[style]`
@@ -248,8 +251,16 @@ impl Look {
     /// As a figure wants it.
     #[must_use]
     pub fn of(figure: &Figure) -> Self {
-        let Figure { image, undistorted, viewport, style, reveal, world, .. } = *figure;
-        Self { image, undistorted, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal, world }
+        let Figure { image, undistorted, viewport, style, reveal, world, ref photograph, .. } = *figure;
+        Self {
+            image,
+            undistorted,
+            photograph_opacity: photograph.as_ref().map_or(0.0, |photograph| photograph.opacity),
+            viewport: viewport.unwrap_or_else(|| Viewport::whole(image)),
+            style,
+            reveal,
+            world,
+        }
     }
 
     /// Width / height of the image as it is shown: m / n, whatever the window, or that of the window.

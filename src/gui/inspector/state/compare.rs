@@ -93,13 +93,14 @@ pub(in crate::gui) fn in_window(state: &State) -> Figure {
 
 /// Makes a figure that differs in its comparison and in what belongs to it that of the window.
 pub(in crate::gui) fn take(state: &mut State, figure: Figure) {
-    let Figure { camera, image, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
+    let Figure { camera, image, undistorted, photograph, viewport, style, reveal, world, show, compare, .. } = figure;
     if camera != state.document.figure().camera {
         // Only then: what is being typed stays.
         state.document.set_parameters(camera);
     }
     state.document.edit(|figure| {
         (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
+        figure.photograph = photograph;
         (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
     });
     *state.document.show_mut() = show;

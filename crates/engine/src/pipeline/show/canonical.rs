@@ -85,6 +85,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
             .filter_map(|text| Some(Text { position: inside(text.position)?, ..text.clone() }))
             .collect(),
         grids: Vec::new(),
+        photograph: None,
         notices: Vec::new(),
     };
     (clipped, in_view)

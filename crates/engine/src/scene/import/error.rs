@@ -152,6 +152,9 @@ pub enum MeshNotice {
     /// A texture cannot be used. The object's colour is shown in its place.
     #[error("the texture {0}; the object's colour is shown instead")]
     Texture(TextureError),
+    /// The photograph under the image cannot be used.
+    #[error("the photograph {0}; the image is shown without it")]
+    Photograph(TextureError),
     /// A texture was asked for, and the mesh has no texture coordinates.
     #[error("the mesh has no texture coordinates; its colour is shown instead of the texture")]
     NoCoordinates,

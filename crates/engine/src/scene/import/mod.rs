@@ -61,6 +61,8 @@ pub struct MeshFiles {
     pub(crate) textured: BTreeMap<(String, usize), UvMesh>,
     /// The pictures that figures name.
     pub(in crate::scene) textures: Textures,
+    /// The file of the photograph under the image.
+    pub(in crate::scene) photograph: Option<String>,
     progress: Progress,
 }
 
@@ -87,6 +89,11 @@ impl MeshFiles {
     /// Takes over a texture of a figure that [`read_texture`] has read elsewhere.
     pub fn insert_texture(&mut self, path: &str, read: Result<Arc<Texture>, TextureError>) {
         self.textures.insert(path, read);
+    }
+
+    /// Has scenes show the photograph in a file under the image, or none.
+    pub fn show_photograph(&mut self, path: Option<&str>) {
+        self.photograph = path.map(str::to_owned);
     }
 
     /// None yet; `progress` follows the reading.

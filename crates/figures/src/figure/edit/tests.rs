@@ -9,9 +9,9 @@ use crate::figure::words::{
 };
 use crate::figure::{
     Bilingual, CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedCamera,
-    NamedPoint, Note, NotePlace, Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal,
-    Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View,
-    WorldLook, WorldPart, WorldParts,
+    NamedPoint, Note, NotePlace, Observer, Observers, Outside, Photograph, RenamedLabel, Reveal, Screen, ScreenEntry,
+    ShadowReveal, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview,
+    TriangleStep, View, WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -181,6 +181,8 @@ fn figure() -> impl Strategy<Value = Figure> {
                 .collect(),
             image: ImageSize { width, height: 16_385 - width },
             undistorted,
+            photograph: undistorted
+                .then(|| Photograph { file: format!("{width} \"p\".jpg"), opacity: 1.0 / f64::from(width) }),
             viewport,
             scene,
             style,

@@ -87,6 +87,11 @@ fn checked(key: &str, value: &str, others: &[(String, String, usize)]) -> Result
         let known = vec!["shading", "visibility", "hidden_lines", "antialias", "depth_format"];
         return Err(Problem::UnknownKey { near: None, known });
     }
+    if key == "image.photograph" {
+        // Both sides are of one scene, and its photograph is read with it.
+        let known = vec!["width", "height", "undistorted", "photograph_opacity"];
+        return Err(Problem::UnknownKey { near: None, known });
+    }
     if key == "camera.window" && value == NOTHING {
         // The window that belongs to the angle.
         return Ok(());

@@ -22,7 +22,9 @@ use super::words::{
     DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES,
     VISIBILITIES,
 };
-use super::{AXES_LENGTHS, Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
+use super::{
+    AXES_LENGTHS, Depth, Figure, Observer, Observers, Outside, Photograph, Reveal, WorldLook, WorldPart, WorldParts,
+};
 use crate::appearance::Style;
 use crate::camera::{Camera, CameraError, ImageSize, LensForm, Parameters, Projection, ViewWindow, Viewport};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
@@ -148,7 +150,7 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let [show_section, screen_section, compare_section, labels_section] =
         ["show", "screen", "compare", "labels"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
-    let (image, undistorted) = image(image_section, faults);
+    let (image, undistorted, photograph) = image(image_section, faults);
     let (tag, camera, lens) = cameras::current(camera_section, faults);
     let cameras = cameras::cameras(camera_sections, &tag, faults);
     Figure {
@@ -159,6 +161,7 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         tag,
         image,
         undistorted,
+        photograph,
         viewport: viewport(viewport_section, image, faults),
         scene: scene::scene(scene_section, faults),
         points: points::points(point_sections, faults),
@@ -231,16 +234,21 @@ fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindo
     good.then_some(window)
 }
 
-/// The size, and whether the image is shown undistorted.
-fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (ImageSize, bool) {
+/// The size, whether the image is shown undistorted, and the photograph under it.
+fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (ImageSize, bool, Option<Photograph>) {
     let default = ImageSize::default();
     let size = ImageSize {
         width: section.integer("width", 1, i64::from(MAX_SIDE), default.width),
         height: section.integer("height", 1, i64::from(MAX_SIDE), default.height),
     };
     let undistorted = section.switch("undistorted");
+    let file = section.text("photograph");
+    let opacity = section.number_in("photograph_opacity", 0.0, 1.0, Photograph::USUAL_OPACITY);
+    if section.is_present("photograph_opacity") && !section.is_present("photograph") {
+        section.missing("photograph", Allowed::Text);
+    }
     faults.extend(section.finish());
-    (size, undistorted)
+    (size, undistorted, file.map(|file| Photograph { file, opacity }))
 }
 
 fn viewport(mut section: Section<'_>, image: ImageSize, faults: &mut Vec<Fault>) -> Option<Viewport> {

@@ -4,6 +4,7 @@ pub mod depth;
 pub(super) mod light_view;
 pub(super) mod offscreen_arrows;
 pub(super) mod partial_paint;
+mod photograph;
 mod single_precision;
 pub(super) mod vanishing;
 
@@ -148,6 +149,9 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
         &mut drawn.drawing,
         &Rules { background: &[], reserved, first: &[], beside: None, leader: None, author },
     );
+    if greys.is_none() {
+        photograph::under(std::iter::once(&mut drawn.drawing).chain(&mut drawn.before), request);
+    }
     if rect != PixelRect::whole(request.size) {
         let mount = |drawing: Drawing| {
             let mut drawing = mounted(drawing, rect, request.size, palette);
