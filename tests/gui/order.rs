@@ -200,7 +200,7 @@ fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
         alt(&mut window, Key::ArrowUp);
     }
     assert_eq!(symbols(&window), ["S", "T", "R_z", "R_y", "R_x"]);
-    assert!(window.says("step 2 (T) does not fit"));
+    assert!(window.says("Step 2 (T) doesn't fit"));
     let wanted = placed(&window)[0];
     window.click(en::ORDER.take);
     let scene = &window.state().document.figure().scene;
