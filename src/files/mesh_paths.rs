@@ -27,8 +27,8 @@ fn whole_folder(folder: &Path) -> PathBuf {
 }
 
 /// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names
-/// its meshes and its photograph anew, so that they are the same files. A figure without a folder names them as from where the program was
-/// started.
+/// its meshes and its photograph anew, so that they are the same files. A figure without a folder names them as from
+/// where the program was started.
 #[must_use]
 pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
     let mut figure = figure.clone();

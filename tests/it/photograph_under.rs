@@ -1,5 +1,7 @@
 //! The photograph under the image: `[image] photograph` and `photograph_opacity`.
 
+#![expect(clippy::cast_possible_truncation, reason = "colors are bytes")]
+
 use std::io::Cursor;
 
 use camera_lab::appearance::Theme;
@@ -158,6 +160,30 @@ fn a_photograph_that_is_missing_or_none_is_a_notice() {
     reader.next_frame(&mut bytes).expect("pixels");
     let rgb: Vec<u8> = without.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
     assert_eq!(bytes, rgb);
+}
+
+/// A figure inside a picture may be from anywhere: its photograph is in the picture's folder or below, unless the
+/// user allows all files.
+#[test]
+fn the_photograph_of_a_figure_in_a_picture_is_read_where_its_textures_would_be() {
+    let (there, here) = (bench("photograph-there"), bench("photograph-here"));
+    let elsewhere = there.path("photo.png").display().to_string();
+    image(&here, &figure(&format!("photograph = '{elsewhere}'"), BOX), &[]);
+    let again = |more: &[&str]| {
+        let mut arguments = vec!["render", "image.png", "--view", "image", "-o", "again.png"];
+        arguments.extend(more);
+        here.run(&arguments)
+    };
+    let refused = again(&[]);
+    assert_eq!(refused.status, Some(0), "{}", refused.err);
+    assert!(
+        refused.err.contains("[image]: the photograph") && refused.err.contains("it lies elsewhere"),
+        "{}",
+        refused.err
+    );
+    again(&["--allow-files"]).done();
+    image(&here, &figure("photograph = \"photo.png\"", BOX), &[]);
+    again(&[]).done();
 }
 
 /// A page has the photograph as a picture, under areas that are still areas.
