@@ -163,7 +163,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
     let cases = [
         (
             Lang::En,
-            "In the NDC of OpenGL z_n is −1 at F and 1 at B.",
+            "In the NDC of OpenGL, z_n is −1 at F and 1 at B.",
             "fixed 24",
             "f32",
             "told apart",
@@ -171,7 +171,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         ),
         (
             Lang::PtBr,
-            "Nas NDC de OpenGL z_n é −1 em F e 1 em B.",
+            "Nas NDC de OpenGL, z_n é −1 em F e 1 em B.",
             "ponto fixo 24",
             "f32",
             "distinguem-se",
@@ -195,8 +195,8 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         window.app_mut().state.settings.conventions.ndc = Ndc { api: Api::Vulkan, reversed: true, infinite: true };
         window.run();
         let (said, missing) = match lang {
-            Lang::En => ("In the NDC of Vulkan, reversed, B → ∞: z_n is 1 at F and 0 at B → ∞.", "f32 reversed"),
-            Lang::PtBr => ("Nas NDC de Vulkan, invertido, B → ∞: z_n é 1 em F e 0 em B → ∞.", "f32 invertido"),
+            Lang::En => ("In the NDC of Vulkan, reversed, B → ∞, z_n is 1 at F and 0 at B → ∞.", "f32 reversed"),
+            Lang::PtBr => ("Nas NDC de Vulkan, invertido, B → ∞, z_n é 1 em F e 0 em B → ∞.", "f32 invertido"),
         };
         assert!(window.harness.query_by_label(said).is_some());
         assert!(window.harness.query_by_label(missing).is_some() && window.harness.query_by_label(float).is_none());

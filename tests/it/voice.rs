@@ -344,7 +344,7 @@ fn habits_of_a_translation_are_found() {
     assert_eq!(faults("", native, Lang::En, &NATIVE), [""; 0]);
     let strange = "Onde seu arquivo não existe, isso é dito; sua cópia fica em seu lugar.";
     assert_eq!(faults("", strange, Lang::PtBr, &NATIVE_PT).len(), 4);
-    assert_eq!(prose("Read `where`, $if$ and [this](where.md)."), "Read  x ,  x  and [this] .");
+    assert_eq!(prose("Read `where`, $if$ and [this](where.md)."), "Read  X ,  X  and [this] .");
     assert_eq!(literals("// \"no text\"\nlet a = \"two \\\"words\\\"\"; b(\"one\")"), ["two \"words\""]);
     assert!(is_portuguese("o plano de fundo") && !is_portuguese("the back plane"));
 }

@@ -214,7 +214,7 @@ impl App {
         self.focus.end(ctx);
     }
 
-    /// Settings and title for the system, then the session and the preferences. A figure that moves is kept when it rests.
+    /// Settings and title for the system, then session and preferences. A figure that moves is kept when it rests.
     fn background(&mut self, ctx: &egui::Context) {
         self.apply_settings(ctx);
         self.refuse_links(ctx);

@@ -23,7 +23,8 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut St
     if ui.checkbox(&mut predict.on, t.switch).explained(t.switch_hint).changed() && !predict.on {
         predict.asked = None;
     }
-    let Some(mut asked) = predict.asked.take() else { return };
+    let asked = predict.asked.take().filter(|asked| asked.document == state.document.id());
+    let Some(mut asked) = asked else { return };
     let mut goes_on = true;
     ui.group(|ui| {
         let name = written(asked.freedom.by(asked.amount), window);

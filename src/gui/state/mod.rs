@@ -464,7 +464,7 @@ impl State {
 
     /// The question of an operation, where a point will go.
     fn placing_of_operation(&self) -> Option<Placing> {
-        let asked = self.operations.predict.asked.as_ref()?;
+        let asked = self.operations.predict.asked.as_ref().filter(|asked| asked.document == self.document.id())?;
         let About::Place { from, to, mark, .. } = asked.about else { return None };
         let done = |place| Some(place).filter(|_| asked.is_done);
         Some(Placing {
@@ -487,7 +487,8 @@ impl State {
         let (camera, image) = (self.document.camera(), self.document.figure().image);
         let subject = (camera, image, &**self.scene_cache.scene());
         let about = About::of(subject, (freedom, amount), self.operations.convention);
-        let asked = about.map(|about| Prediction { freedom, amount, about, is_done: false });
+        let document = self.document.id();
+        let asked = about.map(|about| Prediction { freedom, amount, about, document, is_done: false });
         let asks = asked.is_some();
         self.layout.shown[View::Image.index()] |= asks;
         self.operations.predict.asked = asked;

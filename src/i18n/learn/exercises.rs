@@ -318,10 +318,10 @@ pub fn tolerance(lang: Lang, ask: &Ask) -> String {
     match (numbers, ask.whole) {
         (false, _) => String::new(),
         (true, _) if ask.places => both!(lang; "within {by}{unit} across and down",
-            "com erro até {by}{unit} na horizontal e na vertical"),
+            "com erro de até {by}{unit} na horizontal e na vertical"),
         (_, true) => both!(lang; "whole numbers", "números inteiros"),
         (..) => pick!(lang; format!("within {by}{unit}{}, or rounded to 3 digits or more", share(" and")),
-            format!("com erro até {by}{unit}{}, ou arredondado a 3 dígitos ou mais", share(" e"))),
+            format!("com erro de até {by}{unit}{}, ou arredondado a 3 dígitos ou mais", share(" e"))),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::sanitize::escaped;
 texts! {
     lessons: "Lessons", "Lições";
     lesson: "lesson", "lição";
-    aims: "Afterwards you can", "Depois você sabe";
+    aims: "Afterwards you can", "Depois você saberá";
     plan: "Plan for 50 minutes", "Plano para 50 minutos";
     pretest: "Before the lesson", "Antes da lição";
     posttest: "After the lesson", "Depois da lição";
@@ -117,7 +117,7 @@ texts! {
     lessons_command: "Lessons…", "Lições…";
     lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
     of_folder: "In the folder of your figures", "Na pasta de suas figuras";
-    learn_next: "Learn next", "Aprender a seguir";
+    learn_next: "Learn next", "Próxima lição";
     leads_to: "Exercises", "Exercícios";
     finished: "finished", "concluída";
     read_more: "Read", "Ler";

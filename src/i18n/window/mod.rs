@@ -395,16 +395,16 @@ texts! {
     // Operations.
     operations: "Operations", "Operações";
     elevation: "Elevation", "Elevação";
-    elevation_effect: "C, VUP about u through PF", "C, VUP em torno de u por PF";
+    elevation_effect: "C, VUP about u through PF", "C, VUP em torno de u, passando por PF";
     azimuth: "Azimuth", "Azimute";
     azimuth_of_vtk: "As in the lecture notes, about v: VUP turns too, and a camera that looks down leans. VTK turns about VUP", "Como nas notas de aula, em torno de v: VUP gira junto, e uma câmera que olha para baixo se inclina. O VTK gira em torno de VUP";
-    azimuth_effect: "C, VUP about v through PF", "C, VUP em torno de v por PF";
+    azimuth_effect: "C, VUP about v through PF", "C, VUP em torno de v, passando por PF";
     roll: "Roll", "Rolagem";
     roll_effect: "VUP about n", "VUP em torno de n";
     yaw: "Yaw", "Guinada";
-    yaw_effect: "PF, VUP about v through C", "PF, VUP em torno de v por C";
+    yaw_effect: "PF, VUP about v through C", "PF, VUP em torno de v, passando por C";
     pitch: "Pitch", "Arfagem";
-    pitch_effect: "PF, VUP about u through C", "PF, VUP em torno de u por C";
+    pitch_effect: "PF, VUP about u through C", "PF, VUP em torno de u, passando por C";
     zoom: "Zoom", "Zoom";
     zoom_effect: "l, r, b, t divided by s", "l, r, b, t divididos por s";
     dolly: "Dolly", "Travelling";

@@ -17,7 +17,7 @@ texts! {
 }
 
 /// Groups of names for one thing, without accents: those of the notes, of other books and of libraries, in both
-/// languages. Whoever types one of them finds what has another.
+/// languages. If you type one of them, you also find the others.
 const SYNONYMS: &[&[&str]] = &[
     &["fov", "fovy", "field of view", "view angle", "abertura", "campo de visao", "angulo de vista", "θ", "theta"],
     &["frustum", "tronco", "view volume", "volume de vista", "viewing volume", "piramide de visao"],

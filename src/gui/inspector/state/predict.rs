@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Convention, Freedom, ImageSize};
 use crate::exercises::place_of;
+use crate::gui::model::history::Revision;
 use crate::scene::Scene;
 
 /// A change of size that nobody sees.
@@ -31,6 +32,8 @@ pub struct Prediction {
     pub amount: f64,
     /// Its question.
     pub about: About,
+    /// The document whose camera it moves: another one ends it.
+    pub(in crate::gui) document: Revision,
     /// It was done: what was said is compared with what happened.
     pub is_done: bool,
 }
