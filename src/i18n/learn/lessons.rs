@@ -88,6 +88,7 @@ texts! {
     is_kept: "in the file", "no arquivo";
     not_kept: "not yet in the file", "ainda não no arquivo";
     not_written: "Not written into the file", "Não foi escrito no arquivo";
+    unfinished: "Write the question and its answers. Then it goes into the file.", "Escreva a pergunta e as respostas. Depois ela vai para o arquivo.";
     step_title_field: "Title", "Título";
     step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
     of_step: "This step", "Este passo";

@@ -425,9 +425,9 @@ texts! {
     kept_operations: "In the figure:", "Na figura:";
     take_out: "Take the operations out of the figure", "Tirar as operações da figura";
     title_command: "Title and caption…", "Título e legenda…";
-    title_hint: "The words above the figure in a presentation, in exports and on its card", "As palavras acima da figura na apresentação, nas exportações e no seu cartão";
+    title_hint: "The words above the figure in a presentation and on its card. Exports carry them as their title", "As palavras acima da figura na apresentação e no cartão. As exportações as levam como título do arquivo";
     title_heading: "Title and caption", "Título e legenda";
-    title_text: "They stand above the figure in a presentation, in exports and on its card in the gallery.", "Aparecem acima da figura na apresentação, nas exportações e no seu cartão da galeria.";
+    title_text: "They stand above the figure in a presentation and on its card in the gallery. Exports carry them as the title of the file.", "Aparecem acima da figura na apresentação e no cartão da galeria. As exportações as levam como título do arquivo.";
     title_name: "Title", "Título";
     caption_name: "Caption", "Legenda";
     in_english: "in English", "em inglês";

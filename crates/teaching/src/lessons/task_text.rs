@@ -93,6 +93,18 @@ pub struct ConditionText {
 }
 
 impl TaskText {
+    /// True while its author has still to fill in the question, a choice or the number.
+    #[must_use]
+    pub fn is_unfinished(&self) -> bool {
+        let is_blank = |text: &Bilingual| text.en.trim().is_empty() && text.pt_br.trim().is_empty();
+        match self.kind {
+            TaskKind::None | TaskKind::Exercise | TaskKind::InFile => false,
+            TaskKind::Choices => is_blank(&self.text) || self.choices.iter().any(|choice| is_blank(&choice.text)),
+            TaskKind::Number => is_blank(&self.text) || self.number.trim().is_empty(),
+            TaskKind::Goal => is_blank(&self.text),
+        }
+    }
+
     /// The task in the text of a step, as the file has it.
     #[must_use]
     pub fn of_step(step: &str) -> Self {

@@ -80,8 +80,11 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     let is_typed = writing.typed != before;
     let waits = writing.is_ahead() && now - writing.typed_at > PAUSE && writing.fault.is_none();
     if let Some(fault) = &writing.fault {
-        let text = format!("{}: {}", t.not_written, messages::without_line(lang, fault));
-        ui.label(RichText::new(text).color(ui.visuals().error_fg_color));
+        let is_unfinished = writing.shows == Fields::Task && writing.typed.task.is_unfinished();
+        let reason = || messages::without_line(lang, fault);
+        let text = if is_unfinished { t.unfinished.to_owned() } else { format!("{}: {}", t.not_written, reason()) };
+        let color = if is_unfinished { ui.visuals().weak_text_color() } else { ui.visuals().error_fg_color };
+        ui.label(RichText::new(text).color(color));
     }
     let has_fault = writing.fault.is_some();
     if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
