@@ -129,7 +129,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.wait(|window| window.state().file_flow.theirs.is_some());
     assert_eq!(window.state().document.figure().camera.far, 75.0);
-    assert!(window.says("a.toml was changed by another program; this window has changes too."));
+    assert!(window.says("a.toml was changed by another program, and you have changes in this window too."));
     window.command_key(Key::S);
     assert!(window.says(en::WINDOW.changed_title));
     assert_eq!(fs::read_to_string(folder.file("a.toml")).expect("there"), newer);
