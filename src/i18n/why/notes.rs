@@ -83,7 +83,7 @@ impl Note {
     }
 }
 
-/// The page that says what the texts [0] … [4] and the spaces are.
+/// The page that says what the texts `[0]` … `[4]` and the spaces are.
 pub const SOURCES: &str = "sources";
 
 static EN: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/en.md")));
