@@ -144,7 +144,7 @@ fn a_photograph_that_is_missing_or_none_is_a_notice() {
     for (file, language, words) in [
         ("gone.jpg", "en", "[image]: the photograph gone.jpg"),
         ("text.png", "en", "is no picture that is known; allowed: PNG, JPEG and WebP; the image is shown without it"),
-        ("gone.jpg", "pt-BR", "[image]: a fotografia gone.jpg"),
+        ("gone.jpg", "pt-BR", "[image]: o arquivo da fotografia gone.jpg"),
         ("text.png", "pt-BR", "e a imagem aparece sem ela"),
     ] {
         bench.write("figure.toml", figure(&format!("photograph = \"{file}\""), BOX));

@@ -48,10 +48,10 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
             "faces côncavas com vértices demais: {count}. São preenchidas como se fossem convexas, o que mostra áreas erradas"
         ),
         (Lang::PtBr, MeshNotice::Texture(error)) => {
-            format!("a textura {}, e a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
+            format!("o arquivo da textura {}, e a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
         }
         (Lang::PtBr, MeshNotice::Photograph(error)) => {
-            format!("a fotografia {}, e a imagem aparece sem ela", texture_in_portuguese(error))
+            format!("o arquivo da fotografia {}, e a imagem aparece sem ela", texture_in_portuguese(error))
         }
         (Lang::PtBr, MeshNotice::NoCoordinates) => {
             "a malha não tem coordenadas de textura, e a cor dela aparece em lugar da textura".to_owned()

@@ -65,13 +65,13 @@ impl Located {
         AxisVanishing { axis: self.axis, pixel, spread: self.spread }
     }
 
-    /// True if it cannot be told from a point at infinity.
+    /// True if it may as well be a point at infinity.
     fn is_ideal(&self) -> bool {
         self.point.z.abs() <= SURE * self.error.z
     }
 }
 
-/// A number is told from 0 if it is this many times its error for one pixel.
+/// A number counts as different from 0 if it's this many times its error for one pixel.
 const SURE: f64 = 2.0;
 
 /// The vanishing points of the axes that have at least two lines; `pixel` is the size of one.

@@ -8,7 +8,7 @@
 //! known length the distance.
 //!
 //! The textbook way divides by w and fails when lines are parallel in the image. Here points stay homogeneous, and
-//! 1/f² is computed in place of f: where it cannot be told from 0 with the error of a pixel, f cannot be known.
+//! 1/f² is computed in place of f: if it's within the error of a pixel from 0, f is unknown.
 
 mod lines;
 
@@ -34,7 +34,7 @@ pub struct PhotographMarks {
 pub struct AxisVanishing {
     /// Whose lines meet there.
     pub axis: WorldAxis,
-    /// Its pixel; `None`: its lines cannot be told from lines that are parallel in the image.
+    /// Its pixel; `None` if its lines may be parallel in the image.
     pub pixel: Option<DVec2>,
     /// Smallest angle between its lines and the average of their directions, degrees: the smaller it is, the more a
     /// pixel costs.

@@ -1,6 +1,6 @@
 //! The visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer.
 //!
-//! A raster asks its depth buffer pixel by pixel. Here each segment of a stroke is held against each triangle that it
+//! A raster asks its depth buffer pixel by pixel. Here each segment of a stroke is compared with each triangle that it
 //! passes. Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)): a triangle
 //! hides a segment between two points, which are found without steps (the quantitative invisibility of Appel 1967, one
 //! face at a time).

@@ -40,7 +40,7 @@ pub(super) struct Segments {
 }
 
 impl Segments {
-    /// Sets up eight segments at most. The others have no pixels. `DEPTH`: somebody wants to know depths.
+    /// Sets up eight segments at most. The others have no pixels. `DEPTH`: depths are wanted.
     #[inline(always)]
     pub(super) fn new<K: Simd, const DEPTH: bool>(
         simd: K,

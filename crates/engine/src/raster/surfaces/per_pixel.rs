@@ -35,7 +35,7 @@ pub(super) struct PerPixel<'a, K: Simd> {
     inverse_w: [f32x8<K>; 3],
     base: BaseColors<'a, K>,
     light: Light<'a, K>,
-    /// The first of the shadows. Those after it are read anew at each pixel.
+    /// The first of the shadows. Those after it are read again at each pixel.
     shadow: Option<ShadowOn<K>>,
     /// Those that go together.
     simple: mask32x8<K>,
