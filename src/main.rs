@@ -47,7 +47,7 @@ mod system {
         cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
     }
 
-    /// Says why there is no window. Windows has no console for a program that was opened by a double click: there it is
+    /// Says why there is no window. Windows has no console for a program that was opened by a double click. There it is
     /// a box.
     fn no_window(status: u8, message: &str) -> ExitCode {
         #[cfg(all(windows, feature = "gui"))]

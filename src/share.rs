@@ -33,7 +33,7 @@ impl Held {
     }
 }
 
-/// As small as it gets: a figure is packed in a moment.
+/// As small as it gets. A figure is packed in a moment.
 const LEVEL: u8 = 10;
 
 /// Why there is no link to a figure or a lesson, or neither in a link. Displayed, it is a sentence.
@@ -52,7 +52,7 @@ pub enum ShareError {
     TooLarge,
 }
 
-/// The link to the figure or lesson with this text. `address` is that of the page which opens it. Empty: only the part
+/// The link to the figure or lesson with this text. `address` is that of the page which opens it. Empty means only the part
 /// after the address.
 ///
 /// # Errors

@@ -238,7 +238,7 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     text
 }
 
-/// The command that writes the picture to match: a figure would give the answer away.
+/// The command that writes the picture to match. A figure would give the answer away.
 fn picture_command(exercise: &Exercise) -> String {
     format!("camera-lab exercise show {} --seed {} --picture OUT.png", exercise.id, exercise.seed)
 }

@@ -113,7 +113,7 @@ fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<Obje
     scene.objects.iter().zip(&account.objects).map(line).collect()
 }
 
-/// Draws the picture twice: the first time, memory new to the process would dominate the measurement.
+/// Draws the picture twice. The first time, memory new to the process would dominate the measurement.
 fn account(request: &Request) -> Option<RenderReport> {
     let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
     renderer.measure(Some(clock::now));

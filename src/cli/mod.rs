@@ -79,7 +79,7 @@ pub enum Asked {
 pub struct Opening {
     /// The figure. Its camera is possible.
     pub figure: Figure,
-    /// Its file; `None`: a new figure.
+    /// Its file; `None` means a new figure.
     pub file: Option<SourceFile>,
     /// The user allows the figure to name any file.
     pub allow_files: bool,

@@ -13,9 +13,9 @@ use crate::share;
 /// The files that a figure may name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FileAccess {
-    /// Of a figure that came without a folder, as in a link: it has the meshes of the program.
+    /// Of a figure that came without a folder, as in a link. It has the meshes of the program.
     Link,
-    /// A step of a lesson file: its meshes and textures, and the files they name, are in the lesson's folder or below.
+    /// A step of a lesson file. Its meshes and textures, and the files they name, are in the lesson's folder or below.
     Lesson,
     /// A figure from a picture: its meshes, and the files they name, are in the picture's folder or below.
     Picture,
@@ -56,7 +56,7 @@ impl FileAccess {
 /// Reads the files that one figure names.
 ///
 /// *Guarantees*: only regular files of this machine, within the allowed folders, and never more than
-/// [`MAX_SCENE_BYTES`] of them in all. Files outside are not even looked at: the message does not reveal whether they
+/// [`MAX_SCENE_BYTES`] of them in all. Files outside are not even looked at. The message does not reveal whether they
 /// exist.
 #[derive(Clone, Debug)]
 pub struct FigureFiles {

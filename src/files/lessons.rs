@@ -24,7 +24,7 @@ pub struct OwnLessons {
 /// Reads a lesson, and the text of its file or link.
 ///
 /// # Errors
-/// [`FileError`]: the file or link cannot be read, or holds no lesson.
+/// [`FileError`] if the file or link cannot be read, or holds no lesson.
 pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
     let bytes = match share::link_of(path).and_then(share::text_in) {
         Some(text) => text?,
@@ -38,7 +38,7 @@ pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
 /// into.
 ///
 /// # Errors
-/// [`FileError`]: the folder cannot be read, or has too many files. The fault of a single file is in `faults`, and the
+/// [`FileError`] if the folder cannot be read, or has too many files. The fault of a single file is in `faults`, and the
 /// others can be used.
 pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     let mut found = OwnLessons::default();

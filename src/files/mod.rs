@@ -131,7 +131,7 @@ pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
     Ok(Opened { from_picture: opened.from_picture || is_link, ..opened })
 }
 
-/// As [`open_figure`], but of a figure whose camera is impossible: it comes with the error of its camera.
+/// As [`open_figure`], but of a figure whose camera is impossible. It comes with the error of its camera.
 ///
 /// # Errors
 /// As for [`open_figure`], except for an impossible camera.

@@ -31,7 +31,7 @@ pub struct BadExercise {
 /// Reads the exercises of a folder: each file that ends with `.toml`, one each. Folders in it are not looked into.
 ///
 /// # Errors
-/// [`FileError`]: the folder cannot be read, or has too many of them. The fault of a single file is in `faults`, and
+/// [`FileError`] if the folder cannot be read, or has too many of them. The fault of a single file is in `faults`, and
 /// the others can be used.
 pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     let mut found = OwnExercises::default();
@@ -47,7 +47,7 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
 /// The files of a folder that end with `.toml`, in the order in which people expect them.
 ///
 /// # Errors
-/// [`FileError`]: the folder cannot be read, or has too many of them.
+/// [`FileError`] if the folder cannot be read, or has too many of them.
 pub(super) fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     if super::is_network(folder) {
         return Err(FileError::Network);

@@ -1,4 +1,4 @@
-//! The figures and meshes that are part of the program: they are there wherever it is, installed or not.
+//! The figures and meshes that are part of the program. They are there wherever it is, installed or not.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -49,7 +49,7 @@ macro_rules! shipped {
     };
 }
 
-/// All of them, in the order in which they are shown: every named scene is among them.
+/// All of them, in the order in which they are shown. Every named scene is among them.
 pub const SHIPPED_FIGURES: [ShippedFigure; 51] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at";

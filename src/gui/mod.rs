@@ -29,7 +29,7 @@ pub use state::State;
 pub struct Start {
     /// The figure. Its camera must be possible.
     pub figure: Figure,
-    /// Its file; `None`: a new figure.
+    /// Its file; `None` means a new figure.
     pub file: Option<SourceFile>,
     /// The language of the interface.
     pub lang: Lang,

@@ -302,7 +302,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
             (
                 "doc comments",
                 ["crates/engine/src", "crates/figures/src", "crates/teaching/src", "src"].map(docs).join("\n"),
-                Bounds { chains: 18.5, person: 0.0, ..NATIVE },
+                Bounds { person: 0.0, ..NATIVE },
             ),
         ],
         Lang::PtBr => vec![

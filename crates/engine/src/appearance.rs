@@ -173,7 +173,7 @@ pub enum DepthFormat {
 }
 
 impl DepthFormat {
-    /// The greatest stored number, which stands for the depth 1; `None`: depths are stored as they are.
+    /// The greatest stored number, which stands for the depth 1; `None` means depths are stored as they are.
     #[must_use]
     pub const fn greatest(self) -> Option<f32> {
         match self {
@@ -241,7 +241,7 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// Lengths drawn and left out in turn, in multiples of the width, the round ends included. Empty: no gaps.
+    /// Lengths drawn and left out in turn, in multiples of the width, the round ends included. Empty means no gaps.
     #[must_use]
     pub const fn pattern(self) -> &'static [f32] {
         match self {
@@ -287,7 +287,7 @@ impl LineStyle {
         Self { hidden, ..self }
     }
 
-    /// The style of the part behind such faces; `None`: it is not drawn.
+    /// The style of the part behind such faces; `None` means it is not drawn.
     #[must_use]
     pub fn behind(self, faces: Occlusion) -> Option<Self> {
         #[expect(clippy::cast_possible_truncation, reason = "less than the alpha it comes from")]

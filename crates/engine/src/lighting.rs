@@ -40,7 +40,7 @@ pub(crate) fn shade_eight<S: Simd>(
 
 /// The light on eight points, whatever their colours: the share of its own colour that a point sends back, `ambient +
 /// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1. `arrives`: the share of the light of a lamp that
-/// no shadow takes away, at the points that it lights; `None`: all of it.
+/// no shadow takes away, at the points that it lights; `None` means all of it.
 #[inline(always)]
 pub(crate) fn light_eight<S: Simd>(
     simd: S,

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-/// The longest side of a picture in pixels: the rasterizer counts in 1/256 of a pixel, and has room for this and a
+/// The longest side of a picture in pixels. The rasterizer counts in 1/256 of a pixel, and has room for this and a
 /// border.
 pub const MAX_SIDE: u32 = 16_384;
 
@@ -28,7 +28,7 @@ pub const PAPER_LINES: RangeInclusive<f64> = 0.01..=100.0;
 /// The factor of pictures, strokes and letters: from a stamp to sixteen screens.
 pub const SCALE: RangeInclusive<f64> = 0.1..=16.0;
 
-/// The most pictures of a family: a sheet of paper with eight by eight of them has the size of stamps.
+/// The most pictures of a family. A sheet of paper with eight by eight of them has the size of stamps.
 pub const MAX_FAMILY: usize = 64;
 
 /// The most pictures of an animation of a family: a minute of them.
@@ -56,10 +56,10 @@ pub const DEFAULT_SEGMENTS: u32 = 32;
 /// The most meridians that a curved shape names as edges: with more, the wireframe of a sphere is no longer legible.
 pub const MAX_MERIDIANS: u32 = 16;
 
-/// No mesh has more vertices than this: they are counted with 32 bits, with room for those that cutting makes.
+/// No mesh has more vertices than this. They are counted with 32 bits, with room for those that cutting makes.
 pub const MAX_VERTICES: usize = 1 << 31;
 
-/// The most objects of a scene, the parts of its meshes included: they take about a gigabyte and some seconds to be
+/// The most objects of a scene, the parts of its meshes included. They take about a gigabyte and some seconds to be
 /// drawn, and a mesh file can begin one with each face.
 pub const MAX_OBJECTS: usize = 1 << 17;
 
@@ -67,23 +67,23 @@ pub const MAX_OBJECTS: usize = 1 << 17;
 /// second. A polygon takes about the square of its corners, so that one of 10 000 is still cut right.
 pub const MAX_EAR_STEPS: usize = 1 << 28;
 
-/// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be distinguished.
+/// The most lights of a scene. Each is computed at each pixel, and more than a few can hardly be distinguished.
 pub const MAX_LIGHTS: usize = 1024;
 
 /// The most texels of all shadow maps of a scene: half a gigabyte of depths, which all its pictures share. A lamp has
 /// six maps.
 pub const MAX_SHADOW_TEXELS: u64 = 1 << 27;
 
-/// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
+/// The most named points of a figure. More names and rays can hardly be distinguished in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
-/// The most cameras of a figure besides its own: more volumes can hardly be distinguished in a picture.
+/// The most cameras of a figure besides its own. More volumes can hardly be distinguished in a picture.
 pub const MAX_CAMERAS: usize = 32;
 
-/// The longest name of a camera in characters: it is a label in the world.
+/// The longest name of a camera in characters. It is a label in the world.
 pub const MAX_CAMERA_NAME: usize = 60;
 
-/// The most notes of a figure, and the most labels that it hides, renames, moves or styles: a picture has no room for
+/// The most notes of a figure, and the most labels that it hides, renames, moves or styles. A picture has no room for
 /// more.
 pub const MAX_LABELS: usize = 256;
 
@@ -103,7 +103,7 @@ pub const MAX_TITLE: usize = 120;
 /// The longest caption of a figure in characters: a paragraph under a picture.
 pub const MAX_CAPTION: usize = 600;
 
-/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be
+/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`). More axes can hardly be
 /// distinguished.
 pub const MAX_SHOWN_OBJECTS: usize = 32;
 
@@ -113,7 +113,7 @@ pub const MAX_COMPARED_KEYS: usize = 16;
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 
-/// The longest file of preferences or of progress with exercises in bytes: both take some kilobytes.
+/// The longest file of preferences or of progress with exercises in bytes. Both take some kilobytes.
 pub const MAX_KEPT_BYTES: u64 = 8 << 20;
 
 /// The longest session file in bytes: the text of a figure twice, with characters that JSON writes longer.
@@ -136,14 +136,14 @@ pub const MAX_TEXTURE_SIDE: u32 = 16_384;
 /// levels of detail, and 270 where a filter mixes two of these, for which they are laid out once more.
 pub const MAX_TEXELS: u64 = 1 << 24;
 
-/// The most bytes that a texture's file may unpack beside its texels, such as a color profile: a real one takes at most
+/// The most bytes that a texture's file may unpack beside its texels, such as a color profile. A real one takes at most
 /// some megabytes.
 pub const MAX_TEXTURE_METADATA: u64 = 16 << 20;
 
 /// The most repetitions of a texture on a surface: beyond these nothing is left of it.
 pub const MAX_TEXTURE_SCALE: f64 = 10_000.0;
 
-/// The most items of sparse accessors that are 0 because no bytes are behind them: a line of JSON can ask for billions.
+/// The most items of sparse accessors that are 0 because no bytes are behind them. A line of JSON can ask for billions.
 pub const MAX_ZEROS: usize = 1 << 20;
 
 /// The most pieces into which faces are split to be sorted: crossing faces make pieces by the cube of their number.
@@ -151,10 +151,10 @@ pub const MAX_ZEROS: usize = 1 << 20;
 /// and 5 GiB.
 pub const MAX_PIECES: usize = 1 << 19;
 
-/// The most bytes that the corners of these pieces take: there is no bound to how many corners a piece can have.
+/// The most bytes that the corners of these pieces take. There is no bound to how many corners a piece can have.
 pub const MAX_PIECE_BYTES: usize = 256 << 20;
 
-/// The most steps in which strokes are compared with faces and one another, for outputs without a depth buffer: they
+/// The most steps in which strokes are compared with faces and one another, for outputs without a depth buffer. They
 /// take some seconds. A stored result counts as several steps, so that memory stays below some hundred MiB.
 pub const MAX_STROKE_STEPS: usize = 1 << 28;
 
@@ -173,19 +173,19 @@ pub const MAX_TYPED: usize = 1 << 15;
 /// than the stack of the typesetter.
 pub const MAX_FORMULA: (usize, usize) = (1000, 30);
 
-/// The longest answer to an exercise in bytes: a matrix of roots takes a few hundred.
+/// The longest answer to an exercise in bytes. A matrix of roots takes a few hundred.
 pub const MAX_ANSWER: usize = 10_000;
 
-/// The longest file of an exercise of one's own in bytes: a figure with a scene takes some kilobytes.
+/// The longest file of an exercise of one's own in bytes. A figure with a scene takes some kilobytes.
 pub const MAX_EXERCISE_BYTES: usize = 1 << 20;
 
-/// The most exercises in a folder: all are read when the folder is; a lecture has a few dozen.
+/// The most exercises in a folder. All are read when the folder is; a lecture has a few dozen.
 pub const MAX_OWN_EXERCISES: usize = 256;
 
-/// The most questions of one exercise: they are lettered from a to z.
+/// The most questions of one exercise. They are lettered from a to z.
 pub const MAX_ASKS: usize = 26;
 
-/// The longest identifier of an exercise or of a question, in characters: it is part of a command line.
+/// The longest identifier of an exercise or of a question, in characters. It is part of a command line.
 pub const MAX_EXERCISE_NAME: usize = 64;
 
 /// The most undo steps: more than anybody goes back.
@@ -207,13 +207,13 @@ pub const MAX_SESSIONS: usize = 16;
 /// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.
 pub const MAX_STEPPED_PIXELS: u64 = 1 << 22;
 
-/// In scenes of more triangles shadow maps are not held against rays: the tree over them takes some 250 MB.
+/// In scenes of more triangles shadow maps are not held against rays. The tree over them takes some 250 MB.
 pub const MAX_RAY_TRIANGLES: usize = 1 << 21;
 
 /// Steps of a lesson: more than fit into an hour.
 pub const MAX_LESSON_STEPS: usize = 100;
 
-/// Conditions of one goal of a lesson: each may draw the image.
+/// Conditions of one goal of a lesson. Each may draw the image.
 pub const MAX_CONDITIONS: usize = 64;
 
 /// Bytes of a lesson file: a hundred steps with their texts and figures.

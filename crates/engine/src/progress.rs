@@ -1,6 +1,6 @@
 //! Progress and cancellation of long work: shared by whoever does it and whoever waits for it.
 //!
-//! Without threads, long work is done in slices, with other work between them: it is written as a future, which pauses
+//! Without threads, long work is done in slices, with other work between them. It is written as a future, which pauses
 //! after each step. Nothing wakes it: whoever does it [polls](Future::poll) it when there is time, or does it [all at
 //! once](at_once).
 
@@ -37,7 +37,7 @@ pub struct Progress {
     steps: Arc<Steps>,
 }
 
-/// Each value says something by itself: no order between them is needed.
+/// Each value says something by itself. No order between them is needed.
 #[derive(Debug, Default)]
 struct Steps {
     /// The index of what is being done, from 1; 0: nothing that is told.
@@ -79,7 +79,7 @@ impl Progress {
         self.steps.doing.store(index.unwrap_or(0), Ordering::Relaxed);
     }
 
-    /// Starts one of several passes, each an equal share of an activity: this one has a number of steps.
+    /// Starts one of several passes, each an equal share of an activity. This one has a number of steps.
     pub fn begin_pass(&self, doing: Activity, steps: usize, [pass, passes]: [usize; 2]) {
         self.begin(doing, 0);
         self.advance(steps * pass);

@@ -6,7 +6,7 @@ use std::path::Path;
 /// The most characters of a foreign text that are shown in a message.
 const LONGEST: usize = 40;
 
-/// The most characters of a path that are shown: its end says which file it is.
+/// The most characters of a path that are shown. Its end says which file it is.
 const LONGEST_PATH: usize = 160;
 
 /// A foreign text as a part of a message: on one line, without control characters, at most 40 characters and `…`.

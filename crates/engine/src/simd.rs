@@ -1,6 +1,6 @@
 //! Wide vectors: the one door to the library that has them, which is young and may change.
 //!
-//! Whatever is computed in vectors has the same bits on every machine: no operation is fused with another, and none is
+//! Whatever is computed in vectors has the same bits on every machine. No operation is fused with another, and none is
 //! left to an instruction that only approximates.
 
 use std::sync::LazyLock;
@@ -62,7 +62,7 @@ macro_rules! with_vectors {
 }
 pub(crate) use with_vectors;
 
-/// True if this machine has vectors at all: only x86 processors without SSE 4.2 have none.
+/// True if this machine has vectors at all. Only x86 processors without SSE 4.2 have none.
 pub(crate) fn has_vectors() -> bool {
     with_vectors!(_simd => true, else false)
 }
@@ -97,7 +97,7 @@ pub(crate) fn round_bits_f64<K: Simd>(v: f64x4<K>) -> [i32; 4] {
     [bits[0], bits[2], bits[4], bits[6]]
 }
 
-/// The nearest multiple of 1/`steps`, a power of two: a number is added and subtracted again.
+/// The nearest multiple of 1/`steps`, a power of two. A number is added and subtracted again.
 #[inline(always)]
 pub(crate) fn round_to_steps(v: f64, steps: f64) -> f64 {
     let zero = ROUND_F64 / steps;

@@ -98,7 +98,7 @@ impl Stage {
         self.row().0
     }
 
-    /// The file that shows how it works, from the root of the project: it has a function of the stage's name.
+    /// The file that shows how it works, from the root of the project. It has a function of the stage's name.
     ///
     /// The stages of geometry are what pictures are made with. For the stages of the rasterizer it's the textbook, to
     /// which the fast files are equal to the byte. Hidden surfaces are there too: the order in which faces are painted

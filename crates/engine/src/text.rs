@@ -8,8 +8,8 @@ use skrifa::metrics::GlyphMetrics;
 use skrifa::outline::{DrawSettings, OutlineGlyphCollection, OutlinePen};
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
-/// A font that comes with the program. A page has fewer characters of it, with the same outlines (`dist/web/fonts.sh`):
-/// it is downloaded.
+/// A font that comes with the program. A page has fewer characters of it, with the same outlines (`dist/web/fonts.sh`).
+/// It is downloaded.
 #[cfg(not(target_arch = "wasm32"))]
 macro_rules! font {
     ($name:literal) => {
@@ -70,7 +70,7 @@ impl Face {
     }
 }
 
-/// The font of a character, and the character that it has there: the bold and italic letters of Unicode's mathematics
+/// The font of a character, and the character that it has there. The bold and italic letters of Unicode's mathematics
 /// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these
 /// have it.
 #[must_use]

@@ -67,7 +67,7 @@ impl Axis {
 pub struct Series {
     /// Its name in the legend.
     pub name: String,
-    /// Index of the colour in the palette; `None`: grey.
+    /// Index of the colour in the palette; `None` means grey.
     pub color: Option<usize>,
     /// In the units of the axes.
     pub points: Vec<[f64; 2]>,

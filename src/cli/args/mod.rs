@@ -245,7 +245,7 @@ pub(super) struct AnimateArgs {
     pub(super) steps: Decomposition,
     #[command(flatten)]
     pub(super) family: FamilyArgs,
-    /// In place of the steps: the way to the camera of another figure, on arcs about what stays
+    /// In place of the steps. The way to the camera of another figure, on arcs about what stays
     #[arg(long, value_name = "FIGURE", conflicts_with_all = ["vary", "steps"])]
     pub(super) to: Option<PathBuf>,
     /// Number of pictures of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip

@@ -59,7 +59,7 @@ pub(in crate::cli) struct OutputArgs {
     /// say what the pixels do
     #[arg(long, value_parser = one_of(Faces::ALL, Faces::name), default_value = Faces::default().name())]
     faces: Faces,
-    /// Letters of an SVG or PDF as outlines: no program needs the font, and none can search or edit them
+    /// Letters of an SVG or PDF as outlines. No program needs the font, and none can search or edit them
     #[arg(long)]
     outlines: bool,
     /// Figure file whose observers see the world and the canonical volume, as they are seen in its own pictures: what
@@ -153,7 +153,7 @@ impl OutputArgs {
         FileOptions { format, crop: self.crop, dpi, faces: self.faces, letters: self.outlines() }
     }
 
-    /// True where the number of pixels per inch is more than a guess: it is given, or a size on paper is.
+    /// True where the number of pixels per inch is more than a guess. It is given, or a size on paper is.
     fn is_for_paper(&self) -> bool {
         self.dpi.is_some() || self.width_cm.is_some() || self.paper.is_some()
     }

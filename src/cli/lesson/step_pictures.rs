@@ -26,7 +26,7 @@ const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
 /// A lesson, and where it comes from.
 pub(in crate::cli) struct Found {
     pub(in crate::cli) lesson: Arc<Lesson>,
-    /// `None`: one of the program.
+    /// `None` means one of the program.
     pub(in crate::cli) path: Option<PathBuf>,
 }
 

@@ -57,7 +57,7 @@ pub fn begin(page: Page) {
     files().page = Some(page);
 }
 
-/// Gives a file to the page: it can be read from now on, under its name.
+/// Gives a file to the page. It can be read from now on, under its name.
 pub fn give(path: PathBuf, bytes: Vec<u8>) {
     files().given.insert(path, bytes);
 }
@@ -168,7 +168,7 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     Ok(path.to_owned())
 }
 
-/// A name means the same from everywhere: there is one folder.
+/// A name means the same from everywhere. There is one folder.
 #[must_use]
 pub fn is_whole(path: &Path) -> bool {
     path.file_name().is_some()

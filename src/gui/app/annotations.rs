@@ -19,7 +19,7 @@ pub struct Annotations {
     pub frozen: bool,
     /// The screen is black.
     pub blank: bool,
-    /// When the keys of a presentation were shown, in seconds; `None`: they are not.
+    /// When the keys of a presentation were shown, in seconds; `None` means they are not.
     pub keys_since: Option<f64>,
 }
 
@@ -35,7 +35,7 @@ impl Annotations {
         *self = Self { keys_since: self.keys_since, others: std::mem::take(&mut self.others), ..Self::default() };
     }
 
-    /// Goes from one figure to another: the strokes of each stay with it.
+    /// Goes from one figure to another. The strokes of each stay with it.
     pub(in crate::gui) fn turn_page(&mut self, from: Option<Source>, to: Option<&Source>) {
         let left = std::mem::take(&mut self.strokes);
         if !left.is_empty() {

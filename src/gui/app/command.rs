@@ -129,7 +129,7 @@ impl Command {
         self.row().shortcut
     }
 
-    /// The keys that call it in this window: a page in a browser has to leave some to the browser.
+    /// The keys that call it in this window. A page in a browser has to leave some to the browser.
     pub fn keys(self, state: &State) -> impl Iterator<Item = KeyboardShortcut> + use<> {
         let row = self.row();
         let are_there = !state.in_browser || row.in_browser == InBrowser::All;

@@ -33,7 +33,7 @@ struct Regions(Vec<(Region, Id, Rect)>);
 /// The state of the focus from frame to frame.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Focus {
-    /// The focus was moved by a key, not by the pointer: only then it is marked.
+    /// The focus was moved by a key, not by the pointer. Only then it is marked.
     by_keyboard: bool,
     last: Option<Id>,
     /// The focused widget before a list or a menu opened.
@@ -269,7 +269,7 @@ pub(in crate::gui) fn keep_in_sight(ui: &Ui) {
 }
 
 /// Controls at the right end of a row, in the order in which they are read, which is the order in which Tab goes
-/// through them: a layout from right to left would turn it round.
+/// through them. A layout from right to left would turn it round.
 pub(in crate::gui) fn at_right<R>(ui: &mut Ui, controls: impl FnOnce(&mut Ui) -> R) -> R {
     with_room_before(ui, |_| (), controls)
 }

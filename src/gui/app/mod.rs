@@ -274,7 +274,7 @@ fn opens(link: &str) -> bool {
     scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
 }
 
-/// The corner of a screen besides the one that the window is on, in points of the window's; `None`: there is none.
+/// The corner of a screen besides the one that the window is on, in points of the window's; `None` means there is none.
 #[cfg(not(target_arch = "wasm32"))]
 fn other_screen(frame: &eframe::Frame) -> Option<egui::Pos2> {
     let window = frame.winit_window()?;

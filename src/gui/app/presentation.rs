@@ -108,7 +108,7 @@ impl RestingPointer {
 /// The height at the upper border in which the pointer calls the bar, in points.
 const EDGE: f32 = 26.0;
 
-/// The bar of a presentation, over the pictures: it comes when the pointer goes to the upper border, and stays while
+/// The bar of a presentation, over the pictures. It comes when the pointer goes to the upper border, and stays while
 /// one of its menus is open. The chosen command. News take its place meanwhile.
 pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let id = Id::unique("bar of the presentation");

@@ -57,7 +57,7 @@ pub(in crate::gui) struct Latest<K, V> {
     number: u64,
     /// It may still be answered.
     waits: bool,
-    /// Questions up to this number are given up: their answers are not taken.
+    /// Questions up to this number are given up. Their answers are not taken.
     given_up: u64,
     /// The answer that was received last.
     newest: Option<Answered<K, V>>,
@@ -94,7 +94,7 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         (self.asked, self.waits) = (Some(key), true);
     }
 
-    /// Gives up what was asked: no answer to it is taken.
+    /// Gives up what was asked. No answer to it is taken.
     pub(in crate::gui) fn give_up(&mut self) {
         (self.asked, self.waits, self.given_up) = (None, false, self.number);
     }

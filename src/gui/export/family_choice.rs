@@ -64,7 +64,7 @@ pub struct Varied {
 }
 
 impl Varied {
-    /// The variation; `None`: there is none.
+    /// The variation; `None` means there is none.
     #[must_use]
     pub fn variation(&self) -> Option<Result<Variation, VariationError>> {
         match self.subject {
@@ -92,7 +92,7 @@ pub struct FamilyChoice {
     pub first: Varied,
     /// The key that varies along each row, where there is one. The first then varies from row to row.
     pub second: Varied,
-    /// The number of pictures in a row; `None`: as many as there is room for, or as the second has values.
+    /// The number of pictures in a row; `None` means as many as there is room for, or as the second has values.
     pub columns: Option<usize>,
     /// Letters before the captions.
     pub parts: bool,
@@ -138,7 +138,7 @@ impl FamilyChoice {
         }
     }
 
-    /// The variations; `None`: no family is wanted.
+    /// The variations; `None` means no family is wanted.
     ///
     /// # Errors
     /// [`VariationError`] of the first that is at fault.

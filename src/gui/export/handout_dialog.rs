@@ -30,7 +30,7 @@ const MAX_SEED: u32 = 9_999;
 /// The choices in the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandoutForm {
-    /// The lesson that is printed; `None`: exercises are.
+    /// The lesson that is printed; `None` means exercises are.
     pub lesson: Option<OpenLesson>,
     /// The exercises, by their identifiers, in the order in which they were chosen.
     pub exercises: Vec<String>,

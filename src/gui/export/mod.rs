@@ -48,7 +48,7 @@ pub struct Export {
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// Multiple of the size on screen; `None`: the size was typed.
+    /// Multiple of the size on screen; `None` means the size was typed.
     pub times: Option<u32>,
     /// The size is that on paper, below; `times` does not count.
     pub on_paper: bool,
@@ -84,7 +84,7 @@ pub struct Paper {
     pub dpi: f64,
     /// Height of the letters of names in points.
     pub letters: f64,
-    /// Width of the edges of solids in points; `None`: in proportion to the letters.
+    /// Width of the edges of solids in points; `None` means in proportion to the letters.
     pub lines: Option<f64>,
 }
 
@@ -234,7 +234,7 @@ pub(super) enum ExportError {
     Panic,
 }
 
-/// The result of an export: a shortfall, or the reason why nothing was written.
+/// The result of an export. A shortfall, or the reason why nothing was written.
 pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
 
 impl ExportError {

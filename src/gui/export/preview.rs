@@ -28,7 +28,7 @@ pub struct Preview {
     texture: Option<TextureHandle>,
     /// The message where several pictures have little space on their paper.
     pub(in crate::gui) crowded: Option<Crowded>,
-    /// Width and height in pixels of what is exported: a family may be far larger than the picture of its figure.
+    /// Width and height in pixels of what is exported. A family may be far larger than the picture of its figure.
     size: Option<[u32; 2]>,
     /// Why there is no picture.
     pub(in crate::gui) fault: Option<ExportError>,
@@ -40,7 +40,7 @@ pub struct Preview {
 struct PreviewJob {
     subject: ExportSource,
     export: Export,
-    /// The pixels of the preview's place; `None`: the size of the export.
+    /// The pixels of the preview's place; `None` means the size of the export.
     room: Option<[f32; 2]>,
     /// Vectors as text in place of pixels.
     as_svg: bool,

@@ -194,7 +194,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     }
 }
 
-/// The files that are there already, and that writing to `path` replaces: a picture may have another file beside it.
+/// The files that are there already, and that writing to `path` replaces. A picture may have another file beside it.
 #[must_use]
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_));
@@ -481,7 +481,7 @@ fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
     begin(ctx, state, AfterSave::Quit);
 }
 
-/// Opens files that were dropped, or given to a page: the first one, once no question is open that it would replace.
+/// Opens files that were dropped, or given to a page. The first one, once no question is open that it would replace.
 fn take_given(ctx: &egui::Context, state: &mut State) {
     let dropped: Vec<PathBuf> =
         ctx.input(|input| input.raw.dropped_files.iter().map(|file| files::whole(file.path())).collect());

@@ -82,7 +82,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     }
 }
 
-/// The link to what is on the screen, for a dialog; `first`: it has just been opened.
+/// The link to what is on the screen, for a dialog; `first`. It has just been opened.
 ///
 /// # Errors
 /// [`ShareError`] if the figure makes it too long.

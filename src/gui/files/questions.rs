@@ -115,7 +115,7 @@ pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 /// The endings of the pictures that can be textures.
 pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
 
-/// The content that another program has written into the figure's file; `None`: unreadable.
+/// The content that another program has written into the figure's file; `None` means unreadable.
 pub type Theirs = Option<Vec<u8>>;
 
 /// Overwrites that the user has agreed to.

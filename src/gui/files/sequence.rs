@@ -1,7 +1,7 @@
 //! A sequence of figures, as in a lecture: those of the folder of the open one in natural order, or the built-in ones;
 //! also after a figure whose folder cannot be read, as in a page.
 //!
-//! There are no questions on the way: a figure with changes is kept, and is as it was left when one comes back to it.
+//! There are no questions on the way. A figure with changes is kept, and is as it was left when one comes back to it.
 //! Closing the window asks about it.
 
 use crate::files::{SHIPPED_FIGURES, open_figure};

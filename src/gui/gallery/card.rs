@@ -29,7 +29,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// The source of a document; `None`: a new one.
+    /// The source of a document; `None` means a new one.
     pub(in crate::gui) fn of(document: &Document) -> Option<Self> {
         match (document.path(), document.shipped_name()) {
             (Some(path), _) => Some(Self::File(path.clone())),
@@ -51,7 +51,7 @@ pub(super) enum CardJob {
     List(PathBuf),
     /// Which of these files exist.
     Sort(Vec<PathBuf>),
-    /// The titles and sentences of these figures: they are there long before their pictures.
+    /// The titles and sentences of these figures. They are there long before their pictures.
     Read(Vec<Source>, Lang),
     /// A small picture of a figure.
     Draw { source: Source, theme: Theme, lang: Lang },

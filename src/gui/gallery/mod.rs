@@ -71,7 +71,7 @@ pub struct Gallery {
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    /// Its words about itself; `None`: not read yet.
+    /// Its words about itself; `None` means not read yet.
     told: Option<Told>,
     /// Why it cannot be drawn. Empty where it can, or has not been tried.
     fault: String,
@@ -142,7 +142,7 @@ impl Gallery {
         self.folder = Some(folder);
     }
 
-    /// Cancels the drawing of thumbnails: the gallery is closed.
+    /// Cancels the drawing of thumbnails. The gallery is closed.
     pub(super) fn end(&mut self) {
         self.worker.cancel();
     }
@@ -161,7 +161,7 @@ impl Gallery {
     }
 
     /// How well a figure fits the words that are wanted, first the typed ones, then their other names: 0 if they are in
-    /// its title, more if only in its sentence; `None`: not at all.
+    /// its title, more if only in its sentence; `None` means not at all.
     fn rank(&self, source: &Source, called: &[String]) -> Option<usize> {
         let told = self.cards.get(source).and_then(|card| card.told.as_ref());
         let (title, sentence) = told.map_or_else(

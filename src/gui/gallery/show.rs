@@ -51,7 +51,7 @@ fn card_size() -> Vec2 {
     picture_size() + vec2(2.0 * MARGIN, 2.0 * MARGIN + TEXT)
 }
 
-/// Shows the gallery in a theme and a language; `first`: it has just been opened.
+/// Shows the gallery in a theme and a language; `first`. It has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, Lang), first: bool) -> Option<Chosen> {
     let t = words::texts(style.1);
     let mut asked = None;

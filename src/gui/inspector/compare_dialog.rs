@@ -26,7 +26,7 @@ pub(in crate::gui) fn button(ui: &mut Ui, state: &mut State) {
     }
 }
 
-/// Shows the dialog in a window of its own, which can be moved: the pictures beside it show what is chosen, and can be
+/// Shows the dialog in a window of its own, which can be moved. The pictures beside it show what is chosen, and can be
 /// used.
 pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: CompareForm) {
     let words = words::texts(state.settings.lang);

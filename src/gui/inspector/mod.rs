@@ -115,7 +115,7 @@ pub(super) struct VectorField<'a> {
     pub(super) step: f64,
     /// Degrees.
     pub(super) angles: bool,
-    /// True marks the fields: the value is impossible.
+    /// True marks the fields. The value is impossible.
     pub(super) marked: bool,
 }
 

@@ -113,7 +113,7 @@ impl Table {
     }
 }
 
-/// The decimals of numbers of which the greatest is `most`, one fewer than the digits; `None`: each has its own digits,
+/// The decimals of numbers of which the greatest is `most`, one fewer than the digits; `None` means each has its own digits,
 /// since all are wanted or the numbers are too great.
 fn decimals(most: f64, digits: usize) -> Option<usize> {
     let beyond = [1e3, 1e4, 1e5, 1e6].iter().filter(|power| most >= **power).count();

@@ -198,7 +198,7 @@ impl<'a> NumberField<'a> {
         Self { width, ..self }
     }
 
-    /// True marks the field: its value is impossible.
+    /// True marks the field. Its value is impossible.
     #[must_use]
     pub fn marked(self, marked: bool) -> Self {
         Self { marked, ..self }

@@ -1,4 +1,4 @@
-//! Common parts of the plots of the window: they do not move, and their logarithmic axes are marked at powers of ten.
+//! Common parts of the plots of the window. They do not move, and their logarithmic axes are marked at powers of ten.
 
 use std::ops::RangeInclusive;
 
@@ -7,7 +7,7 @@ use egui_plot::{Axis, AxisHints, GridInput, GridMark, Plot};
 
 use crate::chart::power_of_ten;
 
-/// A plot that neither moves nor zooms, and shows no coordinates of its own: the values under the pointer are shown
+/// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer are shown
 /// beside it.
 pub(in crate::gui) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.show_x(false).show_y(false).allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false)

@@ -63,7 +63,7 @@ fn with_tuples_kept(text: &str) -> String {
     set + rest
 }
 
-/// The mark of bold words: the renderer has no bold letters, so they are set as formulas are, with letters of ours.
+/// The mark of bold words. The renderer has no bold letters, so they are set as formulas are, with letters of ours.
 const BOLD: char = '\u{e000}';
 /// Between two formulas that touch: `$$` would begin one on a line of its own.
 const APART: char = '\u{200b}';

@@ -1,6 +1,6 @@
 //! The text fields of the window, and their limits.
 //!
-//! Pasted text may be any file that somebody had on the clipboard: it is cut before it is laid out, which is reported
+//! Pasted text may be any file that somebody had on the clipboard. It is cut before it is laid out, which is reported
 //! beside the field. No other file makes fields of egui's own, which take everything.
 
 use eframe::egui::os::OperatingSystem;

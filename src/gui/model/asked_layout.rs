@@ -7,7 +7,7 @@ use crate::gui::state::{Matrices, Side, State};
 /// The parts of the window's layout that a figure can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::gui) struct Placed {
-    /// `None`: automatic.
+    /// `None` means automatic.
     pub(in crate::gui) arrangement: Option<Arrangement>,
     /// The side of explanations is open.
     pub(in crate::gui) is_open: bool,

@@ -145,7 +145,7 @@ impl Document {
         Ok(document)
     }
 
-    /// The figure as it is drawn: its camera is always possible.
+    /// The figure as it is drawn. Its camera is always possible.
     #[must_use]
     pub fn figure(&self) -> &Figure {
         &self.figure
@@ -426,7 +426,7 @@ impl Document {
         self.operate_from(&self.camera.clone(), operation, convention)
     }
 
-    /// As [`Self::operate`], but applied to `start`: the camera before a slider was pulled.
+    /// As [`Self::operate`], but applied to `start`. The camera before a slider was pulled.
     ///
     /// # Errors
     /// As for [`Self::operate`].
@@ -461,7 +461,7 @@ impl Document {
     }
 
     /// Whether title and caption are those of the gallery's card that the figure was made of, and the figure is another
-    /// one by now: they don't speak of it.
+    /// one by now. They don't speak of it.
     #[must_use]
     pub fn has_words_of_card(&self) -> bool {
         let words = |figure: &Figure| (figure.title.clone(), figure.caption.clone());
@@ -515,7 +515,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Whether something else is explained than in the file. The convention of NDC does not count: it is the window's.
+    /// Whether something else is explained than in the file. The convention of NDC does not count. It is the window's.
     #[must_use]
     pub fn explains_other(&self, show: &Show) -> bool {
         let own = |show: &Show| Show { ndc: None, ..show.clone() };
@@ -528,7 +528,7 @@ impl Document {
         self.is_changed
     }
 
-    /// Whether something was built: the scene, points, labels, title or caption are other ones than the saved ones.
+    /// Whether something was built. The scene, points, labels, title or caption are other ones than the saved ones.
     /// The camera, the image and the way of drawing are only tried, however they are set.
     #[must_use]
     pub fn is_built_on(&self) -> bool {

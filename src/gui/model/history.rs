@@ -88,7 +88,7 @@ impl Snapshot {
     }
 }
 
-/// All that is edited but the scene, which snapshots share: the layout is stored in the file and is no step.
+/// All that is edited but the scene, which snapshots share. The layout is stored in the file and is no step.
 fn edited(figure: &Figure) -> Figure {
     Figure { screen: Screen::default(), ..figure.without_scene() }
 }

@@ -19,7 +19,7 @@ pub struct Layout {
     pub shown: [bool; View::COUNT],
     /// The picture that has all the room, whatever `shown` says.
     pub maximized: Option<View>,
-    /// The arrangement of the pictures; `None`: automatic.
+    /// The arrangement of the pictures; `None` means automatic.
     pub arrangement: Option<Arrangement>,
     /// Orbiting one three-dimensional picture turns the other too.
     pub linked: bool,

@@ -1,4 +1,4 @@
-//! Messages at the bottom of the window, as values: their words are made when they are shown, in the language of that
+//! Messages at the bottom of the window, as values. Their words are made when they are shown, in the language of that
 //! moment.
 
 use std::path::{Path, PathBuf};
@@ -66,7 +66,7 @@ pub enum Message {
     Saved(PathBuf),
     /// A file was handed to the browser.
     Downloaded(PathBuf),
-    /// A file was chosen for a figure that the window no longer shows: nothing was done with it.
+    /// A file was chosen for a figure that the window no longer shows. Nothing was done with it.
     OtherFigure(PathBuf),
     /// A link with this number of characters is in the clipboard.
     LinkCopied(usize),
@@ -80,7 +80,7 @@ pub enum Message {
     NotOpened(PathBuf, CameraError),
     /// A figure can't be saved before its impossible camera is repaired.
     NotSaved(CameraError),
-    /// A file was opened whose camera is impossible: its numbers are in the fields.
+    /// A file was opened whose camera is impossible. Its numbers are in the fields.
     Impossible(PathBuf, CameraError),
     /// An operation leads to no camera.
     Camera(CameraError),

@@ -1,4 +1,4 @@
-//! Small buttons with drawn signs: no font has all of them, and they are the same in every language.
+//! Small buttons with drawn signs. No font has all of them, and they are the same in every language.
 
 use crate::gui::kit::tooltip::Explained;
 use eframe::egui::accesskit::Role;

@@ -1,4 +1,4 @@
-//! A step of an operation that the eye can follow: the camera moves to its end in a moment, and is there exactly.
+//! A step of an operation that the eye can follow. The camera moves to its end in a moment, and is there exactly.
 
 use std::time::Duration;
 
@@ -73,7 +73,7 @@ pub(in crate::gui) fn finish(state: &mut State) {
     state.say_camera_error(done);
 }
 
-/// The apparent motion of the camera: an arrow for its place, its look or its turn; `None` without a sideways motion.
+/// The apparent motion of the camera. An arrow for its place, its look or its turn; `None` without a sideways motion.
 pub(in crate::gui) fn arrow(before: &Camera, freedom: Freedom, forwards: bool, convention: Convention) -> Option<char> {
     let unit = match freedom.descriptor().amount {
         Amount::Angle => 1.0,

@@ -98,7 +98,7 @@ impl Default for Rendering {
     }
 }
 
-/// Draws pictures at the same time, but alone what is timed: its times are not those of waiting for the others.
+/// Draws pictures at the same time, but alone what is timed. Its times are not those of waiting for the others.
 fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
     let turn = Arc::new(Turn::default());
     Worker::new("pictures", clock::now, move || work(Arc::clone(&turn)))

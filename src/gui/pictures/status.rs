@@ -25,7 +25,7 @@ const BAR: f32 = 120.0;
 pub(super) enum StatusAction {
     /// Show a hidden picture.
     ShowAgain(View),
-    /// Share the room in another way; `None`: as suits the room.
+    /// Share the room in another way; `None` means as suits the room.
     Arrange(Option<Arrangement>),
     /// Show the coach.
     Coach,

@@ -1,4 +1,4 @@
-//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
+//! The strip under the pictures. Every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
 //! the reason why it was left out, for the picture on the screen.
 
 use std::time::Duration;
@@ -41,7 +41,7 @@ pub(super) struct Strip<'a> {
     pub(super) lang: Lang,
     pub(super) texts: &'a CanvasTexts,
     pub(super) view: View,
-    /// `None`: the picture is hidden, or has not been drawn yet.
+    /// `None` means the picture is hidden, or has not been drawn yet.
     pub(super) account: Option<&'a RenderReport>,
     /// The picture is hidden.
     pub(super) hidden: bool,

@@ -5,7 +5,7 @@ use crate::figure::Observers;
 
 /// Number of stored viewpoints.
 const MOST: usize = 100;
-/// A view counts once nothing has turned it for so long, in seconds: the turns of a wheel are one step.
+/// A view counts once nothing has turned it for so long, in seconds. The turns of a wheel are one step.
 const STILL: f64 = 0.4;
 
 /// The views before and after the present one.

@@ -86,7 +86,7 @@ pub(in crate::gui) struct Whereabouts {
 }
 
 impl Whereabouts {
-    /// Gives the place of the window once it has stayed there for a while; `None`: it hasn't, or fills the screen for a
+    /// Gives the place of the window once it has stayed there for a while; `None` means it hasn't, or fills the screen for a
     /// presentation.
     pub(in crate::gui) fn settled(&mut self, ctx: &Context, before: Option<WindowPlace>) -> Option<WindowPlace> {
         let (now, viewport) = ctx.input(|input| (input.time, input.viewport().clone()));

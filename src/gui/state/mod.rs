@@ -158,9 +158,9 @@ pub struct State {
     pub picture_sizes: [[u32; 2]; View::COUNT],
     /// Pixels for one unit of stroke width in the pictures. Written by the pictures.
     pub screen_scale: f32,
-    /// The window is a page in a browser: there are no folders, and no window to be closed.
+    /// The window is a page in a browser. There are no folders, and no window to be closed.
     pub in_browser: bool,
-    /// The corner of another screen, in points, for the speaker's notes; `None`: not looked for yet, inside: none.
+    /// The corner of another screen, in points, for the speaker's notes; `None` means not looked for yet, inside: none.
     pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The address of that page, where others can open it too.
     pub own_address: Option<String>,
@@ -168,7 +168,7 @@ pub struct State {
     pub page_address: String,
     /// The last message at the bottom of the window.
     pub message: Option<Message>,
-    /// When the message was first shown, in seconds; `None`: not yet.
+    /// When the message was first shown, in seconds; `None` means not yet.
     shown_since: Option<f64>,
     /// Asks the pictures to look from somewhere. They take it (`take()`) in the next frame. For both three-dimensional
     /// pictures.
@@ -177,7 +177,7 @@ pub struct State {
     pub problem_out_of_sight: bool,
     /// The hover of the panels in this frame.
     pub hover: PanelHover,
-    /// The last observers of the pictures; `None`: they have not been shown.
+    /// The last observers of the pictures; `None` means they have not been shown.
     pub seen: Observers,
     /// The observers that [`as_seen`](Self::as_seen) found last.
     pub(in crate::gui) observers_shown: Memo<SeenBy, Observers>,
@@ -239,7 +239,7 @@ pub struct State {
     pub coach: Coach,
 }
 
-/// The document at the start. Operations of the command line are a change of the figure in the file: they can be
+/// The document at the start. Operations of the command line are a change of the figure in the file. They can be
 /// undone, and closing the window asks about them.
 fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());

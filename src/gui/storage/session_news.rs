@@ -1,4 +1,4 @@
-//! Notices about windows that did not close and about the storage of this one: each line stays until the user closes
+//! Notices about windows that did not close and about the storage of this one. Each line stays until the user closes
 //! it, or until it no longer holds.
 
 use eframe::egui::{self, Label, RichText};

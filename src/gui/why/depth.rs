@@ -31,7 +31,7 @@ const SAMPLES: u32 = 200;
 const HEAD: f32 = 76.0;
 /// The share of the plot's height that a name takes.
 const NAME: f64 = 0.15;
-/// Where B/F is more, depths are shown by their logarithms: all else would be at the left border.
+/// Where B/F is more, depths are shown by their logarithms. All else would be at the left border.
 const WIDE_RANGE: f64 = 50.0;
 
 /// Shows it for the camera of the figure.
@@ -229,7 +229,7 @@ fn is_wide(camera: &Camera) -> bool {
     camera.far() / camera.near() > WIDE_RANGE
 }
 
-/// For each curve the point at which it is farthest from the others, and the corner of its name that goes there: the
+/// For each curve the point at which it is farthest from the others, and the corner of its name that goes there. The
 /// name lies beside the curve, on the side where no other is.
 fn places_of_names(curves: &[Curve], [low, high]: [f64; 2]) -> Vec<([f64; 2], Align2)> {
     let height = |curve: usize, k: usize| curves[curve].1[k][1];

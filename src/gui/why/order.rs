@@ -192,7 +192,7 @@ fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Readin
     numbers(ui, &stage.matrix, &number, |_, _| None);
 }
 
-/// A number with few digits: a matrix has to fit.
+/// A number with few digits. A matrix has to fit.
 fn writer(state: &State) -> impl Fn(f64) -> String {
     let (mark, digits) = (state.settings.lang.mark(), state.settings.digits.min(5));
     move |value: f64| mark.number(value, digits)

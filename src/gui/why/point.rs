@@ -95,7 +95,7 @@ fn choose(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     });
 }
 
-/// The field of the name: it takes effect with Enter, or when it is left; one that is wrong stays with its reason until
+/// The field of the name. It takes effect with Enter, or when it is left; one that is wrong stays with its reason until
 /// it is mended.
 fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     let points = &state.document.figure().points;

@@ -18,7 +18,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     ui.checkbox(&mut state.layout.strip, t.strip).explained(t.strip_hint);
 }
 
-/// The stage that is shown: its name, its purpose, and its report, or the reason why it was left out.
+/// The stage that is shown. Its name, its purpose, and its report, or the reason why it was left out.
 fn shown(ui: &mut Ui, t: &stages::Texts, state: &State) {
     let Some(stage) = state.shown_stage() else {
         ui.label(RichText::new(t.none_shown).weak());

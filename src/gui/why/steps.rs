@@ -1,4 +1,4 @@
-//! The explanation of steps: the view volume becomes the canonical one, step by step, in the picture of the canonical
+//! The explanation of steps. The view volume becomes the canonical one, step by step, in the picture of the canonical
 //! volume; here its factors.
 
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! One triangle step by step: its corners in each space, the cuts, the pixels that it covers and their depths.
+//! One triangle step by step. Its corners in each space, the cuts, the pixels that it covers and their depths.
 
 use eframe::egui::{self, RichText, Ui};
 use glam::DVec3;

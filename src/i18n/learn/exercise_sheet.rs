@@ -170,7 +170,7 @@ fn rows(lines: &[Line]) -> String {
 /// Letters of a formula that fit on a line.
 const ONE_LINE: usize = 64;
 
-/// Approximate number of letters of a formula: a fraction is as wide as both its halves.
+/// Approximate number of letters of a formula. A fraction is as wide as both its halves.
 fn width(latex: &str) -> usize {
     let (mut width, mut in_command) = (0, false);
     for c in latex.chars() {

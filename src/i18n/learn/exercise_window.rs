@@ -114,7 +114,7 @@ pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: 
     }
 }
 
-/// An answer is not an axis: it is longer or shorter than 1.
+/// An answer is not an axis. It is longer or shorter than 1.
 #[must_use]
 pub fn axis_length(lang: Lang, length: f64) -> String {
     let length = lang.mark().number(length, 4);
@@ -122,7 +122,7 @@ pub fn axis_length(lang: Lang, length: f64) -> String {
         "seu vetor tem comprimento {length}, mas um eixo de uma câmera tem comprimento 1")
 }
 
-/// An answer is not an axis: its scalar product with **n** is not 0.
+/// An answer is not an axis. Its scalar product with **n** is not 0.
 #[must_use]
 pub fn axis_oblique(lang: Lang, product: f64) -> String {
     let product = lang.mark().number(product, 4);

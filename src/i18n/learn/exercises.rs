@@ -53,7 +53,7 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
 }
 
-/// The assumptions where the source leaves a question open, and what the source has otherwise: the assumption `≠ yaw`
+/// The assumptions where the source leaves a question open, and what the source has otherwise. The assumption `≠ yaw`
 /// is what the note `yaw` says of it.
 #[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
@@ -152,7 +152,7 @@ fn cause(lang: Lang, ask: &Ask, cause: Cause) -> [&'static str; 3] {
 }
 
 /// The diagnosis of a wrong answer: the mistakes, one after the other, or all of which one was made, and the place of a
-/// single faulty number. `None`: nothing explains the answer.
+/// single faulty number. `None` means nothing explains the answer.
 #[must_use]
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let diagnosis = judged.diagnosis.as_ref()?;
@@ -241,7 +241,7 @@ pub fn hints<'a>(lang: Lang, ask: &Ask, diagnosis: &'a Diagnosis) -> Vec<&'a str
     of(1).chain(of(2)).collect()
 }
 
-/// The hints for a wrong answer that no known mistake explains: the sentence to keep of the lesson, and the first step
+/// The hints for a wrong answer that no known mistake explains. The sentence to keep of the lesson, and the first step
 /// of the solution. Without a lesson, the number of right entries comes first.
 #[must_use]
 pub fn hints_without_diagnosis(

@@ -350,7 +350,7 @@ pub fn no_step_of(lang: Lang, key: &str, step: usize, count: usize) -> String {
         "{key}: a lição não tem o passo {step}; permitido: um passo de 1 a {count}")
 }
 
-/// The name of a link to a step of a lesson: its title, and the number of the step unless it is the first.
+/// The name of a link to a step of a lesson. Its title, and the number of the step unless it is the first.
 #[must_use]
 pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
     let t = texts(lang);

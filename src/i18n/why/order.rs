@@ -121,7 +121,7 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
         "O passo {number} é um pop, e nada foi salvo na pilha antes dele.")
 }
 
-/// The reason why an object alone cannot hold a list, and the remedy: the call at `place`, from 0, comes too late for T
+/// The reason why an object alone cannot hold a list, and the remedy. The call at `place`, from 0, comes too late for T
 /// Rz Ry Rx S, and `groups` groups are made.
 #[must_use]
 pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {

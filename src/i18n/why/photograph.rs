@@ -1,4 +1,4 @@
-//! The camera of a photograph: its arithmetic, its errors, and what it cannot say.
+//! The camera of a photograph. Its arithmetic, its errors, and what it cannot say.
 
 use crate::camera::{AxisVanishing, PhotographCamera, PhotographError, Untold};
 use crate::i18n::Lang;

@@ -156,7 +156,7 @@ pub fn went_back(lang: Lang, view: View) -> String {
 }
 
 impl CanvasTexts {
-    /// The name of an arrangement; `None`: the automatic one.
+    /// The name of an arrangement; `None` means the automatic one.
     #[must_use]
     pub fn arrangement(&self, arrangement: Option<Arrangement>) -> &'static str {
         match arrangement {

@@ -1,4 +1,4 @@
-//! The words of the coach: the health of a camera, and the reasons why a picture is empty.
+//! The words of the coach. The health of a camera, and the reasons why a picture is empty.
 
 use super::scenes::preset_object;
 use crate::appearance::DepthFormat;

@@ -1,6 +1,6 @@
 //! The levels of detail of a picture in one array, laid out for a filter that mixes four texels of two levels.
 //!
-//! Each texel stands beside the one below it, and behind the last of a row comes the first once more: the four texels
+//! Each texel stands beside the one below it, and behind the last of a row comes the first once more. The four texels
 //! around a point are sixteen bytes in a row of memory, wherever it lies. That is twice the memory of the picture, for
 //! a quarter of the places that are read.
 

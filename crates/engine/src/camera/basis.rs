@@ -49,7 +49,7 @@ impl Pose {
     }
 }
 
-/// **u**, **v**, **n** and D in double-double. Operations turn it as a rigid body: it is never found again from VUP, so
+/// **u**, **v**, **n** and D in double-double. Operations turn it as a rigid body. It is never found again from VUP, so
 /// nothing flips at a pole, and a small angle between VUP and DOP costs no digits.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CameraFrame {
@@ -65,7 +65,7 @@ pub(super) struct CameraFrame {
 impl CameraFrame {
     /// Derives the VRC.
     ///
-    /// The components of C − PF are exact, and so is the sum of products VUP × (C − PF): only its rounding to 106 bits,
+    /// The components of C − PF are exact, and so is the sum of products VUP × (C − PF). Only its rounding to 106 bits,
     /// the square root and the division are not. Nothing overflows or underflows on the way, as vectors are scaled by
     /// powers of two first.
     pub(super) fn new(pose: &Pose) -> Result<Self, CameraError> {

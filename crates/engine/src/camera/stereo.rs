@@ -20,7 +20,7 @@ impl Camera {
     /// camera in the middle.
     ///
     /// # Errors
-    /// [`CameraError`]: a camera of the pair is impossible, for example because the baseline is infinite.
+    /// [`CameraError`] if a camera of the pair is impossible, for example because the baseline is infinite.
     pub fn stereo(&self, baseline: f64, convergence: Convergence) -> Result<[Self; 2], CameraError> {
         let one = |side: f64| Self::new(&self.aside(self.basis().u * (side * baseline), side * baseline, convergence));
         Ok([one(-0.5)?, one(0.5)?])

@@ -84,7 +84,7 @@ impl WideWindow {
 }
 
 impl Camera {
-    /// The same camera with the other kind of projection. Things at the focal point keep their size: the window is as
+    /// The same camera with the other kind of projection. Things at the focal point keep their size. The window is as
     /// high in parallel projection as the frustum is at distance D.
     ///
     /// *Guarantees*: without drift. There and back again gives the same parameters: the angle (or the height) that the

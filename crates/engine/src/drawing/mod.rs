@@ -17,7 +17,7 @@
 //! list. Where they touch, so that neither is nearer by more than the span of their own width, a visible part goes over
 //! a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
 //! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part
-//! in this: they are painted over all others, one over the other. [`order`] implements these rules for numbers.
+//! in this. They are painted over all others, one over the other. [`order`] implements these rules for numbers.
 
 pub mod order;
 mod shadow;
@@ -40,7 +40,7 @@ pub struct Drawing {
     pub background: Rgba,
     /// Samples per pixel for surfaces: 1, 4 or 16. Strokes and labels are always smooth.
     pub antialias: u8,
-    /// The surfaces are listed from back to front: each triangle, opaque or translucent, is painted over those before
+    /// The surfaces are listed from back to front. Each triangle, opaque or translucent, is painted over those before
     /// it, whatever their depths. The last opaque one painted still leaves its depth, for strokes and labels.
     pub painted_in_order: bool,
     /// The format in which the depths of surfaces are stored and compared.
@@ -156,7 +156,7 @@ pub struct Label {
 }
 
 impl Label {
-    /// A text to the right of a point, which authors can't change: it has no name.
+    /// A text to the right of a point, which authors can't change. It has no name.
     #[must_use]
     pub fn new(position: [f32; 3], text: impl Into<String>, size: f32, [color, halo]: [Rgba; 2]) -> Self {
         Self {

@@ -57,7 +57,7 @@ pub enum Base {
 /// The light on the base colours of a [`Surface`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum SurfaceLight {
-    /// The base colours are final: they take no light, or hold it already, from their faces (flat) or their vertices
+    /// The base colours are final. They take no light, or hold it already, from their faces (flat) or their vertices
     /// (Gouraud).
     InBase,
     /// Light at each triangle, on a base colour that varies over it (flat).

@@ -27,7 +27,7 @@ struct Node {
     aabb: Aabb,
     /// The triangles below it: a range of `order`.
     range: Range<usize>,
-    /// The place of its second child, the first being the next node; `None`: a leaf.
+    /// The place of its second child, the first being the next node; `None` means a leaf.
     second: Option<usize>,
 }
 
@@ -61,7 +61,7 @@ impl TriangleTree {
         &self.triangles
     }
 
-    /// Adds the node of a range, and those below it. Halves of equal size: the depth is the logarithm of the number.
+    /// Adds the node of a range, and those below it. Halves of equal size. The depth is the logarithm of the number.
     fn split(&mut self, range: Range<usize>) {
         let corners = self.order[range.clone()].iter().flat_map(|&k| self.triangles[k as usize]);
         // All corners in the tree are finite, and there are some.
@@ -137,7 +137,7 @@ impl TriangleTree {
     }
 }
 
-/// Whether a ray may touch a box: the box is a little larger, for the roundings here and in [`ray_meets_triangle`].
+/// Whether a ray may touch a box. The box is a little larger, for the roundings here and in [`ray_meets_triangle`].
 fn touches(aabb: &Aabb, origin: DVec3, inverse: DVec3, within: Range<f64>) -> bool {
     let room = 1e-12 * (aabb.min.abs().max(aabb.max.abs()) + origin.abs());
     let (mut from, mut to) = (within.start, within.end);

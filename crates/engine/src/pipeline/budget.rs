@@ -6,7 +6,7 @@ use crate::sanitize::escaped;
 /// An exceeded budget.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OverBudget {
-    /// Faces that cross one another make too many pieces: nothing was put in order, and a depth buffer has to decide.
+    /// Faces that cross one another make too many pieces. Nothing was put in order, and a depth buffer has to decide.
     #[error(
         "the faces of {} cross too often to be split (more than {MAX_PIECES} pieces), and the depth buffer decides; allowed: fewer faces, or visibility = \"depth-buffer\"",
         names(objects, "and others")
@@ -15,7 +15,7 @@ pub enum OverBudget {
         /// The objects whose faces they are, the one with most of them first.
         objects: Vec<String>,
     },
-    /// Strokes meet too many faces or one another too often: their visible parts and their order were not found.
+    /// Strokes meet too many faces or one another too often. Their visible parts and their order were not found.
     #[error(
         "strokes meet too many faces or one another too often to be drawn without a depth buffer (more than {MAX_STROKE_STEPS} steps); allowed: fewer edges and lines"
     )]
@@ -67,7 +67,7 @@ impl OverBudget {
         (!vertices.is_empty()).then_some(Self::Rounding { vertices })
     }
 
-    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's. `None` if
+    /// Names no others than those that `is_known`. A picture has objects of its own besides the scene's. `None` if
     /// that leaves nothing.
     #[must_use]
     pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {

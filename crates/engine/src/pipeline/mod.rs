@@ -69,7 +69,7 @@ use stage::reflection::Lights;
 pub use stage::shadow_maps::{ShadowMaps, light_cameras};
 use stage::traverse::traverse;
 
-/// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
+/// The picture to make. Its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
     /// Pixels.
@@ -238,7 +238,7 @@ impl Pipeline {
         self.shadows = shadows.clone();
     }
 
-    /// Forgets all shadow maps: the next picture makes its own.
+    /// Forgets all shadow maps. The next picture makes its own.
     pub fn forget(&mut self) {
         self.shadows.forget();
     }

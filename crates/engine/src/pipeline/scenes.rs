@@ -1,4 +1,4 @@
-//! A scene, and the things that a picture adds to it, side by side: neither is copied to be drawn with the other.
+//! A scene, and the things that a picture adds to it, side by side. Neither is copied to be drawn with the other.
 
 use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
 
@@ -102,7 +102,7 @@ impl<'a> Scenes<'a> {
         self.scene.lines.iter().chain(&self.gear.lines)
     }
 
-    /// Number of [`Self::lines`] that are of the scene: they come first.
+    /// Number of [`Self::lines`] that are of the scene. They come first.
     pub(crate) fn own_line_count(self) -> usize {
         self.scene.lines.len()
     }

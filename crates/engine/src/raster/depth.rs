@@ -124,7 +124,7 @@ impl DepthBuffer {
 
     /// Whether a point (pixels and depth) can be seen: no face hides it. A point **on** a face can be seen.
     ///
-    /// The four pixels around the point are tested, and one that has nothing in front of the point is enough: an edge
+    /// The four pixels around the point are tested, and one that has nothing in front of the point is enough. An edge
     /// belongs to the faces on both of its sides, and the border of a face between two pixels isn't known. So anything
     /// hidden by less than two pixels is seen. Faces' planes are followed from the points where their depths were
     /// taken, so that a steep face doesn't hide the lines on it, in the corner of a room as little as on an edge.
@@ -207,7 +207,7 @@ struct Around {
 }
 
 impl Around {
-    /// True if any has nothing in front of the point: the plane of its face is no nearer there than
+    /// True if any has nothing in front of the point. The plane of its face is no nearer there than
     /// [`on_a_face`](crate::drawing::order::on_a_face) allows.
     #[inline(always)]
     fn show<K: Simd>(&self, simd: K, p: [f32; 3], step: f32) -> bool {

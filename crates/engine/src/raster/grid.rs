@@ -21,7 +21,7 @@ pub(super) const OFFSET: i32 = 1 << 20;
 /// The lower bits.
 pub(super) const FRACTION: u32 = (1 << 23) - 1;
 
-/// Places of a pixel's samples relative to its centre, in steps. 4 and 16 lie on a turned lattice: no two share a row
+/// Places of a pixel's samples relative to its centre, in steps. 4 and 16 lie on a turned lattice. No two share a row
 /// or a column, so upright and level edges get as many shades as there are samples.
 pub(super) fn samples(count: usize) -> &'static [[i32; 2]] {
     match count {

@@ -134,7 +134,7 @@ pub(super) fn mark(pixmap: &mut Pixmap, faces: Occluders, mark: &Mark) {
 /// One of the two paints of a mark's outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MarkLayer {
-    /// The width of its stroke in pixels; `None`: it is filled.
+    /// The width of its stroke in pixels; `None` means it is filled.
     pub stroke: Option<f32>,
     /// Its colour.
     pub color: Rgba,

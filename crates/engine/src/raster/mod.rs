@@ -84,7 +84,7 @@ impl Rasterizer {
         true
     }
 
-    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None`: no
+    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None` means no
     /// more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
@@ -95,7 +95,7 @@ impl Rasterizer {
         self.progress = progress.clone();
     }
 
-    /// Statistics of the last picture: the counts don't depend on the number of threads.
+    /// Statistics of the last picture. The counts don't depend on the number of threads.
     #[must_use]
     pub fn work(&self) -> Work {
         self.work

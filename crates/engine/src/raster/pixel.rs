@@ -17,7 +17,7 @@ pub(super) type Pixel = u32;
 /// Bits of red and blue, and (shifted down by 8) of green and alpha.
 const ALTERNATE: u32 = 0x00ff_00ff;
 
-/// One pixel or eight: the arithmetic of both is this.
+/// One pixel or eight. The arithmetic of both is this.
 pub(super) trait Pixels:
     Copy
     + BitAnd<u32, Output = Self>

@@ -51,7 +51,7 @@ pub struct Scene {
     pub texts: Vec<Text>,
     /// The photograph under the image, where the figure has one and its file can be read.
     pub photograph: Option<Arc<Texture>>,
-    /// Parts of mesh files that were left out, by the name of the object; none of them is drawn.
+    /// Parts of mesh files that were left out, by the name of the object. None of them is drawn.
     pub notices: Vec<(String, MeshNotice)>,
 }
 
@@ -109,7 +109,7 @@ pub struct Object {
     pub part_of: Option<Arc<str>>,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
-    /// Model matrix. Finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen
+    /// Model matrix. Finite, affine. It may mirror (determinant < 0). The mesh stays as it is, counter-clockwise seen
     /// from outside in its own space, and the pipeline turns the triangles round.
     pub world_from_object: DMat4,
     /// Colours of its faces.
@@ -120,7 +120,7 @@ pub struct Object {
     pub two_sided: bool,
     /// False: the mesh has no faces in this picture (edges only).
     pub faces: bool,
-    /// Style of its edges; `None`: not drawn (except in wireframe, which draws them in the object's colour).
+    /// Style of its edges; `None` means not drawn (except in wireframe, which draws them in the object's colour).
     pub edges: Option<LineStyle>,
     /// Style of the silhouette and the creases of a curved solid, found by the [`adjacency`](Mesh::adjacency) of its
     /// mesh; `None`, and in wireframe: not drawn.
@@ -145,7 +145,7 @@ pub struct InWorld {
 }
 
 impl Object {
-    /// True if both sides of its faces may be seen, and have to be lit: it's two-sided, or a solid whose inside shows
+    /// True if both sides of its faces may be seen, and have to be lit. It's two-sided, or a solid whose inside shows
     /// because it's translucent or the front plane cuts it open (`is_cut_open`).
     #[must_use]
     pub fn shows_both_sides(&self, is_cut_open: bool) -> bool {

@@ -72,7 +72,7 @@ pub enum ReadProblem {
 }
 
 impl ReadError {
-    /// Whether the file lies outside the folder that the figure may read from: the user can allow it.
+    /// Whether the file lies outside the folder that the figure may read from. The user can allow it.
     #[must_use]
     pub const fn is_outside(&self) -> bool {
         matches!(self.problem, ReadProblem::Outside { .. } | ReadProblem::NoFolder)
@@ -101,7 +101,7 @@ pub enum NamedBy {
     Lesson,
 }
 
-/// An error of the system in plain English. An unusual one by its number: its own sentence may be in any language.
+/// An error of the system in plain English. An unusual one by its number. Its own sentence may be in any language.
 #[must_use]
 pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
     let words = match system_kind(kind, code) {

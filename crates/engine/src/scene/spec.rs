@@ -268,7 +268,7 @@ impl fmt::Display for TextureSource {
 pub struct ObjectSpec {
     /// Its name. Unique in the figure.
     pub name: String,
-    /// Its shape; `None`: a group, there for its transform.
+    /// Its shape; `None` means a group, there for its transform.
     pub shape: Option<Shape>,
     /// The name of the object whose transform comes before its own.
     pub parent: Option<String>,
@@ -278,15 +278,15 @@ pub struct ObjectSpec {
     pub rotate: DVec3,
     /// Scale, along the object's own axes.
     pub scale: DVec3,
-    /// Colour; `None`: the theme's.
+    /// Colour; `None` means the theme's.
     pub color: Option<Rgba>,
     /// Segments of curved shapes, sides of a prism, cells of a grid; 3 … 512.
     pub segments: u32,
-    /// Its texture; `None`: that of its mesh file, where it has one.
+    /// Its texture; `None` means that of its mesh file, where it has one.
     pub texture: Option<TextureSource>,
-    /// The continuation of the texture beyond its border; `None`: that of the mesh file, else it repeats.
+    /// The continuation of the texture beyond its border; `None` means that of the mesh file, else it repeats.
     pub wrap: Option<Wrap>,
-    /// The way from texels to a colour; `None`: that of the mesh file, else trilinear.
+    /// The way from texels to a colour; `None` means that of the mesh file, else trilinear.
     pub filter: Option<Filter>,
     /// Repetitions of the texture along u and v. A negative number mirrors it.
     pub texture_scale: DVec2,
@@ -429,6 +429,6 @@ pub struct SceneSpec {
     pub preset: Preset,
     /// The tree, parents by name.
     pub objects: Vec<ObjectSpec>,
-    /// Lights. Empty: the default light.
+    /// Lights. Empty means the default light.
     pub lights: Vec<Light>,
 }

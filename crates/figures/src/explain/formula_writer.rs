@@ -231,7 +231,7 @@ impl Writer<'_> {
     }
 }
 
-/// A printed number in LaTeX: a decimal comma keeps no space behind it, and a power of ten is one.
+/// A printed number in LaTeX. A decimal comma keeps no space behind it, and a power of ten is one.
 fn latex_number(printed: &str) -> String {
     let plain = printed.replace('−', "-").replace(',', "{,}");
     match plain.split_once('e') {

@@ -59,7 +59,7 @@ pub struct Stage {
 }
 
 impl Call {
-    /// The matrix that the call multiplies with; `None`: it acts on the stack.
+    /// The matrix that the call multiplies with; `None` means it acts on the stack.
     #[must_use]
     pub fn matrix(self) -> Option<DMat4> {
         let turned = |axis: usize, degrees: f64| {
@@ -79,7 +79,7 @@ impl Call {
         }
     }
 
-    /// The formulas of its matrix, by rows; `None`: it acts on the stack.
+    /// The formulas of its matrix, by rows; `None` means it acts on the stack.
     ///
     /// *Guarantees*: each gives the entry of [`matrix`](Self::matrix).
     #[must_use]
@@ -244,7 +244,7 @@ pub fn same(a: &DMat4, b: &DMat4) -> bool {
 /// A part of a list that one T R S holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link {
-    /// Its first call; `None`: it has none.
+    /// Its first call; `None` means it has none.
     pub first: Option<usize>,
     /// Its translation, rotation and scale.
     pub trs: Trs,

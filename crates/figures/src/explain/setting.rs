@@ -221,7 +221,7 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// The angle that a symbol is, if it is one: those are written with a degree sign.
+    /// The angle that a symbol is, if it is one. Those are written with a degree sign.
     #[must_use]
     pub fn angle(&self, symbol: Symbol) -> Option<Angle> {
         matches!(symbol, Symbol::ViewAngle | Symbol::Rotate(_)).then(|| Angle::from_degrees(self.value(symbol)))

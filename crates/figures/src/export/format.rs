@@ -49,7 +49,7 @@ impl PictureFormat {
         }
     }
 
-    /// True where the figure goes with the picture: it can be opened again.
+    /// True where the figure goes with the picture. It can be opened again.
     #[must_use]
     pub const fn carries_figure(self) -> bool {
         match self {

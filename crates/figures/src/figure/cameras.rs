@@ -11,7 +11,7 @@ use crate::sanitize::is_obeyed;
 pub struct CameraTag {
     /// No other camera of the figure has it.
     pub name: Option<String>,
-    /// The color of its parts in the world while another camera is the current one; `None`: that of its place.
+    /// The color of its parts in the world while another camera is the current one; `None` means that of its place.
     pub color: Option<Rgba>,
 }
 
@@ -20,7 +20,7 @@ pub struct CameraTag {
 pub struct NamedCamera {
     /// Not empty, and no other camera of the figure has it.
     pub name: String,
-    /// The color of its parts in the world; `None`: that of its place in the list.
+    /// The color of its parts in the world; `None` means that of its place in the list.
     pub color: Option<Rgba>,
     /// The keys of `[camera]`, which are a possible camera.
     pub parameters: Parameters,
@@ -37,7 +37,7 @@ impl NamedCamera {
 }
 
 impl Figure {
-    /// True where a camera of the figure may have a name: it is one line, and no other camera has it. `own` is the
+    /// True where a camera of the figure may have a name. It is one line, and no other camera has it. `own` is the
     /// place in the list of the camera that is renamed, if it is there.
     #[must_use]
     pub fn may_name_camera(&self, name: &str, own: Option<usize>) -> bool {
@@ -97,7 +97,7 @@ impl Figure {
         (self.camera, self.lens) = (parameters, lens);
     }
 
-    /// Gives a camera another name; `None`: the current one.
+    /// Gives a camera another name; `None` means the current one.
     pub fn rename_camera(&mut self, index: Option<usize>, name: &str) {
         let Some(index) = index else { return self.tag.name = Some(name.to_owned()) };
         let Some(camera) = self.cameras.get_mut(index) else { return };

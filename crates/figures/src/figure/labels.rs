@@ -54,7 +54,7 @@ pub struct RenamedLabel {
 pub struct MovedLabel {
     /// The label.
     pub name: String,
-    /// In which picture; `None`: in all.
+    /// In which picture; `None` means in all.
     pub view: Option<View>,
     /// From the label's point to the middle of its text, to the right and upwards, in heights of its type.
     pub by: DVec2,
@@ -95,11 +95,11 @@ pub enum MeasureText {
 /// A note of the author's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
-    /// In which picture; `None`: in all. A note at a place of the picture is in one.
+    /// In which picture; `None` means in all. A note at a place of the picture is in one.
     pub view: Option<View>,
     /// Its subject.
     pub at: NotePlace,
-    /// From there to the middle of its text, as [`MovedLabel::by`]; `None`: where there is room.
+    /// From there to the middle of its text, as [`MovedLabel::by`]; `None` means where there is room.
     pub by: Option<DVec2>,
     /// Its text, as [`RenamedLabel::text`].
     pub text: String,
@@ -331,7 +331,7 @@ pub fn note_index(name: &str) -> Option<usize> {
     name.strip_prefix(NOTE)?.parse::<usize>().ok()?.checked_sub(1)
 }
 
-/// The name of a legend as a whole: it is hidden, moved and styled by it.
+/// The name of a legend as a whole. It is hidden, moved and styled by it.
 pub const LEGEND: &str = "legend";
 
 /// True for the name of a line of a legend: `legend:depth`.

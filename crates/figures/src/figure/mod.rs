@@ -71,7 +71,7 @@ pub struct Figure {
     pub undistorted: bool,
     /// `[image] photograph` and `photograph_opacity`.
     pub photograph: Option<Photograph>,
-    /// `[viewport]`; `None`: the whole image, depth 0 … 1.
+    /// `[viewport]`; `None` means the whole image, depth 0 … 1.
     pub viewport: Option<Viewport>,
     /// `[scene]`
     pub scene: SceneSpec,
@@ -83,7 +83,7 @@ pub struct Figure {
     pub reveal: Reveal,
     /// `[world]`
     pub world: WorldLook,
-    /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be
+    /// `[observers]`: from where the world and the canonical volume are seen; `None` means from where everything can be
     /// seen.
     pub observers: Observers,
     /// `[show]`: explanations in the pictures.

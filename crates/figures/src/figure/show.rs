@@ -17,7 +17,7 @@ pub struct Show {
     /// The picture in which the stage is shown, and whose pipeline it is a stage of. The others show the parts that
     /// belong to it.
     pub stage_of: StagePicture,
-    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None`: all, with
+    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None` means all, with
     /// everything else.
     pub painted: Option<f64>,
     /// The canonical picture on its way from the world.
@@ -32,12 +32,12 @@ pub struct Show {
     pub probe: Option<ShownProbe>,
     /// Objects where lists of transforms would put them, in the world. Their axes are numbered in this order.
     pub moved: Vec<TransformPreview>,
-    /// The convention of NDC of the canonical volume; `None`: that of the notes, or of the window that shows it.
+    /// The convention of NDC of the canonical volume; `None` means that of the notes, or of the window that shows it.
     pub ndc: Option<Ndc>,
     /// A second camera, such as the one that a wrong answer describes, in the world.
     pub answer: Option<Parameters>,
-    /// The operations that led to the figure's camera, in order, at most [`MOST_OPERATIONS`](Self::MOST_OPERATIONS):
-    /// each is drawn with the camera before it.
+    /// The operations that led to the figure's camera, in order, at most [`MOST_OPERATIONS`](Self::MOST_OPERATIONS).
+    /// Each is drawn with the camera before it.
     pub operations: Vec<Operation>,
 }
 
@@ -96,7 +96,7 @@ pub struct ShownTriangle {
     pub index: u32,
     /// The step that lights up.
     pub step: TriangleStep,
-    /// The pixel (i, j) of the image whose depth is tested, (0, 0) at the top left; `None`: one in its middle.
+    /// The pixel (i, j) of the image whose depth is tested, (0, 0) at the top left; `None` means one in its middle.
     pub pixel: Option<[u32; 2]>,
 }
 
@@ -198,7 +198,7 @@ impl Measure {
         }
     }
 
-    /// True where its line is one of those of `[world] dimensions`: the others are there for an author.
+    /// True where its line is one of those of `[world] dimensions`. The others are there for an author.
     #[must_use]
     pub const fn is_among_dimensions(self) -> bool {
         !matches!(self, Self::HalfWidth | Self::HalfHeight | Self::Angle)
@@ -259,7 +259,7 @@ pub struct TransformPreview {
     pub objects: BTreeSet<String>,
     /// The map from their place in the world to the shown one.
     pub change: DMat4,
-    /// The matrix that the list leads to, in the world: its columns are the axes.
+    /// The matrix that the list leads to, in the world. Its columns are the axes.
     pub world_from_frame: DMat4,
     /// The axis of their last turn.
     pub axis: Option<Ray>,

@@ -75,7 +75,7 @@ pub struct Variant {
 /// The value of one variation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VariedValue {
-    /// A key, and its value without quotes; `None`: it is removed.
+    /// A key, and its value without quotes; `None` means it is removed.
     Key(String, Option<String>),
     /// An operation.
     Operation(Operation),

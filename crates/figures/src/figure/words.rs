@@ -110,7 +110,7 @@ pub const NDCS: Words<Ndc> = &{
 pub const PICTURES: Words<View> =
     &[(View::World.name(), View::World), (View::Canonical.name(), View::Canonical), (View::Image.name(), View::Image)];
 
-/// `[screen] arrangement`; `None`: automatic.
+/// `[screen] arrangement`; `None` means automatic.
 pub const ARRANGEMENTS: Words<Option<Arrangement>> = &[
     ("auto", None),
     ("row", Some(Arrangement::Row)),

@@ -198,7 +198,7 @@ fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
 }
 
 impl Quantity {
-    /// Its numbers in a report; `None` where the report has none: a point behind the eye has no NDC.
+    /// Its numbers in a report; `None` where the report has none. A point behind the eye has no NDC.
     #[must_use]
     pub fn of(self, report: &Report) -> Option<Numbers> {
         let camera = &report.camera;
@@ -336,7 +336,7 @@ impl fmt::Display for Quantity {
 pub struct QuantityPath {
     /// The quantity.
     pub quantity: Quantity,
-    /// The row that is meant, and the column; `None`: all.
+    /// The row that is meant, and the column; `None` means all.
     pub entry: [Option<usize>; 2],
 }
 

@@ -8,7 +8,7 @@ use crate::views::{Finish, Hover, Palette, Request, Side, Size, View};
 
 /// The greatest difference of a channel that counts as none: what rounding makes.
 const SAME: u8 = 8;
-/// The longest side of an image whose pixels are counted: a larger one is made smaller.
+/// The longest side of an image whose pixels are counted. A larger one is made smaller.
 const MOST_COUNTED: u32 = 1024;
 /// Pixels from one stripe to the next, and of a stripe, at scale 1.
 const STRIPES: (f32, f32) = (6.0, 2.0);
@@ -38,7 +38,7 @@ impl Differences {
         Self { differing, width: one.width as usize, color, stripes }
     }
 
-    /// The opacity of the mark on a pixel of a side that begins in this column of the whole picture; `None`: both
+    /// The opacity of the mark on a pixel of a side that begins in this column of the whole picture; `None` means both
     /// sides are alike there.
     fn mark(&self, [x, y]: [usize; 2], left: usize) -> Option<u8> {
         let [period, stripe] = self.stripes;

@@ -22,12 +22,12 @@ const LEAST_LETTERS: f64 = 6.0;
 pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
-    /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are several pictures,
+    /// Height of the letters of names in points; `None` means by the scale of the picture. Where there are several pictures,
     /// they are smaller, as long as they can be read, if they would cover their objects: see [`Composite::crowded`].
     pub letters: Option<f64>,
-    /// Width of the edges of solids in points, and other strokes in proportion; `None`: in proportion to the letters.
+    /// Width of the edges of solids in points, and other strokes in proportion; `None` means in proportion to the letters.
     pub lines: Option<f64>,
-    /// Several pictures are arranged so that they become as large as the shape of the paper allows; otherwise they are
+    /// Several pictures are arranged so that they become as large as the shape of the paper allows. Otherwise they are
     /// side by side.
     pub arranged: bool,
 }
@@ -125,9 +125,9 @@ pub struct Composite {
     pub(super) ground: Rgba,
     /// The message where several pictures have little space on their paper.
     pub crowded: Option<Crowded>,
-    /// The rows of a family, and its captions; `None`: as in the arrangement.
+    /// The rows of a family, and its captions; `None` means as in the arrangement.
     pub(super) grid: Option<Grid>,
-    /// The width of the sheet in pixels once its pictures are cropped; `None`: what is left of them.
+    /// The width of the sheet in pixels once its pictures are cropped; `None` means what is left of them.
     pub(super) width: Option<u32>,
 }
 

@@ -23,7 +23,7 @@ pub enum PictureError {
     Encode {
         /// The format.
         format: PictureFormat,
-        /// The message of the encoder: its own error belongs to another crate, and can be neither cloned nor compared.
+        /// The message of the encoder. Its own error belongs to another crate, and can be neither cloned nor compared.
         why: String,
     },
     /// An error of an animation.

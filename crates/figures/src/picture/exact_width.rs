@@ -9,7 +9,7 @@ use crate::progress::Progress;
 
 /// The most attempts to fill a paper.
 const ROUNDS: usize = 5;
-/// Content this near to the width of its paper, in pixels, is near enough: the rest becomes ground.
+/// Content this near to the width of its paper, in pixels, is near enough. The rest becomes ground.
 const NEAR: f64 = 2.0;
 
 /// The sheet whose cropped pictures are as wide as `asked`, in pixels, and no higher. `make` gives the sheet whose

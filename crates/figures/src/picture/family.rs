@@ -19,13 +19,13 @@ pub struct Family {
     pub members: Vec<(Variant, SharedScene)>,
     /// The pictures of each.
     pub views: Views,
-    /// The number of pictures in a row; `None`: as many as there is room for.
+    /// The number of pictures in a row; `None` means as many as there is room for.
     pub columns: Option<usize>,
     /// Letters before the captions: (a), (b) …
     pub parts: bool,
     /// Captions in place of the values, as far as there are some.
     pub captions: Vec<String>,
-    /// The figure whose observers see all of them; `None`: one observer, who has the subject of each in the picture.
+    /// The figure whose observers see all of them; `None` means one observer, who has the subject of each in the picture.
     pub observer_of: Option<ObserverOf>,
 }
 
@@ -42,7 +42,7 @@ pub enum SheetSize {
 
 impl Family {
     /// The sheet. `request` has the words and the settings of the pictures, `scale` is that of strokes and letters;
-    /// `None`: by the size of the sheet.
+    /// `None` means by the size of the sheet.
     ///
     /// # Errors
     /// [`NoComposite`].

@@ -30,7 +30,7 @@ pub struct PictureFile {
 /// The words that go with a picture into its file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Told {
-    /// The figure file. Empty: none.
+    /// The figure file. Empty means none.
     pub figure: String,
     /// The title.
     pub title: String,
@@ -65,7 +65,7 @@ pub struct FileOptions {
     /// Crop the empty background around each picture.
     pub crop: bool,
     /// Pixels per inch on paper, which PNG and JPEG can tell to who prints them, and by which vectors have their size;
-    /// `None`: not for paper.
+    /// `None` means not for paper.
     pub dpi: Option<f64>,
     /// How the faces of vectors are written.
     pub faces: Faces,

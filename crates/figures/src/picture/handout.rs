@@ -47,7 +47,7 @@ pub enum Paragraph {
 /// A picture with its texts.
 #[derive(Clone, Debug, Default)]
 pub struct HandoutEntry {
-    /// The pictures; `None`: only texts.
+    /// The pictures; `None` means only texts.
     pub picture: Option<Composite>,
     /// The texts below them.
     pub paragraphs: Vec<Paragraph>,
@@ -62,7 +62,7 @@ pub struct Handout {
     pub language: &'static str,
     /// The entries.
     pub entries: Vec<HandoutEntry>,
-    /// The number of columns. Two make entries small: they stand side by side in rows, four on a page.
+    /// The number of columns. Two make entries small. They stand side by side in rows, four on a page.
     pub columns: usize,
 }
 

@@ -25,8 +25,8 @@ pub struct RenderReport {
 
 impl RenderReport {
     /// The report of the pipeline, completed with the work on pixels; `on_window` is the time of the image on the view
-    /// window, if it was drawn. The time of neither the pipeline nor the rasterizer went into the scene of the picture:
-    /// the canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as
+    /// window, if it was drawn. The time of neither the pipeline nor the rasterizer went into the scene of the picture.
+    /// The canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as
     /// traversal.
     pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
         let mut stages = frame.report.clone();
@@ -43,7 +43,7 @@ impl RenderReport {
     }
 }
 
-/// The elements that a stage worked on. A stage that the report counts by its triangles works on their pixels: they
+/// The elements that a stage worked on. A stage that the report counts by its triangles works on their pixels. They
 /// have their share of all pixels that were drawn.
 fn elements(report: &StageReport, frame: &Frame, work: Work) -> Elements {
     let drawing = &frame.drawing;

@@ -23,7 +23,7 @@ use crate::views::{self, LabelPlace, Request, SharedScene, Side, Size, TimedPipe
 /// *Guarantees*: equal requests give equal pixels, whatever has been drawn before.
 #[derive(Debug)]
 pub struct Renderer {
-    /// One for each picture: each finds its own buffers again.
+    /// One for each picture. Each finds its own buffers again.
     pipelines: [TimedPipeline; View::COUNT],
     /// For the image that the view window of the world shows.
     window_pipeline: TimedPipeline,
@@ -45,7 +45,7 @@ pub struct Renderer {
     progress: Progress,
 }
 
-/// Pictures that are made at the same time: more would need more memory, and a large one has several threads.
+/// Pictures that are made at the same time. More would need more memory, and a large one has several threads.
 const AT_ONCE: usize = View::COUNT;
 
 impl Default for Renderer {
@@ -79,7 +79,7 @@ impl Renderer {
         }
     }
 
-    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None`: no
+    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None` means no
     /// more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
@@ -94,7 +94,7 @@ impl Renderer {
         }
     }
 
-    /// Forgets cached pictures and shadow maps: the next one is made from scratch, in the same memory.
+    /// Forgets cached pictures and shadow maps. The next one is made from scratch, in the same memory.
     pub fn forget(&mut self) {
         self.on_window = None;
         for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
@@ -241,7 +241,7 @@ impl Renderer {
         reports.into_iter().collect()
     }
 
-    /// Paints the shadow maps of pictures that are made at the same time: otherwise each would paint them.
+    /// Paints the shadow maps of pictures that are made at the same time. Otherwise each would paint them.
     async fn paint_shadows(&mut self, requests: &[Request]) {
         let mut painted: Option<&SharedScene> = None;
         let shaded = requests.iter().filter(|request| request.shot.look.style.shading != Shading::Wireframe);

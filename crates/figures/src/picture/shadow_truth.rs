@@ -35,7 +35,7 @@ pub enum Verdict {
     Right,
     /// In the shadow, where the ray reaches the light: a face shadows itself.
     WronglyDark,
-    /// In the light, where something stops the ray: the shadow has come off.
+    /// In the light, where something stops the ray. The shadow has come off.
     WronglyLit,
 }
 

@@ -31,7 +31,7 @@ pub struct TrianglePixels {
 pub struct Tested {
     /// Z of the triangle, `[0]` Eq. (5.25).
     pub z: f64,
-    /// Z that was there; `None`: nothing.
+    /// Z that was there; `None` means nothing.
     pub before: Option<f64>,
     /// Nearer, and kept.
     pub kept: bool,
@@ -115,7 +115,7 @@ struct Key {
 #[derive(Clone, Debug)]
 struct Kept {
     steps: TriangleSteps,
-    /// `None`: not computed yet.
+    /// `None` means not computed yet.
     pixels: Option<Option<Arc<TrianglePixels>>>,
 }
 

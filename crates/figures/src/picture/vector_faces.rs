@@ -195,7 +195,7 @@ fn wound([a, b, c]: Corners) -> Option<Corners> {
     Some(if area > 0.0 { [a, b, c] } else { [a, c, b] })
 }
 
-/// Puts parts of one picture together if nothing that lies between them in the order covers the one that moves: the
+/// Puts parts of one picture together if nothing that lies between them in the order covers the one that moves. The
 /// order cuts a surface by the planes of faces that need not be near it, and each cut would be a seam.
 fn gather(parts: &mut Vec<Part>) {
     if !parts.iter().any(|part| matches!(part, Part::Pictured(_))) {
@@ -316,7 +316,7 @@ fn area_of(color: Rgba, triangles: &[Corners], shared: &HashMap<SideKey, u32>) -
     items
 }
 
-/// True where a triangle has a side in common with the last one of an area, and lies on the other side of it: both are
+/// True where a triangle has a side in common with the last one of an area, and lies on the other side of it. Both are
 /// blended with what is below once.
 fn continues(triangles: &[Corners], next: Corners) -> bool {
     let Some(last) = triangles.last() else { return false };

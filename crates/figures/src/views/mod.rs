@@ -1,6 +1,6 @@
 //! A figure → the scene that each of the three pictures shows, and its observer.
 //!
-//! There is one engine: the image is the scene seen by the figure's camera, the world is the scene with the camera's
+//! There is one engine. The image is the scene seen by the figure's camera, the world is the scene with the camera's
 //! own gear seen by a second camera (the observer), and the canonical volume is the scene after clipping and
 //! projection, seen by a third. All three go through [`Pipeline::frame`](crate::pipeline::Pipeline::frame).
 //!
@@ -156,7 +156,7 @@ impl Request {
         }
     }
 
-    /// The same picture for a page or a file: its observer goes back to where everything of interest is in the picture,
+    /// The same picture for a page or a file. Its observer goes back to where everything of interest is in the picture,
     /// if it was turned in a picture of another shape. A close look, of which most is outside anyway, goes back as far
     /// as the picture is narrower than those beside one another in a window.
     #[must_use]

@@ -10,7 +10,7 @@ use crate::geometry::Aabb;
 use super::Size;
 
 /// The share of the picture's width and height that [`enclosing`] leaves free on each side, and the least that this is
-/// in pixels at scale 1: a label has room there. In a small picture with large letters it is no more than
+/// in pixels at scale 1. A label has room there. In a small picture with large letters it is no more than
 /// `MOST_MARGIN`.
 const MARGIN: f64 = 0.05;
 const LEAST_MARGIN: f64 = 26.0;

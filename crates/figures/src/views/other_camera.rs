@@ -10,7 +10,7 @@ use crate::figure::Figure;
 pub struct OtherCamera {
     /// Its name in the figure.
     pub name: String,
-    /// Its color; `None`: that of its place.
+    /// Its color; `None` means that of its place.
     pub color: Option<Rgba>,
     /// The camera, [rounded](Camera::rounded).
     pub camera: Camera,

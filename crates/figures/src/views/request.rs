@@ -20,7 +20,7 @@ use crate::scene::{Scene, SceneRevision};
 pub struct Request {
     /// The kind of the picture.
     pub view: View,
-    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture.
+    /// From where a three-dimensional picture is seen; `None` means from a corner, with everything in the picture.
     pub observer: Option<Observer>,
     /// The camera that the picture is about.
     pub camera: Camera,
@@ -55,17 +55,17 @@ pub struct Finish {
     pub bare: bool,
     /// Transparent background.
     pub transparent: bool,
-    /// The factor of stroke widths; `None`: in proportion to the letters.
+    /// The factor of stroke widths; `None` means in proportion to the letters.
     pub stroke_factor: Option<f32>,
     /// The image has a border, with room around it for the marks at its sides: on paper, and beside other pictures.
     pub framed: bool,
-    /// No letters are smaller than those of names, unless the author made them so: their height was asked for.
+    /// No letters are smaller than those of names, unless the author made them so. Their height was asked for.
     pub least_letters: bool,
 }
 
 impl Request {
     /// A picture of a figure, without hover. The camera is the figure's, or that after operations, as in
-    /// [`of_picture`](Self::of_picture); the scene is [`scene_of`](super::scene_of) the figure.
+    /// [`of_picture`](Self::of_picture). The scene is [`scene_of`](super::scene_of) the figure.
     #[must_use]
     pub fn of(
         figure: &Figure,
@@ -149,7 +149,7 @@ impl Request {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }
     }
 
-    /// The canonical picture on its way from the world, step by step; `None`: there is no way that the camera can go,
+    /// The canonical picture on its way from the world, step by step; `None` means there is no way that the camera can go,
     /// or none is shown.
     #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {

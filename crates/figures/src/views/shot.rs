@@ -142,7 +142,7 @@ impl Shot {
     }
 
     /// The part of it that is seen in a picture of a kind: parts of others are at their defaults, so that they change
-    /// nothing here. The pictures are left out: a request has its own.
+    /// nothing here. The pictures are left out. A request has its own.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         let show = &self.show;
@@ -195,7 +195,7 @@ impl Shot {
         Self { compared: compared.map(Arc::new), ..seen }
     }
 
-    /// The inner work of the pipeline in a picture: the requested part, and while a stage of the image is shown, its
+    /// The inner work of the pipeline in a picture. The requested part, and while a stage of the image is shown, its
     /// parts in the pictures beside.
     fn revealed_in(&self, view: View) -> Reveal {
         let reveal = self.look.reveal;

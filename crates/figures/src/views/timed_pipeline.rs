@@ -26,12 +26,12 @@ pub struct TimedPipeline {
     pub clock: Option<fn() -> Duration>,
     /// The changed scene of the last picture that had one: the pointer moves over the same one for long.
     changed: Option<(SharedScene, SceneChange, SharedScene)>,
-    /// The content of the canonical volume of the last picture: its observer may go around it for long.
+    /// The content of the canonical volume of the last picture. Its observer may go around it for long.
     projected: Option<(SharedScene, Camera, Shading, SharedScene)>,
 }
 
 impl TimedPipeline {
-    /// Forgets what was made of scenes and shadow maps: the next picture makes its own, in the same memory.
+    /// Forgets what was made of scenes and shadow maps. The next picture makes its own, in the same memory.
     pub fn forget(&mut self) {
         self.stages.forget();
         self.projected = None;

@@ -193,7 +193,7 @@ pub struct Reading {
     pub expected: Expected,
 }
 
-/// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
+/// Computes a table; with slips, as it comes out when they are made. `None` means nothing comes out, or the slip can't be
 /// made there.
 pub type Compute = Arc<dyn Fn(Slips) -> Option<Table> + Send + Sync>;
 /// The conditions on a camera: their names, and whether it meets them.

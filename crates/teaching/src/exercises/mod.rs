@@ -108,7 +108,7 @@ pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Resul
 /// number that the notes leave open has to be right for other numbers too.
 ///
 /// # Errors
-/// [`AnswerError`]: the text cannot be read as an answer; then nothing is judged.
+/// [`AnswerError`] if the text cannot be read as an answer; then nothing is judged.
 pub fn check_beside(
     entry: &Entry,
     exercise: &Exercise,

@@ -54,7 +54,7 @@ impl Subject {
         place_of(&self.camera().ok()?, self.figure.image, point)
     }
 
-    /// A quantity of that report. A boolean is 1 or 0. `None`: the report does not have it.
+    /// A quantity of that report. A boolean is 1 or 0. `None` means the report does not have it.
     #[must_use]
     pub fn value(&self, path: impl Into<QuantityPath>) -> Option<Table> {
         let Numbers { columns, entries } = path.into().numbers(&self.report().ok()?)?;

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-/// Numbers in rows and columns, row by row: a number is 1 × 1, a vector is a column.
+/// Numbers in rows and columns, row by row. A number is 1 × 1, a vector is a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Number of rows.

@@ -57,7 +57,7 @@ impl Worked {
         Self { heading, equation: equation.to_owned(), subject, point: None, rows: Vec::new() }
     }
 
-    /// The same step with a row: the number of `symbol` is `formula`.
+    /// The same step with a row. The number of `symbol` is `formula`.
     #[must_use]
     pub fn row(mut self, symbol: Named, formula: Formula) -> Self {
         self.rows.push(FormulaRow { symbol: symbol.into(), formula, value: symbol.value });
@@ -172,7 +172,7 @@ pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Wo
     steps
 }
 
-/// The way to whether a point is inside: its clip coordinates, and how far inside of each plane it is.
+/// The way to whether a point is inside. Its clip coordinates, and how far inside of each plane it is.
 pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
     let mut steps = worked(subject, Quantity::Point(k, PointNumber::Clip));
     let (_, after) = operated(subject, |_| false);

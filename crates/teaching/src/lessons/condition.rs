@@ -11,7 +11,7 @@ use crate::inspect::quantity::QuantityPath;
 use crate::numerics::diagnosis::Counter;
 use crate::scene::Scene;
 
-/// The longest side of the image in which pixels are counted: a picture in a window is not much larger.
+/// The longest side of the image in which pixels are counted. A picture in a window is not much larger.
 const SIDE: u32 = 640;
 
 /// Something to reach with the controls.

@@ -49,7 +49,7 @@ pub enum Words {
 /// The text of a lesson file with other words, and its lesson. Everything else stays as it is written.
 ///
 /// # Errors
-/// [`FigureError`]: the text would be no lesson.
+/// [`FigureError`] if the text would be no lesson.
 pub fn reworded(text: &str, words: &[Words]) -> Result<(String, Lesson), FigureError> {
     let (head, steps) = parts(text);
     let mut parts: Vec<Cow<'_, str>> = std::iter::once(head).chain(steps).map(Cow::Borrowed).collect();
@@ -96,7 +96,7 @@ pub enum Edit {
 /// The figure of a step is the same wherever the step comes to stand.
 ///
 /// # Errors
-/// [`FigureError`]: the text is no lesson, or would be none after the change.
+/// [`FigureError`] if the text is no lesson, or would be none after the change.
 pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> {
     let lesson = parse(text)?;
     let figures: Vec<&Figure> = lesson.steps.iter().map(|step| &*step.figure).collect();

@@ -15,7 +15,7 @@ pub struct Way {
     pub step: usize,
 }
 
-/// The identifiers of the exercises of the program that a lesson leads to, each once: those its steps ask, those they
+/// The identifiers of the exercises of the program that a lesson leads to, each once. Those its steps ask, those they
 /// link to, and the questions before and after it.
 #[must_use]
 pub fn exercises_of(lesson: &Lesson) -> Vec<&str> {

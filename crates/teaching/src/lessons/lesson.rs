@@ -46,7 +46,7 @@ pub struct Question {
 pub struct OpenLesson {
     /// The lesson.
     pub lesson: Arc<Lesson>,
-    /// Its file, in whose folder its steps look for meshes; `None`: one of the program.
+    /// Its file, in whose folder its steps look for meshes; `None` means one of the program.
     pub path: Option<PathBuf>,
     /// The step, from 0.
     pub step: usize,

@@ -13,7 +13,7 @@ const MOST_DECIMALS: usize = 12;
 /// Numbers from here on, and those whose decimals would all be 0, have an exponent.
 const LARGE: f64 = 1e9;
 
-/// Every number of a figure: its points are those of `[[points]]`, its pixel that of the probe.
+/// Every number of a figure. Its points are those of `[[points]]`, its pixel that of the probe.
 ///
 /// # Errors
 /// [`InspectError`] names the impossible quantity.

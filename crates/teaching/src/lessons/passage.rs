@@ -32,7 +32,7 @@ impl Passage {
         self.camera.is_none() && self.shown_at(0.0) == *self.to
     }
 
-    /// The figure after a share of the way, 0 … 1: each can be drawn.
+    /// The figure after a share of the way, 0 … 1. Each can be drawn.
     ///
     /// *Guarantees*: at 1 it is the second figure.
     #[must_use]

@@ -1,4 +1,4 @@
-//! A step of a lesson from what is on the screen: only the difference from the step before is written.
+//! A step of a lesson from what is on the screen. Only the difference from the step before is written.
 
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table};
 
@@ -27,7 +27,7 @@ pub struct Draft {
 /// Reading the text gives the lesson with that figure in its last step.
 ///
 /// # Errors
-/// [`FigureError`]: the text is no lesson, or has as many steps as one may have.
+/// [`FigureError`] if the text is no lesson, or has as many steps as one may have.
 pub fn with_step(text: &str, id: &str, draft: &Draft, now: &Figure) -> Result<(String, Lesson), FigureError> {
     let (mut out, last) = if text.trim().is_empty() {
         let mut head = DocumentMut::new();

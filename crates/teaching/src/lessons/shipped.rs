@@ -1,4 +1,4 @@
-//! The lessons that are part of the program: they are there wherever it is, installed or not.
+//! The lessons that are part of the program. They are there wherever it is, installed or not.
 
 use std::sync::{Arc, LazyLock};
 

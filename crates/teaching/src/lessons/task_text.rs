@@ -1,4 +1,4 @@
-//! The task of a step as its author types it: every field is a text, which the reader of lessons judges.
+//! The task of a step as its author types it. Every field is a text, which the reader of lessons judges.
 
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 

@@ -27,7 +27,7 @@ pub struct Words<'a> {
 pub struct Pair {
     /// Error over parameter.
     pub by_parameter: Chart,
-    /// Error over time at the stiffest parameter: the others are shadows.
+    /// Error over time at the stiffest parameter. The others are shadows.
     pub by_time: Chart,
     /// The error that is drawn for an error of 0.
     pub floor: f64,
@@ -50,7 +50,7 @@ impl Findings {
         unique(self.rows.iter().map(|row| row.case.as_str()))
     }
 
-    /// The methods, in their order: the place of each is its colour.
+    /// The methods, in their order. The place of each is its colour.
     #[must_use]
     pub fn methods(&self) -> Vec<&'static str> {
         unique(self.rows.iter().map(|row| row.method))

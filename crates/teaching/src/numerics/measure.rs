@@ -52,7 +52,7 @@ pub(super) struct Watch {
 
 /// Passes over the inputs that are timed at least, where time is taken at all, after one that warms up.
 const LEAST_PASSES: usize = 3;
-/// A run shorter than this number of ticks of the clock is repeated until it is long enough: the error is a tenth at
+/// A run shorter than this number of ticks of the clock is repeated until it is long enough. The error is a tenth at
 /// most.
 const TICKS: u32 = 10;
 /// More passes tell nothing new.

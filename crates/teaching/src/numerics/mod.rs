@@ -1,9 +1,9 @@
-//! Error against run time: each [`Study`] takes a place where a graphics programmer has a choice, runs all methods on
+//! Error against run time. Each [`Study`] takes a place where a graphics programmer has a choice, runs all methods on
 //! the same seeded inputs, and measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits,
 //! and how long it takes.
 //!
 //! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own
-//! code is not made generic: it is one of the methods, [`OWN`], called as the program calls it.
+//! code is not made generic. It is one of the methods, [`OWN`], called as the program calls it.
 
 pub mod chain;
 pub mod charts;
@@ -166,7 +166,7 @@ pub struct Findings {
     pub study: Study,
     /// The reference of the errors.
     pub reference: &'static str,
-    /// Bytes of the inputs of one pass: they must stay in a cache for the times to be those of the arithmetic.
+    /// Bytes of the inputs of one pass. They must stay in a cache for the times to be those of the arithmetic.
     pub working_set: usize,
     /// Each (case, parameter) with all methods.
     pub rows: Vec<Row>,

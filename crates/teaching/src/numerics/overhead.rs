@@ -33,7 +33,7 @@ pub struct Price {
     /// Basis, window, matrices, their inverses, and the corners of the volume, from the parameters of a figure.
     pub numbers: Cost,
     /// A frame of the scene that the program begins with, at the size of its image, from the parameters to the pixels.
-    /// The pipeline is the same in both: it has been in `f64` from the start.
+    /// The pipeline is the same in both. It has been in `f64` from the start.
     pub frame: Cost,
 }
 

@@ -550,7 +550,7 @@ fn toggle_exercises(state: &mut State) {
     }
 }
 
-/// The explanations and the exercises share a panel: one of them is on.
+/// The explanations and the exercises share a panel. One of them is on.
 fn toggle_explain(state: &mut State) {
     if state.shows_exercises() {
         let [last, ..] = state.explain.last();

@@ -129,7 +129,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
     }
 }
 
-/// The field of a name: it takes effect with Enter, or when it is left.
+/// The field of a name. It takes effect with Enter, or when it is left.
 fn name_field(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) {
     let figure = state.document.figure();
     let old = index.map_or_else(|| figure.tag.name.clone(), |i| Some(figure.cameras[i].name.clone()));

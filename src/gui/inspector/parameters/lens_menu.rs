@@ -23,7 +23,7 @@ struct Kept {
 enum Change {
     /// θ, for a symmetric window.
     Form(LensForm),
-    /// The window becomes smaller by this factor: it is free, or the form has no place in a figure file.
+    /// The window becomes smaller by this factor. It is free, or the form has no place in a figure file.
     Zoom(f64),
     /// The middle of the window, as shares of the side that the sensor spans.
     Shift([f64; 2]),

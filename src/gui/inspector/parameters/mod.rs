@@ -252,7 +252,7 @@ impl ParameterForm {
         }
     }
 
-    /// The menu that a right click on a row opens: its value is copied, its point followed through the spaces, its
+    /// The menu that a right click on a row opens. Its value is copied, its point followed through the spaces, its
     /// measure kept in the figure as a label in the world.
     fn menu(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
         let opens = ui.rect_contains_pointer(row) && ui.input(|input| input.pointer.secondary_clicked());

@@ -91,7 +91,7 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same
+/// A scene of another size would be out of sight. Each preset comes with its camera, and with an image of the same
 /// aspect.
 fn show_from_its_best_side(state: &mut State, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
@@ -223,7 +223,7 @@ impl SceneForm {
         }
     }
 
-    /// Takes the scene over where it is possible; otherwise the fields keep it, and the figure the last one that was.
+    /// Takes the scene over where it is possible. Otherwise the fields keep it, and the figure the last one that was.
     fn finish(self, state: &mut State) {
         state.hover.measured.extend_from_slice(&self.measured);
         state.hover.pointed.extend_from_slice(&self.pointed);

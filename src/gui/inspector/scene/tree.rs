@@ -23,7 +23,7 @@ const INDENT: f32 = 13.0;
 
 /// A line of the tree.
 struct TreeRow {
-    /// `None`: the world, on which everything hangs.
+    /// `None` means the world, on which everything hangs.
     what: Option<Selected>,
     /// Its name in the figure.
     name: String,
@@ -31,13 +31,13 @@ struct TreeRow {
     shown: String,
     kind: &'static str,
     depth: u16,
-    /// Its children are shown; `None`: it has none.
+    /// Its children are shown; `None` means it has none.
     open: Option<bool>,
     color: Option<Rgba>,
     hint: &'static str,
 }
 
-/// Rows farther out of sight than this are left out, for keys and screen readers too: each costs time in each frame.
+/// Rows farther out of sight than this are left out, for keys and screen readers too. Each costs time in each frame.
 const FAR: f32 = 150.0;
 
 /// An object that is being dragged, by name.

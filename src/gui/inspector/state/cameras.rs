@@ -8,9 +8,9 @@ use crate::i18n::window::cameras;
 /// The list of cameras.
 #[derive(Clone, Debug, Default)]
 pub struct CameraList {
-    /// The name that is being typed for a camera (`None`: the current one), and whether its field has been left.
+    /// The name that is being typed for a camera (`None` means the current one), and whether its field has been left.
     pub(in crate::gui) typing: Option<(Option<usize>, String, bool)>,
-    /// The baseline of the next stereo pair; `None`: a thirtieth of D, as the textbooks of stereo photography have it.
+    /// The baseline of the next stereo pair; `None` means a thirtieth of D, as the textbooks of stereo photography have it.
     pub baseline: Option<f64>,
 }
 
@@ -34,7 +34,7 @@ impl State {
         self.document.edit_cameras(|figure| figure.add_camera(camera));
     }
 
-    /// Makes the current camera and one more a stereo pair around it: the left one becomes the current one.
+    /// Makes the current camera and one more a stereo pair around it. The left one becomes the current one.
     pub(in crate::gui) fn make_stereo(&mut self, baseline: f64, convergence: Convergence) {
         let t = cameras::texts(self.settings.lang);
         match self.document.camera().stereo(baseline, convergence) {

@@ -24,7 +24,7 @@ pub struct Operations {
     pub(in crate::gui) done: Option<DoneStep>,
     /// The operation that was done last, by a button or a slider.
     pub(in crate::gui) last: Option<Ghost>,
-    /// The camera after the last operation that was kept in the figure: another one goes on from there.
+    /// The camera after the last operation that was kept in the figure. Another one goes on from there.
     kept_at: Option<Camera>,
 }
 
@@ -60,7 +60,7 @@ impl Operations {
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct DoneStep {
     pub(in crate::gui) ghost: Ghost,
-    /// When it was done, in seconds; `None`: with the next frame.
+    /// When it was done, in seconds; `None` means with the next frame.
     pub(in crate::gui) since: Option<f64>,
 }
 
@@ -81,7 +81,7 @@ pub(in crate::gui) struct Motion {
     pub(in crate::gui) freedom: Freedom,
     pub(in crate::gui) amount: f64,
     pub(in crate::gui) convention: Convention,
-    /// When it began, in seconds; `None`: with the next frame.
+    /// When it began, in seconds; `None` means with the next frame.
     pub(in crate::gui) began: Option<f64>,
 }
 

@@ -110,7 +110,7 @@ impl SceneTree {
         self.select_all(primary, names);
     }
 
-    /// The figure's objects that are selected beside [`selected`](Self::selected); some may be gone.
+    /// The figure's objects that are selected beside [`selected`](Self::selected). Some may be gone.
     #[must_use]
     pub fn also(&self) -> &BTreeSet<String> {
         &self.also

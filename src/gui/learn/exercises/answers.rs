@@ -152,7 +152,7 @@ struct Typing {
 /// The height of a row of a typeset matrix, in lines of text.
 const ROW_OF_TABLE: f32 = 1.55;
 
-/// Shows feedback on an answer while it is typed, in the greatest space that earlier feedback needed: the content below
+/// Shows feedback on an answer while it is typed, in the greatest space that earlier feedback needed. The content below
 /// does not jump with every key.
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");

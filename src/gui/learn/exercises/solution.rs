@@ -22,7 +22,7 @@ use crate::i18n::why::dialects;
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
 use crate::limits::MAX_ANSWER;
 
-/// The button of the next help. It keeps the focus, whatever appears above it: it is identified by `id`, and not by its
+/// The button of the next help. It keeps the focus, whatever appears above it. It is identified by `id`, and not by its
 /// place.
 pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'static str, &str)) -> Response {
     let own = UiBuilder::new().scope_id(id.with("help"));

@@ -188,7 +188,7 @@ pub struct OwnFolder {
 pub struct Exercises {
     /// The search text of the list.
     pub wanted: String,
-    /// The exercise that is worked on; `None`: the list is shown.
+    /// The exercise that is worked on; `None` means the list is shown.
     pub open: Option<Chosen>,
     /// The typed answers of every exercise.
     pub typed: BTreeMap<Chosen, Typed>,
@@ -239,7 +239,7 @@ impl Exercises {
         self.entries().chain(&self.of_lesson).find(|entry| entry.id == id)
     }
 
-    /// Reads a folder of a lecturer's own exercises; `None`: there is none any more.
+    /// Reads a folder of a lecturer's own exercises; `None` means there is none any more.
     pub fn look_into(&mut self, folder: Option<PathBuf>) {
         self.own = folder.map(|folder| Arc::new(OwnFolder { found: files::read_exercises(&folder), folder }));
         // A file that was read once more may say something else.
@@ -317,7 +317,7 @@ impl Exercises {
         self.just_opened = true;
     }
 
-    /// Works on a question that its author is writing: the keyboard stays in the author's field.
+    /// Works on a question that its author is writing. The keyboard stays in the author's field.
     pub(in crate::gui) fn preview(&mut self, entry: Entry) {
         self.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
         self.of_lesson = vec![entry];

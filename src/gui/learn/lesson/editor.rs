@@ -1,4 +1,4 @@
-//! The texts of a step and of the lesson beside what they look like, and the order of the steps: a lesson of the user's
+//! The texts of a step and of the lesson beside what they look like, and the order of the steps. A lesson of the user's
 //! own is written where it is played.
 
 use eframe::egui::{Button, Id, RichText, Ui};

@@ -149,7 +149,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
     state.goes_on &= state.lesson.is_none();
 }
 
-/// In a presentation, digits are the number of a step: it is gone to after a moment, or at Enter.
+/// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
 fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
     let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
     let Some(playing) = state.lesson.as_mut().filter(|_| listens) else { return };

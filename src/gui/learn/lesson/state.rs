@@ -1,4 +1,4 @@
-//! The lesson that is played: its step, the move to it, and what is done.
+//! The lesson that is played. Its step, the move to it, and what is done.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ const SEEN: f64 = 2.0;
 pub struct Playing {
     /// The lesson.
     pub lesson: Arc<Lesson>,
-    /// Its file; `None`: one of the program.
+    /// Its file; `None` means one of the program.
     pub path: Option<PathBuf>,
     /// The step, from 0.
     pub step: usize,
@@ -97,7 +97,7 @@ impl Playing {
         self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
     }
 
-    /// True where the next step may be shown: the task is done, or was passed over.
+    /// True where the next step may be shown. The task is done, or was passed over.
     #[must_use]
     pub fn may_go_on(&self) -> bool {
         self.is_done() || self.passed.contains(&self.step)
@@ -108,9 +108,9 @@ impl Playing {
         self.shows_question && self.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))))
     }
 
-    /// Whether the document of a step has work in it. A step is there to be tried: another camera, image or way of
+    /// Whether the document of a step has work in it. A step is there to be tried. Another camera, image or way of
     /// drawing isn't marked, isn't stored, and ends with the step. What the user builds is work: objects, lights,
-    /// points, labels, titles. It's treated as in every other figure: it's marked (•), survives a crash, waits in its
+    /// points, labels, titles. It's treated as in every other figure. It's marked (•), survives a crash, waits in its
     /// step while other steps are shown, and whatever would end it asks first. Once the lesson has been written here,
     /// every change is work, because it may become a step.
     #[must_use]
@@ -118,7 +118,7 @@ impl Playing {
         if self.was_written { document.is_changed() } else { document.is_built_on() }
     }
 
-    /// Goes on with another text of the lesson: its steps may have other places.
+    /// Goes on with another text of the lesson. Its steps may have other places.
     pub(in crate::gui) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
         self.lesson = lesson;
         self.done.clear();
@@ -500,7 +500,7 @@ impl State {
         true
     }
 
-    /// True while the camera moves to a step: a change of it is none of yours.
+    /// True while the camera moves to a step. A change of it is none of yours.
     pub(in crate::gui) fn moves_to_step(&self) -> bool {
         self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
     }
@@ -524,7 +524,7 @@ impl State {
         true
     }
 
-    /// Ends the move to the step, where there is one: the step is there exactly.
+    /// Ends the move to the step, where there is one. The step is there exactly.
     pub(in crate::gui) fn end_move(&mut self) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
         let (now, target) = (self.document.figure(), moving.target.figure());

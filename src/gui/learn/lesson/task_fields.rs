@@ -237,7 +237,7 @@ impl Fields<'_> {
     }
 }
 
-/// The width that the fields of a row share: the last place is for the sign that removes it.
+/// The width that the fields of a row share. The last place is for the sign that removes it.
 fn width_of_fields(ui: &Ui) -> f32 {
     ui.available_width() - ui.spacing().interact_size.y - 4.0 * ui.spacing().item_spacing.x
 }

@@ -281,7 +281,7 @@ impl State {
         }
     }
 
-    /// Writes what is typed into the file. False if it cannot be written: a message says why, and the texts stay in
+    /// Writes what is typed into the file. False if it cannot be written. A message says why, and the texts stay in
     /// their fields.
     pub(in crate::gui) fn save_text(&mut self) -> bool {
         let Some(playing) = &mut self.lesson else { return true };

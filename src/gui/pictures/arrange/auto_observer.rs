@@ -1,4 +1,4 @@
-//! The observer of a picture that nobody has turned: it stays where it is, so that a camera that moves is seen moving,
+//! The observer of a picture that nobody has turned. It stays where it is, so that a camera that moves is seen moving,
 //! and goes back, once, where something would leave the picture.
 
 use std::collections::VecDeque;
@@ -21,7 +21,7 @@ const REMEMBERED: usize = 64;
 pub(in crate::gui::pictures) struct Moment {
     /// Time in seconds.
     pub(in crate::gui::pictures) now: f64,
-    /// Some button of the pointer is down: the camera is on its way. What is dragged stays below the pointer, and while
+    /// Some button of the pointer is down. The camera is on its way. What is dragged stays below the pointer, and while
     /// a value is dragged the scale stays, so that the window is seen growing and not the rest shrinking.
     pub(in crate::gui::pictures) on_the_way: bool,
     /// Nothing glides.

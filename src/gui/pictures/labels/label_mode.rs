@@ -11,9 +11,9 @@ pub struct LabelMode {
     pub chosen: Option<(View, String)>,
     /// The next click puts a note.
     pub adding: bool,
-    /// The text of the chosen label as it is typed; `None`: the figure's.
+    /// The text of the chosen label as it is typed; `None` means the figure's.
     pub typed: Option<String>,
-    /// The text was put there just now: its field gets the focus.
+    /// The text was put there just now. Its field gets the focus.
     pub is_new: bool,
     /// The field of the text has the focus.
     pub is_typing: bool,

@@ -16,7 +16,7 @@ const POLE: f64 = 1.0;
 pub(in crate::gui::pictures) struct CameraDrag {
     start: Camera,
     /// Units of the window for a pixel to the right and for one down, at PF: what is there stays below the pointer.
-    /// `None`: the camera turns about PF.
+    /// `None` means the camera turns about PF.
     pans: Option<DVec2>,
     /// How far the pointer has gone, in points.
     gone: DVec2,
@@ -69,7 +69,7 @@ impl CameraDrag {
     }
 }
 
-/// A turn about PF that keeps VUP: the scene goes with the pointer, and the camera stays level.
+/// A turn about PF that keeps VUP. The scene goes with the pointer, and the camera stays level.
 fn orbited(start: &Camera, points: DVec2) -> Parameters {
     let parameters = *start.parameters();
     let up = parameters.view_up.normalize_or_zero();

@@ -62,7 +62,7 @@ impl Probing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::gui::pictures) struct ProbeStep {
     pub(in crate::gui::pictures) probing: Probing,
-    /// From where; `None`: it begins.
+    /// From where; `None` means it begins.
     pub(in crate::gui::pictures) from: Option<Probe>,
     /// x right, y up.
     pub(in crate::gui::pictures) arrow: DVec2,

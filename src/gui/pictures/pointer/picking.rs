@@ -38,7 +38,7 @@ pub(in crate::gui::pictures) struct PickRequest {
 }
 
 impl PickRequest {
-    /// Whether the result of the other query is better than none: the pointer has moved a little.
+    /// Whether the result of the other query is better than none. The pointer has moved a little.
     fn is_near(&self, other: &Self) -> bool {
         match (self.what, other.what) {
             (PickQuery::Under { pointer, reach }, PickQuery::Under { pointer: there, .. }) => {

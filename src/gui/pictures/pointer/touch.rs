@@ -9,7 +9,7 @@ use crate::views::View;
 
 impl Canvas {
     /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. What the first of them
-    /// had begun before the second came is taken back: it was not meant.
+    /// had begun before the second came is taken back. It was not meant.
     pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, state: &mut State, pane: &Pane) -> bool {
         let touch = ui.input(|input| input.multi_touch());
         let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };

@@ -98,7 +98,7 @@ fn first_of(paths: Vec<PathBuf>, endings: &[&str]) -> Option<PathBuf> {
     paths.iter().find(|path| is_asked_for(path)).or(paths.first()).cloned()
 }
 
-/// Calls `then` at each event of this name, as long as the page is there: a dialog does not say when nobody needs it
+/// Calls `then` at each event of this name, as long as the page is there. A dialog does not say when nobody needs it
 /// any more.
 fn listen(input: &HtmlInputElement, event: &str, mut then: impl FnMut() + 'static) -> Option<()> {
     let closure = Closure::<dyn FnMut(Event)>::new(move |_| then());

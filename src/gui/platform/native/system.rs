@@ -12,7 +12,7 @@ use crate::clock;
 use crate::gui::background::worker::{Done, Worker};
 use crate::progress::Progress;
 
-/// A dialog cannot be drawn, read and closed this fast: there was none.
+/// A dialog cannot be drawn, read and closed this fast. There was none.
 const IMPOSSIBLE: Duration = Duration::from_millis(100);
 
 /// The choice in a dialog, once it has been closed.

@@ -215,7 +215,7 @@ fn read_link(link: &Path) -> Result<(Figure, SourceFile), files::FileError> {
     Ok(files::open_figure(link)?.at(link))
 }
 
-/// The address of the page, where others can open it: a file on this machine they can't.
+/// The address of the page, where others can open it. A file on this machine they can't.
 fn own_address(location: &web_sys::Location) -> Option<String> {
     let address = format!("{}{}", location.origin().ok()?, location.pathname().ok()?);
     address.starts_with("http").then_some(address)

@@ -1,6 +1,6 @@
 //! Progress in exercises, and typed answers: a file of its own beside the preferences, which can be read and deleted.
 //!
-//! A window merges its progress into the present content of the file: nothing of two windows is lost.
+//! A window merges its progress into the present content of the file. Nothing of two windows is lost.
 
 use std::collections::BTreeMap;
 use std::path::Path;

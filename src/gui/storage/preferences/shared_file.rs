@@ -1,4 +1,4 @@
-//! A file that several windows write, whole or not at all: each window merges what was changed in it into what the file
+//! A file that several windows write, whole or not at all. Each window merges what was changed in it into what the file
 //! holds by then.
 
 use std::io;
@@ -158,7 +158,7 @@ impl<C: Change> SharedFile<C> {
         }
     }
 
-    /// Writes what has not been yet, before the window closes: there is nobody left to be told.
+    /// Writes what has not been yet, before the window closes. There is nobody left to be told.
     pub(super) fn finish(&self, change: &C) -> Option<C::Merged> {
         let written = (!change.is_empty()).then(|| write(&self.path, change).ok());
         written.flatten().map(|(merged, _)| merged)

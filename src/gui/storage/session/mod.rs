@@ -1,4 +1,4 @@
-//! The session of a window that did not close: the figure is saved after every change, and restored at the next start,
+//! The session of a window that did not close. The figure is saved after every change, and restored at the next start,
 //! or offered in a list.
 //!
 //! Each window has a slot of its own, marked by a lock on a file, which the system releases when the program ends,
@@ -200,7 +200,7 @@ impl Sessions {
         }
     }
 
-    /// Deletes the stored session of this window: it has been saved, or discarded.
+    /// Deletes the stored session of this window. It has been saved, or discarded.
     pub fn forget(&mut self) {
         self.shown = None;
         let others = self.others.drain(..).map(|(_, writer)| writer);

@@ -1,4 +1,4 @@
-//! Messages about the storage of windows: each one once, until the user has closed it or it no longer holds.
+//! Messages about the storage of windows. Each one once, until the user has closed it or it no longer holds.
 
 use std::io::ErrorKind;
 use std::mem::{Discriminant, discriminant};
@@ -20,7 +20,7 @@ pub enum News {
     Unusable(PathBuf, FileError),
     /// Another window has taken it up, or removed it.
     Taken,
-    /// Too many windows have left something: this one has no slot.
+    /// Too many windows have left something. This one has no slot.
     NoSlot,
     /// The preferences cannot be read, and are in this file.
     PreferencesSetAside(PathBuf),
@@ -123,7 +123,7 @@ impl NewsList {
         }
     }
 
-    /// Does not say this any more: the user has read it.
+    /// Does not say this any more. The user has read it.
     pub fn close(&mut self, index: usize) {
         if index < self.shown.len()
             && let News::NotKept(closed) = self.shown.remove(index)
@@ -132,7 +132,7 @@ impl NewsList {
         }
     }
 
-    /// This kind is stored again: its messages go, and later ones are new.
+    /// This kind is stored again. Its messages go, and later ones are new.
     pub fn is_kept(&mut self, what: Keeping) {
         for news in &mut self.shown {
             if let News::NotKept(shown) = news {

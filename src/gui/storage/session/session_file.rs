@@ -42,7 +42,7 @@ impl KeptPath {
     }
 }
 
-/// The text of a lesson that is not in its file: a session stores it, and a window goes on with it after a crash.
+/// The text of a lesson that is not in its file. A session stores it, and a window goes on with it after a crash.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnsavedText {
     /// The file.
@@ -154,7 +154,7 @@ impl SessionFile {
         self.path().or_else(of_lesson)
     }
 
-    /// The window as it was. Where the figure has keys that are not known here, saving asks for another file: the old
+    /// The window as it was. Where the figure has keys that are not known here, saving asks for another file. The old
     /// one may have been written by a later version too.
     pub(super) fn restore(&self) -> Option<Restored> {
         let (changed, unknown) = read::parse_known(&self.figure).ok()?;

@@ -72,7 +72,7 @@ impl Note {
     }
 }
 
-/// The new content of the slot; `None`: nothing.
+/// The new content of the slot; `None` means nothing.
 struct WriteJob {
     file: PathBuf,
     note: Option<Arc<Note>>,
@@ -174,7 +174,7 @@ impl Writer {
         }
     }
 
-    /// Waits for a running write, and deletes the session: it has been saved, or discarded.
+    /// Waits for a running write, and deletes the session. It has been saved, or discarded.
     pub(super) fn forget(mut self) {
         self.worker.take(PATIENCE);
         // The window closes, or goes on with another slot: nothing more can be done.

@@ -87,13 +87,13 @@ pub struct Pasted {
     pub text: String,
     /// The camera of a text with several, from 0.
     pub camera: usize,
-    /// Its kind; `None`: it is recognised.
+    /// Its kind; `None` means it is recognised.
     pub kind: Option<MatrixKind>,
-    /// Whose axes it is written in; `None`: they are recognised.
+    /// Whose axes it is written in; `None` means they are recognised.
     pub axes: Option<Axes>,
     /// It acts on row vectors.
     pub transposed: bool,
-    /// The image of the pixels of K; `None`: that of the figure.
+    /// The image of the pixels of K; `None` means that of the figure.
     pub image: Option<ImageSize>,
 }
 

@@ -5,7 +5,7 @@
 pub struct Notes {
     /// The search text.
     pub wanted: String,
-    /// The identifier of the note that is read. Empty: the first one.
+    /// The identifier of the note that is read. Empty means the first one.
     pub chosen: &'static str,
     /// Those that were read before it, the last one at the end.
     pub(in crate::gui) before: Vec<&'static str>,
@@ -31,7 +31,7 @@ impl Notes {
         self.chosen = id;
     }
 
-    /// Opens a note requested elsewhere: it takes the focus in a list of all notes.
+    /// Opens a note requested elsewhere. It takes the focus in a list of all notes.
     pub(in crate::gui) fn go_to(&mut self, id: &'static str) {
         self.read(id);
         self.wanted.clear();

@@ -21,7 +21,7 @@ pub struct Numerics {
     pub case: usize,
     /// Error over time, rather than over the parameter.
     pub over_time: bool,
-    /// The parameter of the table, by its index; `None`: the stiffest.
+    /// The parameter of the table, by its index; `None` means the stiffest.
     pub parameter: Option<usize>,
     /// The effort of a run.
     pub effort: Effort,

@@ -1,4 +1,4 @@
-//! The explanation of order: the list of transforms, and how it is read.
+//! The explanation of order. The list of transforms, and how it is read.
 
 use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
 use crate::scene::transform::Trs;
@@ -15,7 +15,7 @@ pub struct ListedCall {
 /// The owner of a list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Own {
-    /// The name of the object; `None`: it is an example.
+    /// The name of the object; `None` means it is an example.
     pub object: Option<String>,
     /// Its own transform, as the figure has it.
     pub trs: Trs,
@@ -28,7 +28,7 @@ pub struct Order {
     pub list: Vec<ListedCall>,
     /// The reading of the list.
     pub reading: Reading,
-    /// Number of calls applied; `None`: all.
+    /// Number of calls applied; `None` means all.
     pub done: Option<usize>,
     /// The places of the two that are exchanged in the other order.
     pub exchange: [usize; 2],

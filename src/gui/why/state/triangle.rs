@@ -1,4 +1,4 @@
-//! The triangle that is followed step by step: its pixels are found beside the window's thread in heavy scenes.
+//! The triangle that is followed step by step. Its pixels are found beside the window's thread in heavy scenes.
 
 use std::sync::Arc;
 

@@ -171,14 +171,14 @@ impl Axes {
         DMat4::from_cols(x, y, z, DVec4::W).transpose()
     }
 
-    /// The inverse of M_v in these axes: its columns are the axes of the camera and C.
+    /// The inverse of M_v in these axes. Its columns are the axes of the camera and C.
     #[must_use]
     pub fn world_from_view(self, camera: &Camera) -> DMat4 {
         let [x, y, z] = self.view_rows(camera).map(|row| self.foreign_from_world(row.truncate()).extend(0.0));
         DMat4::from_cols(x, y, z, self.foreign_from_world(camera.position()).extend(1.0))
     }
 
-    /// The rows of our M_v that are x, y and z of the camera: their constants are rounded once, so a zero is a zero.
+    /// The rows of our M_v that are x, y and z of the camera. Their constants are rounded once, so a zero is a zero.
     fn view_rows(self, camera: &Camera) -> [DVec4; 3] {
         let view_from_world = camera.view_from_world();
         self.camera.map(|toward| match toward {

@@ -12,7 +12,7 @@
 /// | all of them `reversed` | 1 | 0 | as it is |
 ///
 /// OpenGL reversed has 0 … 1 as well, which is `glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)`: in −1 … 1 the digits
-/// that reversing is to win are lost around 0 again. `infinite` lets B → ∞, where z_n has the limit that B had: nothing
+/// that reversing is to win are lost around 0 again. `infinite` lets B → ∞, where z_n has the limit that B had. Nothing
 /// is too far away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Ndc {
@@ -106,7 +106,7 @@ impl Ndc {
     }
 }
 
-/// A parallel projection has no matrices without a far plane: all depths would have the same z.
+/// A parallel projection has no matrices without a far plane. All depths would have the same z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "{} moves the back plane to infinity, which in parallel projection gives all depths the same z; allowed: projection = \"perspective\", \

@@ -8,7 +8,7 @@ use crate::geometry::double_double::Dd;
 
 /// The part of a camera that depends on the convention of NDC. Made by [`Camera::clip_space`].
 ///
-/// Each matrix is computed from the parameters in double-double and rounded once: none is another one that was changed
+/// Each matrix is computed from the parameters in double-double and rounded once. None is another one that was changed
 /// after it had been rounded.
 #[derive(Clone, Copy, Debug)]
 pub struct ClipSpace<'a> {

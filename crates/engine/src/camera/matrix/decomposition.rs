@@ -1,10 +1,10 @@
-//! M_p M_v as a product of steps, in the decomposition of each of the notes: the view volume becomes the canonical one,
+//! M_p M_v as a product of steps, in the decomposition of each of the notes. The view volume becomes the canonical one,
 //! one step at a time.
 //!
 //! | steps | perspective | parallel |
 //! | --- | --- | --- |
 //! | `[0]` | T(−C), R (5.7), the first three rows of M_p, ÷ w_r (5.6) | T(−C), R, T, S (5.15) |
-//! | `[2]` | T(−C), R, P: the frustum becomes a box, T, S | T(−C), R, T, S |
+//! | `[2]` | T(−C), R, P (the frustum becomes a box), T, S | T(−C), R, T, S |
 //! | `[1]` | T(−C), R, M_pers, M_xyscale; symmetric windows only | – (one matrix there) |
 //! | `[3]` | M_trans, M_rot (left-handed), S_xy, S_z, M_P (1-10) to (1-18); symmetric windows only | M_trans, M_rot, T_ort, S_ort (1-7) |
 
@@ -33,7 +33,7 @@ pub struct Factor {
     pub step: Step,
     /// Its matrix.
     pub matrix: DMat4,
-    /// After it z grows into the screen: the space is left-handed.
+    /// After it z grows into the screen. The space is left-handed.
     pub left_handed: bool,
 }
 
@@ -246,7 +246,7 @@ impl Factor {
         side(self.left_handed) * self.matrix * side(before)
     }
 
-    /// A part of a displayed step, 0 … 1: a rotation turns evenly, all others go straight.
+    /// A part of a displayed step, 0 … 1. A rotation turns evenly, all others go straight.
     #[must_use]
     pub fn part(&self, before: bool, share: f64) -> DMat4 {
         let whole = self.displayed(before);

@@ -1,4 +1,4 @@
-//! All facts about an operation that need no camera: its word, its amount, and how it is written as text.
+//! All facts about an operation that need no camera. Its word, its amount, and how it is written as text.
 
 use std::fmt;
 use std::str::FromStr;

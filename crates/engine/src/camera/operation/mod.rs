@@ -101,7 +101,7 @@ impl Operation {
         self.angle().map(|angle| if turned { -angle } else { angle })
     }
 
-    /// The axis of a rotation: its origin is the pivot, through which it goes.
+    /// The axis of a rotation. Its origin is the pivot, through which it goes.
     #[must_use]
     pub fn axis(&self, camera: &Camera) -> Option<Ray> {
         let basis = camera.basis();

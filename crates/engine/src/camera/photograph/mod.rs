@@ -36,7 +36,7 @@ pub struct AxisVanishing {
     pub axis: WorldAxis,
     /// Its pixel; `None` if its lines may be parallel in the image.
     pub pixel: Option<DVec2>,
-    /// Smallest angle between its lines and the average of their directions, degrees: the smaller it is, the more a
+    /// Smallest angle between its lines and the average of their directions, degrees. The smaller it is, the more a
     /// pixel costs.
     pub spread: f64,
 }
@@ -96,7 +96,7 @@ pub struct PhotographCamera {
     pub vanishing: Vec<AxisVanishing>,
     /// Two points of the horizon, the image of the ideal line of the plane y = 0; `None` where it is at infinity.
     pub horizon: Option<[DVec2; 2]>,
-    /// f in pixels; `None`: it cannot be known.
+    /// f in pixels; `None` means it cannot be known.
     pub focal_length: Option<f64>,
     /// By how many degrees θ changes if each end of each line is wrong by one pixel, root of the sum of squares; `None`
     /// where θ cannot be known.
@@ -181,7 +181,7 @@ impl Frame {
 /// f and R.
 struct Solved {
     located: Vec<Located>,
-    /// In half diagonals; `None`: it cannot be known.
+    /// In half diagonals; `None` means it cannot be known.
     focal_length: Option<f64>,
     /// The one that is used: the given one where it cannot be known.
     used_focal_length: f64,

@@ -35,7 +35,7 @@ fn marks(camera: &Camera, sides: DVec3, round: impl Fn(DVec2) -> DVec2) -> Optio
     Some(PhotographMarks { lines, origin: Some(see(DVec3::ZERO)?), length })
 }
 
-/// A sequence of numbers between 0 and 1: a linear congruential generator is random enough for cameras.
+/// A sequence of numbers between 0 and 1. A linear congruential generator is random enough for cameras.
 struct Numbers(u64);
 
 impl Numbers {
@@ -70,7 +70,7 @@ fn sides(random: &mut Numbers) -> DVec3 {
     DVec3::new(random.between(1.0, 3.0), random.between(1.0, 3.0), random.between(1.0, 3.0))
 }
 
-/// θ is another one than that of the cameras: nothing may come from it.
+/// θ is another one than that of the cameras. Nothing may come from it.
 fn given() -> Parameters {
     Parameters { view_angle: 33.0, ..Parameters::default() }
 }

@@ -39,7 +39,7 @@ pub struct Recovered {
 
 /// Beside 1: a matrix that was copied with three digits still passes.
 pub(crate) const SLACK: f64 = 2e-3;
-/// Errors below this are not reported: all digits of an `f64` are there.
+/// Errors below this are not reported. All digits of an `f64` are there.
 pub(crate) const EXACT: f64 = 1e-9;
 
 /// The camera of a matrix that acts on column vectors, as it is read. What the matrix does not hold comes from

@@ -104,7 +104,7 @@ impl Reading {
     }
 }
 
-/// The part of a reading that is stated. `None`: it is recognised.
+/// The part of a reading that is stated. `None` means it is recognised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stated {
     /// The kind of the matrix.

@@ -1,4 +1,4 @@
-//! The reading of a matrix of another program: every candidate is tried, refused by the numbers or ranked by evidence.
+//! The reading of a matrix of another program. Every candidate is tried, refused by the numbers or ranked by evidence.
 
 use crate::camera::recovery::evidence::{Weight, is_rigid, is_rotation, is_scaled};
 use crate::camera::recovery::refusal;

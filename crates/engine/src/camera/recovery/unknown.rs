@@ -5,11 +5,11 @@
 pub enum Unknown {
     /// PF lies anywhere along DOP: D is the one that was there.
     FocalDistance,
-    /// VUP is any vector above **v**: it is the one that was there where that fits, else **v**.
+    /// VUP is any vector above **v**. It is the one that was there where that fits, else **v**.
     ViewUp,
     /// C lies anywhere along **n**: F is the one that was there.
     PositionAlongNormal,
-    /// Only where the window lies beside the axis *and* where C lies sideways together are known: the window is
+    /// Only where the window lies beside the axis *and* where C lies sideways together are known. The window is
     /// symmetric.
     WindowCentre,
     /// The far plane is at infinity: B is the one that was there.
@@ -18,29 +18,29 @@ pub enum Unknown {
     Lens,
     /// C, PF and VUP are those that were there.
     Pose,
-    /// z is turned around beside that of the notes: the volume is the same, depth grows the other way.
+    /// z is turned around beside that of the notes. The volume is the same, depth grows the other way.
     DepthDirection,
     /// The axes of the view are left-handed there: **n** is turned around.
     LeftHandedView,
-    /// The axes are orthonormal only as far as their digits go: they were straightened.
+    /// The axes are orthonormal only as far as their digits go. They were straightened.
     Rounded,
-    /// The axes of a node have other lengths than 1: its scale was divided out.
+    /// The axes of a node have other lengths than 1. Its scale was divided out.
     Scaled,
     /// z is up in the world of the matrix: that world was turned.
     WorldTurned,
-    /// The world of the matrix is left-handed: its z was reversed.
+    /// The world of the matrix is left-handed. Its z was reversed.
     WorldMirrored,
-    /// The world of the matrix is left-handed with z up: its y and z were exchanged.
+    /// The world of the matrix is left-handed with z up. Its y and z were exchanged.
     WorldExchanged,
     /// K \[R | t\] has no clipping planes: F and B are those that were there.
     ClippingPlanes,
-    /// K \[R | t\] does not hold the size of the image: it is that of the reading.
+    /// K \[R | t\] does not hold the size of the image. It is that of the reading.
     ImageSize,
     /// `f_x` and `f_y` differ: A is not m/n.
     PixelAspect,
-    /// The pixels are rectangles only as far as the digits go: the skew was dropped.
+    /// The pixels are rectangles only as far as the digits go. The skew was dropped.
     SkewDropped,
-    /// The determinant is negative: all signs were reversed, as for a matrix that is known up to a factor.
+    /// The determinant is negative. All signs were reversed, as for a matrix that is known up to a factor.
     SignReversed,
     /// The principal point lies far from the middle of the image: K may be that of another image size.
     PrincipalPoint,

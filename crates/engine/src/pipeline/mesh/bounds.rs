@@ -21,7 +21,7 @@ pub(crate) struct Bounds {
     pub(crate) finite: bool,
 }
 
-/// The bounds of the meshes of earlier pictures, by their addresses: no other mesh gets an address as long as the weak
+/// The bounds of the meshes of earlier pictures, by their addresses. No other mesh gets an address as long as the weak
 /// pointer to it exists, and a mesh doesn't change as long as it's shared.
 #[derive(Debug, Default)]
 pub(crate) struct KnownBounds(HashMap<usize, (Weak<Mesh>, Option<Bounds>)>);

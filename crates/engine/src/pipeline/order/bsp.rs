@@ -1,6 +1,6 @@
 //! The order of faces by a tree of planes: faces that cross a plane are split (Fuchs, Kedem and Naylor 1980).
 //!
-//! A set of pieces is divided by a plane of one of them: the pieces behind it, seen from the eye, are painted first,
+//! A set of pieces is divided by a plane of one of them. The pieces behind it, seen from the eye, are painted first,
 //! then those in the plane, then those before it; each of the two sides is divided in its turn. Splitting may go on for
 //! long, so it has a budget.
 
@@ -144,7 +144,7 @@ impl Tree<'_> {
         TooManyPieces { pieces: of_layer.iter().sum(), of_layer }
     }
 
-    /// Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
+    /// Of faces in one plane the first listed is painted last. It stays, as in a depth buffer.
     fn paint(&mut self, set: Vec<Piece>) {
         self.ordered.extend(set.into_iter().rev());
     }

@@ -49,7 +49,7 @@ impl Corner {
     }
 }
 
-/// All faces, unsplit, in the order of the layers, and the number of their sides: those with the same ends are one.
+/// All faces, unsplit, in the order of the layers, and the number of their sides. Those with the same ends are one.
 pub(crate) fn pieces(layers: &[Layer]) -> (Vec<Piece>, usize) {
     let mut sides: HashMap<[[u64; 3]; 2], usize> = HashMap::new();
     let mut all = Vec::new();
@@ -69,7 +69,7 @@ pub(crate) fn pieces(layers: &[Layer]) -> (Vec<Piece>, usize) {
     (all, sides.len())
 }
 
-/// The points at which any face was split, by sides. A face keeps its neighbour's points in its own border: both sides
+/// The points at which any face was split, by sides. A face keeps its neighbour's points in its own border. Both sides
 /// of the border have the same corners on the grid of the image, and no gap opens between them.
 #[derive(Debug)]
 pub(crate) struct Cuts(Vec<Vec<DVec3>>);

@@ -33,7 +33,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Its painted style; `None`: not painted.
+    /// Its painted style; `None` means not painted.
     #[must_use]
     pub fn style(&self, drawing: &Drawing) -> Option<LineStyle> {
         drawing.strokes.get(self.set)?.style.behind(self.behind)
@@ -109,7 +109,7 @@ fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
     (points.len() >= 2 && points.iter().flatten().all(|v| v.is_finite())).then_some(points)
 }
 
-/// Parts of a stroke shorter than this (pixels) go with the part before them: they are rounding.
+/// Parts of a stroke shorter than this (pixels) go with the part before them. They are rounding.
 const SHORTEST: f64 = 0.02;
 
 /// Calls `found` for each run of a polyline. Its set and its index are left to the caller.

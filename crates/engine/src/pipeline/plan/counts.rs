@@ -107,7 +107,7 @@ impl SceneCounts {
     }
 
     /// The final report of a stage that works on faces: whether it had anything to do, and why. `None` for other
-    /// stages, and for those that decide on faces that **may** be seen: their plan is their report.
+    /// stages, and for those that decide on faces that **may** be seen. Their plan is their report.
     pub(crate) fn face_stage(&self, planned: &StagePlan, style: &Style) -> Option<(bool, Reason)> {
         let StagePlan { stage, runs, reason } = *planned;
         if !runs || reason == Reason::Forced {

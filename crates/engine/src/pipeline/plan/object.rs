@@ -9,7 +9,7 @@ use crate::scene::{FoundLight, Object, ObjectPaint};
 pub enum Containment {
     /// No vertices.
     Empty,
-    /// No point of it is in the volume: all of it is outside each of these planes.
+    /// No point of it is in the volume. All of it is outside each of these planes.
     Outside(PlaneSet),
     /// All of it is inside all planes but these, which it may cross.
     Crosses(PlaneSet),
@@ -55,7 +55,7 @@ pub struct ObjectPlan {
     pub shadowed: bool,
     /// Something shows through it.
     pub translucent: bool,
-    /// Its picture is asked for the colour of each pixel: it has one, and that has more than one colour.
+    /// Its picture is asked for the colour of each pixel. It has one, and that has more than one colour.
     pub textured: bool,
 }
 

@@ -19,7 +19,7 @@ use crate::pipeline::stage::viewport::{unsnapped, viewport};
 use crate::scene::Object;
 use crate::stage::{Stage, WorksOn};
 
-/// Greatest number of recorded sides, vertices and faces: an eye can't distinguish more.
+/// Greatest number of recorded sides, vertices and faces. An eye can't distinguish more.
 const MOST: usize = 20_000;
 
 /// Input and output of a stage of a picture, as far as they lie in the picture. Points are those of the display list:
@@ -109,7 +109,7 @@ impl<'a> Notes<'a> {
         taken < MOST
     }
 
-    /// The boxes of objects: those of all go in, those that may be in view come out.
+    /// The boxes of objects. Those of all go in, those that may be in view come out.
     pub(crate) fn objects(&mut self, scenes: Scenes, plan: &Plan) {
         if self.work.stage.works_on() != WorksOn::Objects {
             return;
@@ -158,7 +158,7 @@ impl<'a> Notes<'a> {
         }
     }
 
-    /// A normal goes in as the object has it and comes out in view space: it is drawn where it is.
+    /// A normal goes in as the object has it and comes out in view space. It is drawn where it is.
     fn normals(&mut self, object: &Object, vertices: &Vertices, lights: &Lights) {
         /// The length of a normal, in radii of its object.
         const LENGTH: f64 = 0.15;

@@ -27,7 +27,7 @@ use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPai
 ///
 /// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise), but for
 /// what is textured or in the reach of shadows: light stays apart there, and shadows fall where they fall in the world.
-/// The result takes no light, so the meshes have no normals. No face is culled: the observer of the result is elsewhere
+/// The result takes no light, so the meshes have no normals. No face is culled. The observer of the result is elsewhere
 /// than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays closed, and
 /// convex if it was.
 #[must_use]
@@ -125,7 +125,7 @@ pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVe
     }
 }
 
-/// [`displayed`] as a matrix, from view space: the divide is still to be done.
+/// [`displayed`] as a matrix, from view space. The divide is still to be done.
 fn display_from_view(projector: &Projector) -> DMat4 {
     let [sx, sy] = projector.scale;
     // w as a function of (x, y, z, 1).

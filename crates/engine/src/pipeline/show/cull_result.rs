@@ -18,7 +18,7 @@ use crate::scene::Object;
 pub enum CullResult {
     /// All of it is drawn, or clipped.
     Kept,
-    /// Its bounding box is outside one of these planes: it is dropped whole.
+    /// Its bounding box is outside one of these planes. It is dropped whole.
     Dropped(PlaneSet),
     /// True for each triangle that turns its back and is dropped.
     BackFaces(Vec<bool>),

@@ -99,7 +99,7 @@ pub fn to_light(p: DVec3, light: &Light) -> (DVec3, f64) {
 }
 
 /// The ray through a place of an image, in pixels from the top left, and its range between the front plane and the back
-/// plane: its points are origin + t · ray, at the distance t from the plane of the eye.
+/// plane. Its points are origin + t · ray, at the distance t from the plane of the eye.
 fn ray_of(camera: &Camera, image: ImageSize, [x, y]: [f64; 2]) -> (DVec3, DVec3, std::ops::Range<f64>) {
     let window = camera.window();
     let share = |low: f64, high: f64, part: f64| low + (high - low) * part;

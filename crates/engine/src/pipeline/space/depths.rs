@@ -8,7 +8,7 @@ use crate::drawing::single;
 /// is more than this share of the depths in view, the depths are spread over those alone.
 const ENOUGH: f64 = 0.01;
 
-/// Relative thickness below which a scene is not resolved further: it would be rounding of the numbers from which it is
+/// Relative thickness below which a scene is not resolved further. It would be rounding of the numbers from which it is
 /// computed.
 const THINNEST: f64 = 1e-13;
 

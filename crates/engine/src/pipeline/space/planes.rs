@@ -1,4 +1,4 @@
-//! The six planes of the view volume: each is a linear function of the clip point, positive inside `[2]`.
+//! The six planes of the view volume. Each is a linear function of the clip point, positive inside `[2]`.
 
 use super::point::ClipPoint;
 use super::projector::Projector;

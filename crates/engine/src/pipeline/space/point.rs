@@ -16,7 +16,7 @@ pub(crate) struct ObjectPoint(pub(crate) DVec3);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct WorldPoint(pub(crate) DVec3);
 
-/// The way from the eye to a point, still along the axes of the world or of the object: the difference p − C, before
+/// The way from the eye to a point, still along the axes of the world or of the object. The difference p − C, before
 /// anything is rotated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FromEye(pub(crate) DVec3);

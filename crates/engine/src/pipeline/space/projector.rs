@@ -168,7 +168,7 @@ impl ViewFromObject {
         }
     }
 
-    /// The size of the numbers that taking the eye to object space adds to these: the inverse of the model matrix is
+    /// The size of the numbers that taking the eye to object space adds to these. The inverse of the model matrix is
     /// known to as many digits as its condition leaves, and so is its product with C.
     pub(crate) fn rest(&self) -> f64 {
         self.rest

@@ -56,7 +56,7 @@ pub(crate) fn clip(faces: &mut Faces, vertices: &Vertices, screen: &Screen, want
 pub(crate) struct ClippedCorner {
     /// Its position.
     pub(crate) point: ClipPoint,
-    /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from: every attribute
+    /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from. Every attribute
     /// of the corner is the sum of the triangle's attributes with these weights.
     pub(crate) weights: [f64; 3],
     /// From each plane, positive inside; 0 from those that it was cut at.

@@ -55,7 +55,7 @@ pub(crate) fn cull_faces(faces: &mut Faces, vertices: &Vertices, triangles: &[[u
     gather(faces, triangles, task.want_source);
 }
 
-/// Puts the remaining triangles one behind the other: their number in each chunk is known, so each chunk has its place
+/// Puts the remaining triangles one behind the other. Their number in each chunk is known, so each chunk has its place
 /// in the array, and all threads can write.
 fn gather(faces: &mut Faces, triangles: &[[u32; 3]], want_source: bool) {
     let count = faces.chunks.iter().map(|chunk| chunk.kept).sum();
@@ -149,7 +149,7 @@ impl Culling<'_> {
         }
     }
 
-    /// Up to eight triangles, none of which crosses a plane: the bits of those to draw.
+    /// Up to eight triangles, none of which crosses a plane. The bits of those to draw.
     #[inline(always)]
     fn facing_bits(&self, eight: &[[u32; 3]]) -> u8 {
         let positions = &self.image.positions[..];

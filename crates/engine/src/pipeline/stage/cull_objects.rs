@@ -113,7 +113,7 @@ mod tests {
         Projector::new(&Camera::new(&parameters).unwrap())
     }
 
-    /// Window ±1 on F = 1, B = 9, from the origin: the planes are |x| = d, |y| = d.
+    /// Window ±1 on F = 1, B = 9, from the origin. The planes are |x| = d, |y| = d.
     fn right_angle() -> Projector {
         eye(
             DVec3::ZERO,

@@ -328,7 +328,7 @@ impl Shaded<'_> {
         });
     }
 
-    /// Gouraud shading of faces that have colours of their own: no vertex is shared any more, so that each has one
+    /// Gouraud shading of faces that have colours of their own. No vertex is shared any more, so that each has one
     /// colour.
     fn unshared(&self, faces: &Faces, light: &ObjectLight, colors: &[Rgba]) -> Surface {
         let own = self.vertices.len();

@@ -23,7 +23,7 @@ use crate::simd::{Simd, f32x8, u32x8, with_vectors};
 pub const AMBIENT: f32 = 0.35;
 /// The light that a lamp adds to a face that it meets squarely.
 pub const DIFFUSE: f32 = 0.65;
-/// The white of a highlight, in the two models that have any: a face of one colour would flash as a whole.
+/// The white of a highlight, in the two models that have any. A face of one colour would flash as a whole.
 pub const SPECULAR: f32 = 0.3;
 /// The exponent of a highlight.
 pub const SHININESS: f32 = 24.0;

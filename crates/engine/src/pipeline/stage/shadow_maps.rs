@@ -1,4 +1,4 @@
-//! The maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture.
+//! The maps of the lights that cast shadows. Each light is a camera, and its map the depths of its picture.
 //!
 //! A map holds all that casts shadows, whatever the camera of the picture sees, so that it is made once for all
 //! pictures of a scene, and made again only if a light or a thing that hides light has changed.

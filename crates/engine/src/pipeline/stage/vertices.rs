@@ -1,4 +1,4 @@
-//! The loop over the vertices of an object: the stages Transform, Oblique window, Divide and Viewport in one go.
+//! The loop over the vertices of an object. The stages Transform, Oblique window, Divide and Viewport in one go.
 //!
 //! *Textbook*: a pass over all vertices for each stage, or one 4 × 4 matrix for all of them up to the divide. *Here*:
 //! each vertex goes through all spaces while it's in registers, [`BLOCK`] vertices at a time with an array for each

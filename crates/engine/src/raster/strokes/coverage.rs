@@ -24,7 +24,7 @@ pub(super) struct Coverage {
     width: usize,
     /// The rows of the picture.
     rows: Range<usize>,
-    /// Values from one row to the next: there is room for a vector beyond the last column.
+    /// Values from one row to the next. There is room for a vector beyond the last column.
     pitch: usize,
     /// Of the layer at hand 255 times the share of each pixel, and ½; in a layer with a rank, the whole number below.
     shares: Vec<f32>,

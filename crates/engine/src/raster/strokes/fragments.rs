@@ -127,7 +127,7 @@ impl Fragments {
     }
 }
 
-/// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those
+/// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front. Each goes below those
 /// that it is behind. ("Of the same depth" isn't an order, since it is within bounds; so each is compared with one
 /// after the other.)
 fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
@@ -149,7 +149,7 @@ fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
     !later_is_over(point(later), point(earlier))
 }
 
-/// Fragments are counted with 32 bits: each pixel of a picture has room for thirty.
+/// Fragments are counted with 32 bits. Each pixel of a picture has room for thirty.
 fn number(k: usize) -> u32 {
     u32::try_from(k).unwrap_or(u32::MAX)
 }

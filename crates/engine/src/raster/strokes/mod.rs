@@ -64,7 +64,7 @@ struct Layer {
     chunks: Range<usize>,
     behind: Occlusion,
     style: LineStyle,
-    /// `None`: painted over all that have one.
+    /// `None` means painted over all that have one.
     rank: Option<Rank>,
 }
 

@@ -1,7 +1,7 @@
 //! Segments of strokes, eight at a time: the pixels around each, and their shares of these.
 //!
 //! The standard way fills the outline of a stroke, a polygon with arcs. Here the share of a pixel is a function of its
-//! distance from the middle line: a stroke with round ends is all points within its half width of that line, and the
+//! distance from the middle line. A stroke with round ends is all points within its half width of that line, and the
 //! share is that of a band of the stroke's width. It's exact along level and upright strokes, and within a few
 //! hundredths at any other angle. A stroke thinner than a pixel covers it in part. Eight segments are set up at once,
 //! and each is compared with eight pixels of a row at once.

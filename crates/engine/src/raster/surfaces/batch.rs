@@ -264,7 +264,7 @@ impl<K: Simd> SetUp<K> {
         ]
     }
 
-    /// Factor of the greatest difference of values at the vertices that bounds the terms of their gradient: a sliver
+    /// Factor of the greatest difference of values at the vertices that bounds the terms of their gradient. A sliver
     /// has large ones that nearly cancel, and then most of the gradient is rounding.
     #[inline(always)]
     pub(super) fn steepness(&self) -> f32x8<K> {

@@ -254,7 +254,7 @@ fn eight_boxes<K: Simd>(
     result
 }
 
-/// Numbers of triangles are 32 bits wide: their vertices' are, too, and 2³² triangles would fill 48 GB.
+/// Numbers of triangles are 32 bits wide. Their vertices' are, too, and 2³² triangles would fill 48 GB.
 #[expect(clippy::cast_possible_truncation, reason = "see above")]
 fn number(index: usize) -> u32 {
     index as u32

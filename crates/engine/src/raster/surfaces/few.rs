@@ -137,7 +137,7 @@ impl Few {
         }
     }
 
-    /// Depths and colours where colours cost much: each triangle goes on to its next pixel, wherever in the box it
+    /// Depths and colours where colours cost much. Each triangle goes on to its next pixel, wherever in the box it
     /// lies, so that few lanes wait, and what is hidden by now gets no colour.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn color<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(

@@ -72,7 +72,7 @@ struct BandJob<'a> {
 /// Results of painting besides colours and depths.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
-    /// The slopes of faces: only strokes, marks and labels ask for them.
+    /// The slopes of faces. Only strokes, marks and labels ask for them.
     pub(super) slopes: bool,
     /// Counts of the work.
     pub(super) counts: bool,

@@ -249,7 +249,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         left
     }
 
-    /// The share of one light that no shadow takes away; `None`: all of it.
+    /// The share of one light that no shadow takes away; `None` means all of it.
     #[inline(always)]
     fn arriving_of(&self, light: usize, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
         for (number, shadow) in self.surface.shadows.iter().enumerate() {

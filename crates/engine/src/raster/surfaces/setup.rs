@@ -70,7 +70,7 @@ impl Triangle {
 /// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, isn't negative
 /// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a if a > 0, and
 /// ends before that x + 1 if a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers,
-/// while its three roundings together are below 2⁻¹²/|a|: the result is that of exact arithmetic.
+/// while its three roundings together are below 2⁻¹²/|a|. The result is that of exact arithmetic.
 #[derive(Clone, Copy)]
 pub(super) struct Borders<K: Simd> {
     /// x at row 0, and its change from row to row.

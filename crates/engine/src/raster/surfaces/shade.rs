@@ -17,9 +17,9 @@ use crate::raster::pixel::{Pixel, premultiply};
 
 /// A shader of one triangle.
 pub(super) trait Shader<K: Simd> {
-    /// Goes to a tile's columns: its pixels' centres are `x` to the right of the triangle's origin.
+    /// Goes to a tile's columns. Its pixels' centres are `x` to the right of the triangle's origin.
     fn columns(&mut self, x: f32x8<K>);
-    /// Goes to a tile's rows: its pixels' centres are `y` below the origin.
+    /// Goes to a tile's rows. Its pixels' centres are `y` below the origin.
     fn rows(&mut self, y: f32x8<K>);
     /// The colours of the tile's pixels. Only those wanted need be right.
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K>;

@@ -41,7 +41,7 @@ fn gouraud(triangle: &Triangle, colors: [Rgba; 3], center: [f32; 2]) -> Color {
     [channel(|c| c.r), channel(|c| c.g), channel(|c| c.b), 255]
 }
 
-/// A colour from interpolated attributes: the base, in light, less what shadows take away.
+/// A colour from interpolated attributes. The base, in light, less what shadows take away.
 fn per_pixel(triangle: &Triangle, center: [f32; 2]) -> Option<Color> {
     let surface = triangle.surface;
     let (shares, w) = interpolate(triangle, center);

@@ -63,7 +63,7 @@ impl MeshError {
         }
     }
 
-    /// Whether a file lies outside the folder that the figure may read from: the user can allow it.
+    /// Whether a file lies outside the folder that the figure may read from. The user can allow it.
     #[must_use]
     pub fn is_outside(&self) -> bool {
         match self {

@@ -341,7 +341,7 @@ fn color(material: &::gltf::Material<'_>) -> Rgba {
 
 struct Reader {
     buffers: Vec<Rc<Vec<u8>>>,
-    /// Bytes that accessors may still hold in all: many can name the same bytes.
+    /// Bytes that accessors may still hold in all. Many can name the same bytes.
     left: Cell<usize>,
     /// Items that may still be 0 because no bytes are behind them.
     zeros_left: Cell<usize>,

@@ -380,7 +380,7 @@ impl ObjFile {
         ObjFault::Index { found: escaped(corner), points: self.points.len() }
     }
 
-    /// The parts of the file that were left out. Collected at its end: a face may come before the points it names.
+    /// The parts of the file that were left out. Collected at its end. A face may come before the points it names.
     fn notices(&mut self) -> Vec<MeshNotice> {
         let no_normal = self.normals_ahead.beyond(self.normals.len());
         self.normals_lack |= no_normal.is_some();

@@ -37,7 +37,7 @@ pub struct Part {
     pub file_from_part: DMat4,
     /// The base colour of its material.
     pub color: Option<Rgba>,
-    /// Texture coordinates of the corners of each triangle. Empty: it has none.
+    /// Texture coordinates of the corners of each triangle. Empty means it has none.
     pub uv: Arc<Vec<CornerUv>>,
     /// The texture of its material.
     pub texture: Option<PartTexture>,

@@ -27,11 +27,11 @@ pub(crate) struct Soup {
     pub(crate) corners: Vec<u32>,
     /// The number of corners of each polygon. Empty: 3 each.
     pub(crate) arities: Vec<u32>,
-    /// Normals of any length. Empty: to be computed.
+    /// Normals of any length. Empty means to be computed.
     pub(crate) normals: Vec<DVec3>,
-    /// For each corner, its normal: indices into `normals`, all in range. Empty: the same as `corners`.
+    /// For each corner, its normal: indices into `normals`, all in range. Empty means the same as `corners`.
     pub(crate) corner_normals: Vec<u32>,
-    /// For each corner, its texture coordinates. Empty: there are none.
+    /// For each corner, its texture coordinates. Empty means there are none.
     pub(crate) corner_uv: Vec<[f32; 2]>,
 }
 

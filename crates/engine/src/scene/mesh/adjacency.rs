@@ -6,7 +6,7 @@ use glam::{DVec3, DVec4};
 /// them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Adjacency {
-    /// The plane of each face, in the mesh's own space: the inner product with (p, 1) is positive where p is before the
+    /// The plane of each face, in the mesh's own space. The inner product with (p, 1) is positive where p is before the
     /// face.
     pub planes: Vec<DVec4>,
     /// Each edge once, also where the mesh has its vertices doubled: one that two edges end at has one index in both.
@@ -20,7 +20,7 @@ pub struct SharedEdge {
     pub ends: [u32; 2],
     /// Indices into [`Adjacency::planes`].
     pub faces: [u32; 2],
-    /// The surface has an edge here, however fine its tessellation: the faces do not share the vertices of either end.
+    /// The surface has an edge here, however fine its tessellation. The faces do not share the vertices of either end.
     pub crease: bool,
 }
 

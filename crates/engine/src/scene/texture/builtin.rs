@@ -1,4 +1,4 @@
-//! The textures that are part of the program: a figure with them is whole without any file.
+//! The textures that are part of the program. A figure with them is whole without any file.
 
 use std::sync::{Arc, LazyLock};
 

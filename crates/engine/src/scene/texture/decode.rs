@@ -23,7 +23,7 @@ pub struct TextureError {
 }
 
 impl TextureError {
-    /// Whether the file lies outside the folder that the figure may read from: the user can allow it.
+    /// Whether the file lies outside the folder that the figure may read from. The user can allow it.
     #[must_use]
     pub const fn is_outside(&self) -> bool {
         matches!(&self.fault, TextureFault::Unreadable(error) if error.is_outside())
@@ -196,7 +196,7 @@ pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, Te
     Ok(Texture::flat(width, height, rgba).with_levels())
 }
 
-/// A decoder that has read the head of a file. A PNG's color profile counts against [`MAX_TEXTURE_METADATA`]: it
+/// A decoder that has read the head of a file. A PNG's color profile counts against [`MAX_TEXTURE_METADATA`]. It
 /// unpacks to a thousand times its size, and texels are taken as sRGB without it.
 fn decoder_of(mut reader: ImageReader<Cursor<&[u8]>>) -> Result<impl ImageDecoder, TextureFault> {
     let mut limits = Limits::default();

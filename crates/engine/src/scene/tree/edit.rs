@@ -126,8 +126,8 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
     Ok(())
 }
 
-/// Gives a figure's object another parent, or none. With `stay` it gets the numbers that keep it in place in the world;
-/// otherwise it keeps its numbers and moves with its new parent.
+/// Gives a figure's object another parent, or none. With `stay` it gets the numbers that keep it in place in the world.
+/// Otherwise it keeps its numbers and moves with its new parent.
 ///
 /// Returns true if `stay` could be satisfied: a scale along axes that the new parent has turned is a shear, which
 /// translation, rotation and scale cannot express. The numbers stay then.
@@ -259,7 +259,7 @@ pub(crate) fn tidy(v: DVec3) -> DVec3 {
     if rounded.is_finite() && (rounded - v).abs().max_element() <= 1e-11 * v.abs().max_element() { rounded } else { v }
 }
 
-/// Of the angles (degrees about x, y, z) that express the same rotation as these, those nearest to the ones before: a
+/// Of the angles (degrees about x, y, z) that express the same rotation as these, those nearest to the ones before. A
 /// rotation about one axis alone stays so, and nothing jumps by whole turns.
 fn nearest_angles(angles: DVec3, before: DVec3) -> DVec3 {
     let other = DVec3::new(angles.x + 180.0, 180.0 - angles.y, angles.z + 180.0);

@@ -1,4 +1,4 @@
-//! Objects that are moved, turned, scaled and copied together: a transform in the world is stored as the translation,
+//! Objects that are moved, turned, scaled and copied together. A transform in the world is stored as the translation,
 //! rotation and scale of each.
 
 use std::collections::BTreeSet;
@@ -56,7 +56,7 @@ impl Default for Trs {
     }
 }
 
-/// Puts a figure's object at the end of a chain: it gets the last of `chain`, and between its parent and itself a group
+/// Puts a figure's object at the end of a chain. It gets the last of `chain`, and between its parent and itself a group
 /// for each of the others, called `group`, numbered where something is called so. Without a chain, or without the
 /// object, nothing changes.
 ///

@@ -1,4 +1,4 @@
-//! The camera as code for libraries: the copied code gives the matrices that the program shows.
+//! The camera as code for libraries. The copied code gives the matrices that the program shows.
 
 mod programs;
 
@@ -66,7 +66,7 @@ pub enum CodeConvention {
     Degrees,
     /// Only a centred window: an asymmetric one is set by the matrix, or by window centre.
     WindowCentre,
-    /// The matrix is set by hand: the library has no call for this window.
+    /// The matrix is set by hand. The library has no call for this window.
     ByMatrix,
     /// The camera and the world have these axes.
     Axes(Axes),

@@ -67,11 +67,11 @@ pub enum Item {
         color: Rgba,
         /// Its width.
         width: f32,
-        /// Lengths of dashes and of the gaps between them, in turn. Empty: none.
+        /// Lengths of dashes and of the gaps between them, in turn. Empty means none.
         dashes: Vec<f32>,
         /// The length along the path at which the dashes begin, backwards.
         phase: f32,
-        /// Ends and corners are round; otherwise ends are flat and corners sharp.
+        /// Ends and corners are round. Otherwise ends are flat and corners sharp.
         round: bool,
     },
     /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`].

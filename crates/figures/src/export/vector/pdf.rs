@@ -20,9 +20,9 @@ const DOCUMENT: Ref = Ref::new(7);
 const FIGURE: Ref = Ref::new(8);
 const ATTACHED: Ref = Ref::new(9);
 const ATTACHMENT: Ref = Ref::new(10);
-/// The first of the fonts: each has five.
+/// The first of the fonts. Each has five.
 const FONTS: i32 = 11;
-/// The first of the pictures: each has two.
+/// The first of the pictures. Each has two.
 const PICTURES: i32 = FONTS + 5 * 4;
 
 /// Pages as a PDF file, each tagged as a figure with its description, and with a figure file attached. An empty one is

@@ -1,4 +1,4 @@
-//! A page as a figure of a LaTeX document: its letters are the document's, all else is a PDF beside it.
+//! A page as a figure of a LaTeX document. Its letters are the document's, all else is a PDF beside it.
 
 use super::{Item, Page, number};
 use crate::appearance::Rgba;

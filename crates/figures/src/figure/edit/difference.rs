@@ -16,7 +16,7 @@ pub struct Difference {
     pub without: Vec<String>,
 }
 
-/// The difference of `now` from `before`; `None`: all of it. Title and caption are no part of it.
+/// The difference of `now` from `before`; `None` means all of it. Title and caption are no part of it.
 ///
 /// *Guarantees*: sections of `before` without the keys in `without`, with those in `changed` put over them, are `now`.
 #[must_use]

@@ -139,7 +139,7 @@ fn merge_vector(mine: &mut Array, old: Option<&Array>, new: &Array) {
     }
 }
 
-/// Merges tables of one list: those of the same name are the same table; of the others, those that have most in common.
+/// Merges tables of one list. Those of the same name are the same table; of the others, those that have most in common.
 fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &ArrayOfTables) {
     let old: Vec<&Table> = old.iter().flat_map(|list| list.iter()).collect();
     let mut rest: Vec<Option<Table>> = mine.iter().cloned().map(Some).collect();

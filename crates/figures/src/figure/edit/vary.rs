@@ -13,7 +13,7 @@ pub(in crate::figure) const NOTHING: &str = "\"\"";
 /// value that is a plain word may lack its quotes. An empty one removes the key.
 ///
 /// # Errors
-/// [`FigureError`]: the key is not known, or the value is not among the allowed ones; its line is meaningless.
+/// [`FigureError`] if the key is not known, or the value is not among the allowed ones; its line is meaningless.
 pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureError> {
     varied_together(figure, &[(key, value)])
 }

@@ -72,7 +72,7 @@ pub fn typed_comparison(text: &str) -> Result<Comparison, FigureError> {
 }
 
 /// Whether a key can be compared and has this value in some figure. Whether it is possible together with the values of
-/// this figure is another question: they change, and a file can still be read then.
+/// this figure is another question. They change, and a file can still be read then.
 fn checked(key: &str, value: &str, others: &[(String, String, usize)]) -> Result<(), Problem> {
     let section = key.split('.').next().unwrap_or_default().trim();
     let is_plain = key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-'));

@@ -47,7 +47,7 @@ pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
 /// The text of a file of at most `limit` bytes.
 ///
 /// # Errors
-/// [`FigureError`]: it is too large, or not UTF-8.
+/// [`FigureError`] if it is too large, or not UTF-8.
 pub fn text_of(bytes: &[u8], limit: usize) -> Result<&str, FigureError> {
     let fault = |line, problem| FigureError { line, key: String::new(), problem };
     if bytes.len() > limit {
@@ -103,7 +103,7 @@ pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
     }
 }
 
-/// As [`parse`], but a camera that is impossible is no fault: its error is given back with the figure.
+/// As [`parse`], but a camera that is impossible is no fault. Its error is given back with the figure.
 ///
 /// # Errors
 /// As for [`parse`], except for [`Problem::Camera`].

@@ -1,4 +1,4 @@
-//! Sections of figures put over one another: each says only what changes.
+//! Sections of figures put over one another. Each says only what changes.
 
 use toml_edit::{Item, Table, TableLike};
 

@@ -1,7 +1,7 @@
 //! The canonical volume of a convention of NDC, as placed in the picture.
 //!
 //! Everything is placed as the camera sees it, x to the right, up upwards and the front face in front, whatever the
-//! convention: the differences are the depth of the box, its origin, and the directions of y_n and z_n.
+//! convention. The differences are the depth of the box, its origin, and the directions of y_n and z_n.
 
 use glam::{DMat4, DVec3};
 

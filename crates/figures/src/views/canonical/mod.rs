@@ -43,7 +43,7 @@ const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, roll: 0.0, pa
 /// The camera's axes as the picture shows them.
 const VRC: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
 
-/// The observer that a button gives: it looks from the viewpoint's side and has the cube in the picture.
+/// The observer that a button gives. It looks from the viewpoint's side and has the cube in the picture.
 pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     framing(request, viewpoint.direction(ISO, VRC))
 }

@@ -121,7 +121,7 @@ pub(in crate::views) struct Greys {
     near_over_far: f64,
     /// The meaning of a depth of 1 at F and 0 at B.
     volume: DepthScale,
-    /// Z at F and at B; `None`: distances.
+    /// Z at F and at B; `None` means distances.
     range: Option<[f64; 2]>,
 }
 
@@ -170,7 +170,7 @@ impl Greys {
         drawing.labels.clear();
     }
 
-    /// Says in the report of a picture what depths change; `marks`: it has any, a stage's not counted.
+    /// Says in the report of a picture what depths change; `marks`. It has any, a stage's not counted.
     pub(in crate::views) fn report(frame: &mut Frame, marks: bool) {
         let painted = !frame.drawing.surfaces.is_empty();
         for report in &mut frame.report {

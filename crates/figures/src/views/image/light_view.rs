@@ -43,7 +43,7 @@ pub(in crate::views) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'
     lights
 }
 
-/// Projected things in the shadows of the world: nothing is lit where it is shown, so that without shadows they need no
+/// Projected things in the shadows of the world. Nothing is lit where it is shown, so that without shadows they need no
 /// lights. `lights`: those of the world as the figure reveals them.
 pub(in crate::views) fn shadowed<'a>(scenes: Scenes<'a>, request: &'a Request, lights: &'a [Light]) -> Scenes<'a> {
     if lights.iter().any(|light| light.shadows.cast) {
@@ -132,7 +132,7 @@ pub struct ShadowAt {
     pub light: usize,
     /// The distance of the point from the light's plane of projection, in scene units.
     pub own: f64,
-    /// That of the nearest thing in the middle of the texel; `None`: there is nothing.
+    /// That of the nearest thing in the middle of the texel; `None` means there is nothing.
     pub nearest: Option<f64>,
     /// The texel: column and row, from the top left.
     pub texel: [u32; 2],

@@ -1,4 +1,4 @@
-//! Points that are beside the image, or behind the eye: an arrow at the border of the image says where each of them is.
+//! Points that are beside the image, or behind the eye. An arrow at the border of the image says where each of them is.
 
 use glam::{DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! A picture that is begun: only the first of its triangles are painted, in the order in which they are painted.
+//! A picture that is begun. Only the first of its triangles are painted, in the order in which they are painted.
 
 use crate::drawing::Drawing;
 

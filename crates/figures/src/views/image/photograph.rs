@@ -7,7 +7,7 @@ use crate::drawing::{Base, Drawing, Surface};
 use crate::views::Request;
 
 /// Puts the photograph of the figure behind all else of drawings of its image, as far as its opacity goes. Images of
-/// other cameras are without it: it was taken by the figure's own.
+/// other cameras are without it. It was taken by the figure's own.
 pub(super) fn under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) {
     let share = request.shot.look.photograph_opacity;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]

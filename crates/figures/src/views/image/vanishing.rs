@@ -33,7 +33,7 @@ pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Op
 
 /// In the world: the parallels through C, each up to the view plane.
 pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
-    /// Farthest vanishing point to include, in windows from the middle of the window: a farther one would pull the eye
+    /// Farthest vanishing point to include, in windows from the middle of the window. A farther one would pull the eye
     /// away from the scene.
     const FARTHEST: f64 = 2.5;
     let camera = &request.camera;

@@ -18,7 +18,7 @@ pub struct Hover {
     pub hovered: Option<Handle>,
     /// The gizmo that moves, turns or scales the selection, in the world.
     pub gizmo: Option<TransformGizmo>,
-    /// The target in a panel: these lengths, angles and coordinates are shown in the world.
+    /// The target in a panel. These lengths, angles and coordinates are shown in the world.
     pub measured: Vec<Measured>,
     /// The object of which parts are pointed at.
     pub object: Option<ObjectTransform>,
@@ -100,7 +100,7 @@ pub struct Projector {
 pub enum Probe {
     /// A point of the world, such as a vertex.
     Point(DVec3),
-    /// A point (x_p, y_p) of the view window, such as the centre of a pixel: its ray is shown.
+    /// A point (x_p, y_p) of the view window, such as the centre of a pixel. Its ray is shown.
     Window(DVec2),
 }
 

@@ -232,7 +232,7 @@ mod tests {
         request.seen_by(observer)
     }
 
-    /// The front plane cuts the front away: the inside of the back is seen.
+    /// The front plane cuts the front away. The inside of the back is seen.
     #[test]
     fn the_inside_of_a_solid_that_is_cut_open_is_the_solid() {
         let position = DVec3::new(0.0, 0.0, 5.0);

@@ -32,7 +32,7 @@ const MOST_MARKS: usize = 500;
 const MOST_NAMES: usize = 24;
 /// Share of the error colour in wrong faces. The rest is their own colour, so that objects can be distinguished.
 const WRONG: f64 = 0.75;
-/// The opacity of wrong parts: the right scene behind them is still seen.
+/// The opacity of wrong parts. The right scene behind them is still seen.
 const GLASS: u8 = 140;
 
 /// The scene of a picture: one of its own, or that of the request, which is not copied.

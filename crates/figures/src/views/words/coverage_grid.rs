@@ -1,4 +1,4 @@
-//! The parts of a picture that bodies cover: a text there would hide the subject of the picture.
+//! The parts of a picture that bodies cover. A text there would hide the subject of the picture.
 
 use glam::DVec2;
 

@@ -19,7 +19,7 @@ pub(in crate::views) struct Author<'a> {
     pub(in crate::views) view: View,
     /// Colour and width of the lines from labels to their points.
     pub(in crate::views) leader: (Rgba, f32),
-    /// The area that labels stay in, in the pixels of the drawing; `None`: all of it.
+    /// The area that labels stay in, in the pixels of the drawing; `None` means all of it.
     pub(in crate::views) page: Option<Box2>,
     /// The height of the smallest letters, in pixels.
     pub(in crate::views) least: f32,
@@ -117,7 +117,7 @@ pub(in crate::views) struct Rules<'a> {
     pub(in crate::views) author: Option<Author<'a>>,
 }
 
-/// Places the labels of a drawing: the offset of each is its preferred direction and distance. One that finds no free
+/// Places the labels of a drawing. The offset of each is its preferred direction and distance. One that finds no free
 /// place is put farther off with a line that leads to its point; where there is none either, it is left out.
 pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     if drawing.labels.is_empty() {

@@ -53,7 +53,7 @@ pub(in crate::views) fn projectors(builder: &mut GearBuilder, request: &Request,
 
 /// The volume from the window to the far face.
 fn sides(builder: &mut GearBuilder, volume: &DrawnVolume, color: Rgba) {
-    /// Opacity of a face, of 255: the volumes lie over one another.
+    /// Opacity of a face, of 255. The volumes lie over one another.
     const FACE: u8 = 14;
     let far = volume.far_face();
     let mut faces = vec![far];

@@ -85,7 +85,7 @@ impl DrawnVolume {
         }
     }
 
-    /// As it is drawn where F and the window are measured: these are in their place.
+    /// As it is drawn where F and the window are measured. These are in their place.
     pub(in crate::views) fn measured(self, camera: &Camera) -> Self {
         if self.before.is_some() { Self::whole(camera) } else { Self { narrowed: [1.0; 2], ..self } }
     }

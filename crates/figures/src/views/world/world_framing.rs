@@ -12,7 +12,7 @@ use crate::views::pixels::PixelRect;
 use crate::views::screen::Screen;
 use crate::views::{Request, Size};
 
-/// The observer that a button gives: it looks from the viewpoint's side and has everything of interest in the picture.
+/// The observer that a button gives. It looks from the viewpoint's side and has everything of interest in the picture.
 pub(in crate::views) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     let camera = &request.camera;
     let iso = iso_direction(camera).clear_of(&lines(camera));

@@ -142,7 +142,7 @@ pub(super) fn any_projection(random: &mut Random) -> Projection {
     random.one_of(&[Projection::Perspective, Projection::Parallel])
 }
 
-/// A camera in front of small things about PF: it is never among them.
+/// A camera in front of small things about PF. It is never among them.
 pub(super) fn subject(camera: Parameters) -> Subject {
     let mut figure = Figure::of_preset(Preset::Empty);
     let (at, unit) = (camera.focal_point, (camera.position - camera.focal_point).length() / 16.0);

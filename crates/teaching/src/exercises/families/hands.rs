@@ -1,4 +1,4 @@
-//! Exercises done by hand: a camera to set, and the answer before it is shown.
+//! Exercises done by hand. A camera to set, and the answer before it is shown.
 
 use glam::DVec3;
 

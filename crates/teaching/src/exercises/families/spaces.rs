@@ -52,7 +52,7 @@ const LEFT_HANDED_NAMES: [[&str; 6]; 3] = [
     ["n_z", "VPN_z", "v_z", "VUV'_z", "VUV_z", "u_z"],
 ];
 
-/// The ways to **n**, to **v** and to **u**, one after the other: every number comes from a row before it.
+/// The ways to **n**, to **v** and to **u**, one after the other. Every number comes from a row before it.
 fn left_handed_steps(normal: DVec3, up: DVec3, [v, n]: [DVec3; 2]) -> [Worked; 3] {
     let part = |text: &'static str, value: f64| named(text, text, value);
     let root = |vector: DVec3, names: [&'static str; 3]| {

@@ -131,7 +131,7 @@ fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(S
     slipped
 }
 
-/// Causes of which one was made that are worth reading: more of them say nothing.
+/// Causes of which one was made that are worth reading. More of them say nothing.
 const MOST: usize = 3;
 
 /// The diagnosis of slips that give the same numbers. A reversed axis may be a lost minus as well.
@@ -307,7 +307,7 @@ fn agreement(ask: &Ask, given: &[f64], table: &Table) -> Option<Agreement> {
     worst.into_iter().max()
 }
 
-/// Whether one of the numbers that are wrong says something about a mistake: it is written with two digits or more, or
+/// Whether one of the numbers that are wrong says something about a mistake. It is written with two digits or more, or
 /// is what the mistake gives without any rounding.
 fn is_evidence(ask: &Ask, given: &[f64], right: &Table, table: &Table) -> bool {
     let size = table.size();

@@ -212,7 +212,7 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     }
 }
 
-/// The way from the point (1, 1, 0) of the VRC to its pixel: no world coordinates are given, and none are needed.
+/// The way from the point (1, 1, 0) of the VRC to its pixel. No world coordinates are given, and none are needed.
 fn steps_to_pixel(subject: &Subject) -> Vec<Worked> {
     let (x, y) = (named("x_c", "x_c", 1.0), named("y_c", "y_c", 1.0));
     let on_window = Worked::new("point-on-window", "§5.3.2")

@@ -1,6 +1,6 @@
 //! `[1]` I to III: the pyramid with the day D and the month M of a birth.
 //!
-//! The figure with its local coordinates is lost: here the base is the square of side 1 about the origin of the plane y
+//! The figure with its local coordinates is lost. Here the base is the square of side 1 about the origin of the plane y
 //! = 0, and the height is 1.
 
 use glam::{DMat4, DVec3, DVec4};

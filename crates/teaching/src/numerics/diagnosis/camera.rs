@@ -1,4 +1,4 @@
-//! Parameters that make no camera: nothing can be drawn, but the error is a finding, and most have a repair.
+//! Parameters that make no camera. Nothing can be drawn, but the error is a finding, and most have a repair.
 
 use glam::DVec3;
 

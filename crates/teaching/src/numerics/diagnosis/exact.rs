@@ -2,7 +2,7 @@
 //!
 //! A depth buffer, an order of painting and a shadow map each decide with rounded numbers what is in front. Here a ray
 //! through the centre of each pixel decides in `f64`, against all opaque faces. A pixel counts as wrong only if the
-//! rasterizer cannot have meant another face: the one it drew has to lie behind the nearest one at the centre of the
+//! rasterizer cannot have meant another face. The one it drew has to lie behind the nearest one at the centre of the
 //! pixel and a quarter of a pixel to each side. So silhouettes, whose pixels belong to either face, are never wrong.
 //!
 //! Translucent faces all count, not only the nearest. Those are compared with the image that a BSP tree paints.
@@ -34,11 +34,11 @@ const FEW_WRONG: u64 = 3;
 /// The least share of the pixels turned towards a light at which wrong shadows are a fault. A map has texels, so that
 /// a few pixels at the foot of a thing are wrong in every image.
 const WRONG_SHADOWS: f64 = 5e-4;
-/// The most pixels in which shadows are compared: each takes a ray to every light. A larger image is compared with
+/// The most pixels in which shadows are compared. Each takes a ray to every light. A larger image is compared with
 /// fewer of them, evenly spread.
 const SHADOW_PIXELS: u64 = 1 << 16;
 
-/// Faces that are put in order at most, if any of them is translucent: more take seconds.
+/// Faces that are put in order at most, if any of them is translucent. More take seconds.
 const MAX_LAYERED: usize = 1 << 15;
 
 /// A kind of wrong pixels in an image.
@@ -120,7 +120,7 @@ pub(super) async fn wrong_faces(spec: &ImageSpec<'_>, counter: &mut Counter, pro
     Some(opaque.into_iter().chain(layers(spec, counter)).map(|fault| fault.pixels.wrong).sum())
 }
 
-/// Opaque faces in front of nearer ones. The outer `None`: it was cancelled.
+/// Opaque faces in front of nearer ones. The outer `None` means it was cancelled.
 async fn faces(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<Option<Fault>> {
     let Some(faces) = Faces::new(spec) else { return Some(Some(not_compared(Vec::new()))) };
     let drawn = counter.numbered(spec, &faces.objects);
@@ -239,7 +239,7 @@ fn face_color(object: &Object, triangle: usize) -> Option<Rgba> {
     }
 }
 
-/// Translucent faces in the wrong order: the image, without light, differs from the one that a BSP tree paints.
+/// Translucent faces in the wrong order. The image, without light, differs from the one that a BSP tree paints.
 /// Several layers of one pixel are sorted by the depths of their centroids, which is wrong for long faces.
 ///
 /// And depths that the figure's format confuses between a translucent face and others: rays know opaque faces only.

@@ -182,7 +182,7 @@ pub struct Diagnosis {
     pub covered: f64,
     /// The most useful first. Empty only if the image was compared with exact visibility and is right.
     pub findings: Vec<Finding>,
-    /// Why there is no image: the parameters make no camera.
+    /// Why there is no image. The parameters make no camera.
     pub camera_error: Option<CameraError>,
 }
 

@@ -25,7 +25,7 @@ pub struct Repair {
     pub style: Style,
     /// The inner work of the pipeline in the image afterwards.
     pub reveal: Reveal,
-    /// The bias of shadow maps afterwards, in steps of the map; `None`: as it is.
+    /// The bias of shadow maps afterwards, in steps of the map; `None` means as it is.
     pub shadow_bias: Option<f64>,
 }
 

@@ -1,6 +1,6 @@
 //! 10, 10³, 10⁶ small azimuths, one after the other: the errors of the basis, of D, and of C.
 //!
-//! The reference is one rotation by the sum of the angles, which is exact: each angle has few enough digits for it.
+//! The reference is one rotation by the sum of the angles, which is exact. Each angle has few enough digits for it.
 
 use std::hint::black_box;
 use std::mem::size_of;

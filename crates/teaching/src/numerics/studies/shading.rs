@@ -62,7 +62,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::Shading, reference: "ray casting of the true surface in 512 bits", working_set, rows }
 }
 
-/// The shadings; `None`: the default of a figure.
+/// The shadings; `None` means the default of a figure.
 const METHODS: [(&str, Option<Shading>); 4] =
     [("flat", Some(Shading::Flat)), ("gouraud", Some(Shading::Gouraud)), ("phong", Some(Shading::Phong)), (OWN, None)];
 
@@ -130,7 +130,7 @@ struct Setup {
     solid: Solid,
     parameters: Parameters,
     camera: Camera,
-    /// Of each pixel's centre, rounded to bytes as pictures are; `None`: the ground.
+    /// Of each pixel's centre, rounded to bytes as pictures are; `None` means the ground.
     exact: Vec<Option<[f64; 3]>>,
 }
 

@@ -23,7 +23,7 @@ const MAPS: [u32; 4] = [256, 512, 1024, 2048];
 /// A lamp has so many maps.
 const VIEWS: usize = 6;
 
-/// The shadows of a method; `None`: the default of a figure, whatever the size of the others' maps.
+/// The shadows of a method; `None` means the default of a figure, whatever the size of the others' maps.
 type Way = Option<fn(u32) -> Shadows>;
 
 const METHODS: [(&str, Way); 6] = [

@@ -230,7 +230,7 @@ impl Setup {
         if finer > 1 { light } else { pixels.iter().map(|pixel| pixel.luminance()).collect() }
     }
 
-    /// The picture that was measured, but for the colours: the squares of the program's own chequer lie where those of
+    /// The picture that was measured, but for the colours. The squares of the program's own chequer lie where those of
     /// the study do.
     fn figure(&self, way: Way) -> String {
         let repeated = DVec2::splat(2.0 * HALF * self.per_unit * f64::from(TEXELS / SQUARE) / OWN_SQUARES);

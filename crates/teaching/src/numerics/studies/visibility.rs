@@ -64,7 +64,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::Visibility, reference: "ray casting in 512 bits", working_set, rows }
 }
 
-/// Three bars in front of the camera, each over the next: no order of whole faces is right.
+/// Three bars in front of the camera, each over the next. No order of whole faces is right.
 fn cyclic(random: &mut Random) -> Vec<Triangle> {
     let turn = random.between(0.0, 2.0);
     (0..3)

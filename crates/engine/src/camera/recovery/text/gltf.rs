@@ -1,6 +1,6 @@
 //! The cameras of glTF: each node that has one, in the world of its scene.
 //!
-//! The values are read from the JSON itself, in `f64`: the `gltf` crate would round them to `f32`.
+//! The values are read from the JSON itself, in `f64`. The `gltf` crate would round them to `f32`.
 
 use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
@@ -10,7 +10,7 @@ use crate::camera::recovery::text::values::{list, number};
 use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
-/// The most steps from the roots of a scene: more are a cycle, or made to take all the time there is.
+/// The most steps from the roots of a scene. More are a cycle, or made to take all the time there is.
 const MAX_STEPS: usize = 100_000;
 
 /// The cameras of a GLB file.
