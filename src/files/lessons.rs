@@ -38,8 +38,8 @@ pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
 /// into.
 ///
 /// # Errors
-/// [`FileError`] if the folder cannot be read, or has too many files. The fault of a single file is in `faults`, and the
-/// others can be used.
+/// [`FileError`] if the folder cannot be read, or has too many files. The fault of a single file is in `faults`, and
+/// the others can be used.
 pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     let mut found = OwnLessons::default();
     for path in toml_files(folder)? {

@@ -64,7 +64,7 @@ pub enum FileError {
     #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
     /// A file larger than any that is meant for this program.
-    #[error("is larger than any figure or picture; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
+    #[error("is larger than any figure or image; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
     TooLarge,
     /// A folder with more exercises than a lecture has.
     #[error("has too many exercises; allowed: at most {MAX_OWN_EXERCISES}")]

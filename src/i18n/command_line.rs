@@ -304,7 +304,7 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
 /// A sheet on which so many pictures have no room beside the gaps between them.
 #[must_use]
 pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
-    both!(lang; "{count} pictures with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
+    both!(lang; "{count} images with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
         "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores")
 }
 
@@ -319,7 +319,7 @@ pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> Strin
 /// A picture that is larger than pictures can be.
 #[must_use]
 pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
-    both!(lang; "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all",
+    both!(lang; "the image would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all",
         "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo")
 }
 

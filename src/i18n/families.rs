@@ -7,7 +7,7 @@ use crate::sanitize::escaped;
 
 texts! {
     family: "family", "família";
-    family_hint: "The same figure at several values, on one sheet with the value under each picture", "A mesma figura com vários valores, numa folha com o valor sob cada imagem";
+    family_hint: "The same figure at several values, on one sheet with the value under each image", "A mesma figura com vários valores, numa folha com o valor sob cada imagem";
     none: "none", "nenhuma";
     typed: "another key", "outra chave";
     view_angle: "view angle θ", "ângulo de vista θ";
@@ -22,9 +22,9 @@ texts! {
     second_values: "values along the rows", "valores ao longo das linhas";
     nothing: "nothing", "nada";
     captions: "captions", "legendas";
-    captions_hint: "Captions instead of the values, one for each picture, with semicolons between them. If empty, the values", "Legendas no lugar dos valores, uma para cada imagem, separadas por ponto e vírgula. Se vazio, os valores";
+    captions_hint: "Captions instead of the values, one for each image, with semicolons between them. If empty, the values", "Legendas no lugar dos valores, uma para cada imagem, separadas por ponto e vírgula. Se vazio, os valores";
     columns: "columns", "colunas";
-    columns_hint: "Pictures in a row", "Imagens em cada linha";
+    columns_hint: "Images in a row", "Imagens em cada linha";
     automatic: "automatic", "automático";
     parts: "(a), (b) …", "(a), (b) …";
     parts_hint: "Letters before the values, for a text that names the parts", "Letras antes dos valores, para um texto que cita as partes";
@@ -53,7 +53,7 @@ pub fn error(lang: Lang, error: &VariationError) -> String {
             format!("\"{found}\" não é um intervalo de números; permitido: DE..ATÉ:QUANTOS, com QUANTOS de 2 a {limit}")
         }
         (_, VariationError::TooMany { count, limit }) => both!(lang;
-            "the family would have {count} pictures; allowed: at most {limit}",
+            "the family would have {count} images; allowed: at most {limit}",
             "a família teria {count} imagens; permitido: no máximo {limit}"),
         (_, VariationError::Figure { key, value, error }) => {
             format!("{} = {}: {}", escaped(key), escaped(value), messages::without_line(lang, error))
@@ -90,6 +90,6 @@ pub fn variations(lang: Lang, count: usize, most: usize) -> String {
 /// Rows that would not have the pictures of a figure below one another.
 #[must_use]
 pub fn uneven_rows(lang: Lang, count: usize, columns: usize) -> String {
-    both!(lang; "{count} figures with several pictures each do not fill rows of {columns}; allowed: a number of columns that divides {count}",
+    both!(lang; "{count} figures with several images each do not fill rows of {columns}; allowed: a number of columns that divides {count}",
         "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}")
 }

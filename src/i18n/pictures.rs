@@ -20,7 +20,7 @@ texts! {
     depth_stored: "depth buffer: Z (5.25)", "z-buffer: Z (5.25)";
     depth_linear: "distance from the eye", "distância ao olho";
     depth_of_light: "shadow map, distance from the light", "mapa de sombras, distância à luz";
-    acne: "shadows without bias: faces shadow themselves", "sombras sem folga: as faces sombreiam a si mesmas";
+    acne: "shadows without bias: faces shadow themselves", "sombras sem bias: as faces sombreiam a si mesmas";
     map_wrong: "the shadow map is wrong at", "o mapa de sombras erra em";
     out_of: "of", "de";
     too_much_for_rays: "too much for rays; allowed: 4 million pixels and 2 million triangles", "demais para raios; permitido: 4 milhões de pixels e 2 milhões de triângulos";
@@ -79,7 +79,7 @@ texts! {
     part_camera_body: "camera body", "câmera";
     part_volume: "view volume", "volume";
     part_window: "view window", "janela";
-    part_ground_marks: "feet on the ground", "pés no chão";
+    part_ground_marks: "marks on the ground", "marcas no chão";
     part_names: "names", "nomes";
     hidden_dashed: "hidden lines: dashed", "linhas ocultas: tracejadas";
     hidden_hidden: "hidden lines: not drawn", "linhas ocultas: não desenhadas";
@@ -94,16 +94,16 @@ texts! {
     turn_left_handed: "M_{rot} (1-3): u, v, DOP turn onto x, y, z", "M_rot (1-3): u, v, DOP giram sobre x, y, z";
     clip_rows: "M_p, rows x, y, z: clip coordinates (5.8), not yet divided", "M_p, linhas x, y, z: coordenadas de recorte (5.8), ainda sem dividir";
     divide: "÷ w_r (5.6): what is far becomes small", "÷ w_r (5.6): o que está longe fica pequeno";
-    to_box: "P: the frustum becomes a box", "P: o tronco de pirâmide vira uma caixa";
-    centre: "T: the middle of the box moves to the origin", "T: o meio da caixa vai à origem";
-    scale: "S: the box becomes the cube, z is reversed", "S: a caixa vira o cubo, z se inverte";
+    to_box: "P: the frustum becomes a box", "P: o tronco vira um paralelepípedo";
+    centre: "T: the centre moves to the origin", "T: o centro vai à origem";
+    scale: "S: the box becomes the cube, z is reversed", "S: o paralelepípedo vira o cubo, z se inverte";
     pers: "M_{pers}: depth, and division by −z", "M_{pers}: profundidade e divisão por −z";
     xy_scale: "M_{xyscale}: width and height become 2", "M_{xyscale}: largura e altura viram 2";
     unit_slope: "S_{xy} (1-10): the sides become x = ±z, y = ±z", "S_xy (1-10): os lados viram x = ±z, y = ±z";
     unit_depth: "S_z (1-12): the back plane moves to z = 1", "S_z (1-12): o plano de fundo vai a z = 1";
-    canonical_box: "M_P (1-17), k = F/B: the frustum becomes the box", "M_P (1-17), k = F/B: o tronco vira a caixa";
+    canonical_box: "M_P (1-17), k = F/B: the frustum becomes the box", "M_P (1-17), k = F/B: o tronco vira o paralelepípedo";
     near_to_origin: "T_{ort} (1-7): the front plane moves to z = 0", "T_ort (1-7): o plano da frente vai a z = 0";
-    scale_ort: "S_{ort} (1-7): the box becomes the canonical one", "S_ort (1-7): a caixa vira a canônica";
+    scale_ort: "S_{ort} (1-7): the box becomes the canonical one", "S_ort (1-7): o paralelepípedo vira o canônico";
 }
 
 static LABELS_EN: Labels = of(&EN);
@@ -123,7 +123,7 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let size = |size: &[f64; 2]| format!("{} × {} cm", number(&size[0]), number(&size[1]));
     let (smallest, letters, room) = (size(smallest), number(letters), size(room));
     let wanted = lang.mark().number(*wanted, 3);
-    both!(lang; "the smallest picture is {smallest}, with letters of {letters} pt; letters of {wanted} pt need pictures of at least {room}",
+    both!(lang; "the smallest image is {smallest}, with letters of {letters} pt; letters of {wanted} pt need images of at least {room}",
         "a menor imagem tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}")
 }
 
@@ -283,12 +283,12 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
 pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
     match why {
         NoAreas::Shaded => both!(lang;
-            "the faces are a picture: their colours vary over a face (Gouraud, Phong, textures, shadows); allowed for areas: shading = \"flat\", without shadows, or \"wireframe\"",
+            "the faces are an image: their colours vary over a face (Gouraud, Phong, textures, shadows); allowed for areas: shading = \"flat\", without shadows, or \"wireframe\"",
             "as faces são uma imagem: suas cores variam sobre uma face (Gouraud, Phong, texturas, sombras); permitido para áreas: shading = \"flat\", sem sombras, ou \"wireframe\""),
         NoAreas::Partial => both!(lang;
-            "the faces are a picture: the first of them are shown in the order of the depth buffer; allowed for areas: visibility = \"painter\" or \"bsp\", or without show.painted",
+            "the faces are an image: the first of them are shown in the order of the depth buffer; allowed for areas: visibility = \"painter\" or \"bsp\", or without show.painted",
             "as faces são uma imagem: as primeiras delas aparecem na ordem do z-buffer; permitido para áreas: visibility = \"painter\" ou \"bsp\", ou sem show.painted"),
-        NoAreas::OverBudget(over) => both!(lang; "the faces are a picture: {}",
+        NoAreas::OverBudget(over) => both!(lang; "the faces are an image: {}",
             "as faces são uma imagem: {}"; messages::too_much(lang, over)),
     }
 }

@@ -38,7 +38,7 @@ impl Window {
     }
 
     fn wiper(&self) -> Rect {
-        self.harness.get_by_role_and_label(Role::Slider, "wiper between the two sides").rect()
+        self.harness.get_by_role_and_label(Role::Slider, en::COMPARE.wiper).rect()
     }
 }
 
@@ -133,10 +133,10 @@ fn any_key_is_compared_and_a_wrong_one_is_explained() {
     assert_eq!(window.compared().expect("the comparison before").with[0].0, "image.width");
     // This is possible for some figures and not for this one.
     type_key(&mut window, "camera.near = 1000");
-    assert!(window.says("O outro lado é impossível: "));
+    assert!(window.says(pt::COMPARE.impossible));
     window.app_mut().state.file_flow.dialog = None;
     window.run();
-    assert!(window.says("O outro lado é impossível: "), "under the pictures too");
+    assert!(window.says(pt::COMPARE.impossible), "under the views too");
 }
 
 #[test]

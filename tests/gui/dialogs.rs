@@ -57,7 +57,7 @@ fn lists_of_the_export_dialog_open_before_it_every_time() {
     for opening in 0..5 {
         window.command_key(Key::E);
         let (name, view) = views[opening % 3];
-        window.quick_choice("pictures", name);
+        window.quick_choice(en::WINDOW.export_what, name);
         assert_eq!(window.export().what, Views::One(view), "opening {opening}");
         let times = ["3 ×", "4 ×"][opening % 2];
         window.quick_choice("size", times);
@@ -82,7 +82,7 @@ fn preview(window: &mut Window, before: Option<TextureId>) -> (TextureId, [usize
 fn the_export_dialog_shows_the_picture_as_it_will_be() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
-    window.quick_choice("pictures", "Image");
+    window.quick_choice(en::WINDOW.export_what, "Image");
     window.quick_choice("size", "typed");
     // Not larger than it will be, and nothing is enlarged.
     window.enter(en::WINDOW.export_width, "320");
@@ -108,7 +108,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     // What cannot be made has no picture, but a reason.
     window.enter(en::WINDOW.export_height, "16384");
     window.enter(en::WINDOW.export_width, "16384");
-    window.wait_for("not enough memory for a picture");
+    window.wait_for("not enough memory for an image");
     window.key(Key::Escape);
     assert!(window.state().file_flow.preview.is_none(), "nothing is kept of it");
 }
@@ -117,7 +117,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
 fn a_picture_is_copied_at_its_full_size() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
-    window.quick_choice("pictures", "Image");
+    window.quick_choice(en::WINDOW.export_what, "Image");
     window.quick_choice("size", "typed");
     window.enter(en::WINDOW.export_width, "900");
     window.enter(en::WINDOW.export_height, "600");
@@ -212,7 +212,7 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
     let folder = Folder::new("opaque");
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
-    window.quick_choice("pictures", "Image");
+    window.quick_choice(en::WINDOW.export_what, "Image");
     window.click(en::WINDOW.export_transparent);
     let greyed =
         |window: &Window| window.harness.get_by_label(en::WINDOW.export_transparent).accesskit_node().is_disabled();
@@ -234,9 +234,9 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
 fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
-    window.quick_choice("pictures", en::WINDOW.export_all);
+    window.quick_choice(en::WINDOW.export_what, en::WINDOW.export_all);
     window.quick_choice("size", "on paper");
-    window.wait_for("the smallest picture is 3.5 × 2.9 cm");
+    window.wait_for("the smallest image is 3.5 × 2.9 cm");
     let lines = |window: &Window| window.export().paper.lines;
     assert_eq!(lines(&window), None);
     assert!(window.field(en::WINDOW.export_lines).accesskit_node().is_disabled());
@@ -269,7 +269,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     window.quick_choice("family", "Azimuth");
     assert_eq!(family(&window).first.values, "0, 90, 180, 270");
     // In multiples of the screen, the size that is said is that of the whole sheet.
-    window.quick_choice("pictures", "World");
+    window.quick_choice(en::WINDOW.export_what, "World");
     window.quick_choice("size", "1 ×");
     let [width, height] = window.wait_until(|window| {
         let size = window.state().file_flow.preview.as_ref()?.size();
@@ -287,7 +287,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     window.quick_choice("columns", "2");
     window.click(en::FAMILIES.parts);
     assert_eq!((family(&window).columns, family(&window).parts), (Some(2), true));
-    window.quick_choice("pictures", "World");
+    window.quick_choice(en::WINDOW.export_what, "World");
     window.quick_choice("size", "on paper");
     window.quick_choice("made for", "A4 text, 16 cm");
     assert_eq!(window.export().paper.size, [16.0, 12.0]);
@@ -349,7 +349,7 @@ fn the_export_dialog_has_the_rows_that_its_choices_need() {
         window.quick_choice("size", size);
         window.run();
         assert_eq!(window.says(en::WINDOW.export_letters), on_paper, "{size}");
-        assert_eq!(typed(&window, "picture width"), pixels, "{size}");
+        assert_eq!(typed(&window, en::WINDOW.export_width), pixels, "{size}");
         assert!(!window.says(en::FAMILIES.captions), "nothing varies");
     }
 }
@@ -389,7 +389,7 @@ fn the_export_dialog_proposes_what_is_shown_and_forgets_a_cancelled_family() {
 fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
-    window.quick_choice("pictures", "World");
+    window.quick_choice(en::WINDOW.export_what, "World");
     assert!(!window.says(en::WINDOW.export_outlines), "a PNG has none");
     window.quick_choice("format", "SVG");
     window.click(en::WINDOW.export_outlines);

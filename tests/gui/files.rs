@@ -173,7 +173,7 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     window.choose(&figure);
     window.command_key(Key::E);
     assert!(window.says(en::WINDOW.export_heading));
-    window.harness.get_by_role_and_label(Role::ComboBox, "pictures").click();
+    window.harness.get_by_role_and_label(Role::ComboBox, en::WINDOW.export_what).click();
     window.run();
     window.harness.query_all_by_label("Image").last().expect("an entry").click();
     window.run();

@@ -85,12 +85,12 @@ fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
     assert!(window.state().layout.strip);
     assert!(window.stage("escrita"));
     let drawn = window.app_mut().canvas.drawn();
-    window.harness.get_by_role_and_label(Role::ComboBox, "Etapas da imagem").click();
+    window.harness.get_by_role_and_label(Role::ComboBox, pt::CANVAS.strip_of).click();
     window.run();
     window.harness.get_by_role_and_label(Role::Button, "Mundo").click();
     window.run();
     assert_eq!(window.state().layout.strip_of, View::World);
-    assert!(window.says("Esta imagem está escondida") && !window.stage("escrita"));
+    assert!(window.says(pt::CANVAS.strip_hidden) && !window.stage("escrita"));
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
     window.click(pt::CANVAS.strip_close);
     assert!(!window.state().layout.strip);
@@ -225,7 +225,7 @@ fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
     window.click(&clipping);
     assert_eq!(window.state().shown_stage(), Some(Stage::Clip));
     assert!(window.app_mut().canvas.drawn()[View::World.index()] > drawn, "cuts are marked there");
-    assert!(window.says("Shown in the picture: clipping"), "and named in the tab");
+    assert!(window.says(&format!("{}: clipping", en::STAGES.shown)), "and named in the tab");
     window.click(&clipping);
     assert_eq!(window.state().shown_stage(), None);
 }

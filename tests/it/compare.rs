@@ -279,7 +279,7 @@ fn a_comparison_that_is_impossible_is_no_picture_less() {
     bench.write("figure.toml", "[compare]\nwith = { \"camera.near\" = 1e9 }\n");
     let run = bench.run(&["render", "figure.toml", "--size", "60x40", "-o", "a.png", "--lang", "pt-BR"]);
     assert_eq!(run.status, Some(0));
-    assert!(run.err.contains("O outro lado é impossível: ") && run.err.contains("near"), "{}", run.err);
+    assert!(run.err.contains("A outra versão é impossível: ") && run.err.contains("near"), "{}", run.err);
 }
 
 /// Two boxes, of which one is 0.05 nearer, seen with a near plane that is far too near.

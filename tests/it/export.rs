@@ -49,5 +49,5 @@ fn another_programs_picture_is_not_a_figure() {
     writer.and_then(|mut writer| writer.write_image_data(&[0])).expect("a small PNG");
     bench.write("foreign.png", &bytes);
     let run = bench.run(&["inspect", "foreign.png"]);
-    assert!(run.refused(2).contains("foreign.png: this picture holds no figure"), "{}", run.err);
+    assert!(run.refused(2).contains("foreign.png: this image contains no figure"), "{}", run.err);
 }

@@ -156,7 +156,7 @@ fn a_figure_in_a_picture_reaches_only_the_pictures_folder() {
     bench.write("inner/figure.toml", meshes(&["\"../m.obj\""]));
     bench.run(&["render", "inner/figure.toml", "-o", "inner/outside.png"]).done();
     let run = bench.run(&["render", "inner/outside.png", "-o", "o.png"]);
-    assert!(run.refused(2).contains("a figure inside a picture names it"), "{}", run.err);
+    assert!(run.refused(2).contains("a figure inside an image names it"), "{}", run.err);
     bench.run(&["render", "inner/outside.png", "--allow-files", "-o", "o.png"]).done();
     assert_eq!(bench.read("o.png"), bench.read("inner/outside.png"));
 }

@@ -143,7 +143,7 @@ fn a_photograph_that_is_missing_or_none_is_a_notice() {
     bench.write("text.png", "no picture");
     for (file, language, words) in [
         ("gone.jpg", "en", "[image]: the photograph gone.jpg"),
-        ("text.png", "en", "is no picture that is known; allowed: PNG, JPEG and WebP; the image is shown without it"),
+        ("text.png", "en", "is no known image; allowed: PNG, JPEG and WebP; the image is shown without it"),
         ("gone.jpg", "pt-BR", "[image]: o arquivo da fotografia gone.jpg"),
         ("text.png", "pt-BR", "e a imagem aparece sem ela"),
     ] {

@@ -255,7 +255,7 @@ fn the_same_figure_gives_the_same_bytes_and_comes_back_from_them() {
         // Without a figure, or cut anywhere: a message and no panic.
         let none = written(&sheet, FileOptions::of(format), &figure, "").bytes;
         let refused = figure_from(&none).unwrap_err().to_string();
-        assert!(refused.contains("holds no figure"), "{refused}");
+        assert!(refused.contains("contains no figure"), "{refused}");
         for end in (0..bytes.len()).step_by(bytes.len() / 97) {
             let _ = figure_from(&bytes[..end]);
         }
@@ -364,7 +364,7 @@ fn the_command_line_writes_vectors_and_says_what_it_could_not() {
     bench.write("a.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"gouraud\"\n");
     let run = bench.run(&["render", "a.toml", "--faces", "vector", "--size", "200x150", "-o", "a.svg"]);
     assert_eq!(run.status, Some(0));
-    assert!(run.err.contains("a.svg: the faces are a picture") && run.err.contains("shading"), "{}", run.err);
+    assert!(run.err.contains("a.svg: the faces are an image") && run.err.contains("shading"), "{}", run.err);
     assert!(String::from_utf8(bench.read("a.svg")).unwrap().contains("<image"));
     bench.write("b.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"flat\"\n");
     bench.run(&["render", "b.toml", "--view", "world", "--width-cm", "12", "--letters", "8", "-o", "b.pdf"]).done();

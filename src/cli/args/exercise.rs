@@ -71,7 +71,7 @@ pub(in crate::cli) struct ShowArgs {
     /// Text to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: TableFormat,
-    /// File to write the picture to match to, for an exercise that has one: .png
+    /// File to write the image to match to, for an exercise that has one: .png
     #[arg(long, value_name = "OUT.png")]
     pub(in crate::cli) picture: Option<PathBuf>,
 }
@@ -104,7 +104,7 @@ pub(in crate::cli) struct SheetArgs {
     /// Include the answers and their solutions
     #[arg(long)]
     pub(in crate::cli) answers: bool,
-    /// File to write: .pdf, .md or .tex; beside the last two go pictures to match, as OUT-1.png if the first exercise
+    /// File to write: .pdf, .md or .tex; beside the last two go images to match, as OUT-1.png if the first exercise
     /// has one
     #[arg(short, long, value_name = "OUT")]
     pub(in crate::cli) output: PathBuf,

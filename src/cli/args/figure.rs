@@ -17,7 +17,7 @@ pub(in crate::cli) struct FigureArgs {
     // The words are in `OPERATIONS`.
     #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
     operations: Vec<String>,
-    /// Explanation to show in the pictures, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`,
+    /// Explanation to show in the views, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`,
     /// `step={way="notes",at=2.5}`, `measure=["F","theta"]`; an empty value removes it
     #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     show: Vec<String>,
@@ -25,11 +25,11 @@ pub(in crate::cli) struct FigureArgs {
     #[arg(long, value_enum, default_value_t)]
     convention: ConventionArg,
     /// Let the figure name any file of this machine. Without it, files named by a mesh (materials, buffers) must lie in
-    /// the mesh's folder or below, and those named by a figure inside a picture in the picture's. Nothing comes from
+    /// the mesh's folder or below, and those named by a figure inside an image in the image's. Nothing comes from
     /// another machine
     #[arg(long)]
     pub(in crate::cli) allow_files: bool,
-    /// Language of the window, of messages, and of words in pictures
+    /// Language of the window, of messages, and of words in images
     #[arg(long, value_enum, ignore_case = true)]
     pub(in crate::cli) lang: Option<LangArg>,
 }

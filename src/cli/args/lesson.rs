@@ -28,7 +28,7 @@ pub(in crate::cli) enum LessonCommand {
     /// Check lesson files: every figure, number, question and goal, and the aims, the plan and the sentence to keep;
     /// reports faults by line and key
     Check(CheckArgs),
-    /// Write the numbered pictures of a lesson's steps into a folder, or a handout as PDF
+    /// Write the numbered images of a lesson's steps into a folder, or a handout as PDF
     Render(LessonRenderArgs),
     /// Open the window with a lesson
     Play(PlayArgs),
@@ -82,7 +82,7 @@ pub(in crate::cli) struct CheckArgs {
     pub(in crate::cli) lang: Option<LangArg>,
 }
 
-/// The format of the pictures of steps.
+/// The format of the images of steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum StepFormat {
     #[default]
@@ -113,13 +113,13 @@ impl StepFormat {
 pub(in crate::cli) struct LessonRenderArgs {
     #[command(flatten)]
     pub(in crate::cli) which: WhichArgs,
-    /// Which pictures; without it, those that the step shows on the screen
+    /// Which views; without it, those that the step shows on the screen
     #[arg(long, value_parser = one_of(Views::CHOICES, Views::name))]
     pub(in crate::cli) view: Option<Views>,
-    /// Width and height of each picture file in pixels
+    /// Width and height of each image file in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Format of the pictures; PNG if not given
+    /// Format of the images; PNG if not given
     #[arg(long, value_enum)]
     pub(in crate::cli) format: Option<StepFormat>,
     /// Steps on a page of a handout: 2 (if not given) or 4
@@ -131,7 +131,7 @@ pub(in crate::cli) struct LessonRenderArgs {
     /// Begin a handout with the plan for its lecturer
     #[arg(long)]
     pub(in crate::cli) plan: bool,
-    /// Folder for the pictures, created if missing, or OUT.pdf for a handout with figure, text and questions of each
+    /// Folder for the images, created if missing, or OUT.pdf for a handout with figure, text and questions of each
     /// step
     #[arg(short, long, value_name = "FOLDER|OUT.pdf")]
     pub(in crate::cli) output: PathBuf,
@@ -145,7 +145,7 @@ impl LessonRenderArgs {
         number.ok_or_else(|| Failure::BadInput(texts::per_page(lang, per_page)))
     }
 
-    /// A given option that says nothing of a handout, or of a folder of pictures.
+    /// A given option that says nothing of a handout, or of a folder of images.
     pub(in crate::cli) fn unused(&self, is_handout: bool) -> Option<&'static str> {
         let of_pictures =
             [("--size", self.size.is_some()), ("--view", self.view.is_some()), ("--format", self.format.is_some())];

@@ -54,17 +54,17 @@ pub(super) struct CommandLine {
 pub(super) enum Command {
     /// Print every number of a figure's camera as JSON
     Inspect(InspectArgs),
-    /// Write a picture of a figure
+    /// Write an image of a figure
     Render(RenderArgs),
-    /// Write a sheet of small pictures: the same figure at several values of a key or an operation
+    /// Write a sheet of small images: the same figure at several values of a key or an operation
     Sheet(SheetArgs),
-    /// Report which stages of the pipeline a picture needs, which are skipped, and why
+    /// Report which stages of the pipeline an image needs, which are skipped, and why
     Explain(ExplainArgs),
-    /// Redraw a picture many times from scratch and report how long it takes
+    /// Redraw an image many times from scratch and report how long it takes
     Bench(BenchArgs),
     /// Measure error and run time of several ways to compute what a camera does
     Accuracy(AccuracyArgs),
-    /// Report how close a camera is to numerical trouble, why a picture is empty, and what would repair it
+    /// Report how close a camera is to numerical trouble, why an image is empty, and what would fix it
     Diagnose(DiagnoseArgs),
     /// Write an animation or a strip of stills of how the view volume becomes the canonical one, step by step; of a
     /// family; or of the way to another camera
@@ -77,7 +77,7 @@ pub(super) enum Command {
     Photograph(PhotographArgs),
     /// List and show exercises, check answers, write sheets
     Exercise(ExerciseArgs),
-    /// List, show and check lessons, write their pictures, and play them in the window
+    /// List, show and check lessons, write their images, and play them in the window
     Lesson(LessonArgs),
     /// Write the manual pages, and completion scripts for bash, zsh, fish and PowerShell
     Manual(ManualArgs),
@@ -135,12 +135,12 @@ pub(super) struct RenderArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// Which picture; `all` puts the three side by side, `world,image` two of them
+    /// Which view; `all` puts the three side by side, `world,image` two of them
     #[arg(long, value_parser = one_of(Views::CHOICES, Views::name), default_value = View::Image.name())]
     pub(super) view: Views,
     #[command(flatten)]
     pub(super) out: OutputArgs,
-    /// Run every stage of the pipeline, needed or not. The picture is the same
+    /// Run every stage of the pipeline, needed or not. The image is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
 }
@@ -151,13 +151,13 @@ pub(super) struct ExplainArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// Which picture
+    /// Which view
     #[arg(long, value_parser = one_of(View::ALL, View::name), default_value = View::Image.name())]
     pub(super) view: View,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Run every stage of the pipeline, needed or not. The picture is the same
+    /// Run every stage of the pipeline, needed or not. The image is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
     /// Add what each stage costs: operations on floating-point and on whole numbers, and accesses to memory, counted
@@ -174,7 +174,7 @@ pub(super) struct BenchArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// Which picture; `all` draws the three, side by side in the given size
+    /// Which view; `all` draws the three, side by side in the given size
     #[arg(long, value_parser = one_of(Views::CHOICES, Views::name), default_value = View::Image.name())]
     pub(super) view: Views,
     /// Width and height in pixels; without it, the figure's image size
@@ -248,17 +248,17 @@ pub(super) struct AnimateArgs {
     /// In place of the steps. The way to the camera of another figure, on arcs about what stays
     #[arg(long, value_name = "FIGURE", conflicts_with_all = ["vary", "steps"])]
     pub(super) to: Option<PathBuf>,
-    /// Number of pictures of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip
+    /// Number of images of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     frames: Option<String>,
     /// The view that --vary and --to show, or several side by side in an animation; without it, the image
     #[arg(long, value_parser = one_of(Views::CHOICES, Views::name))]
     pub(super) view: Option<Views>,
-    /// Figure file whose observers see the pictures of --vary and --to, as they see its own pictures; without it, one
+    /// Figure file whose observers see the views of --vary and --to, as they see its own views; without it, one
     /// observer sees all of them
     #[arg(long, value_name = "FIGURE", requires = "swept")]
     pub(super) observer_of: Option<PathBuf>,
-    /// Width and height of each picture in pixels
+    /// Width and height of each image in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
     /// Duration of a step in an animation, and of all of --vary or --to, in seconds, 0.1 to 60
@@ -366,7 +366,7 @@ impl BenchArgs {
 }
 
 impl AnimateArgs {
-    /// Width and height of each picture, if they are given.
+    /// Width and height of each image, if they are given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
         size(self.size.as_deref(), lang)
     }
@@ -375,7 +375,7 @@ impl AnimateArgs {
         number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
     }
 
-    /// The number of pictures, if it is given.
+    /// The number of images, if it is given.
     pub(super) fn frames(&self, lang: Lang) -> Result<Option<usize>, Failure> {
         let Some(text) = &self.frames else { return Ok(None) };
         let frames = text.trim().parse().ok().filter(|frames| (2..=MAX_FRAMES).contains(frames));

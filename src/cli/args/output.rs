@@ -19,18 +19,18 @@ use crate::sanitize;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct OutputArgs {
-    /// Width and height in pixels; without it, the figure's image size (for several pictures: of each)
+    /// Width and height in pixels; without it, the figure's image size (for several views: of each)
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of a
-    /// picture larger than 1920x1080 grow with it, by the smaller of width/1920 and height/1080
+    /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of an
+    /// image larger than 1920x1080 grow with it, by the smaller of width/1920 and height/1080
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     scale: Option<String>,
     /// Width in centimetres on paper, in place of --size; without --height-cm, the height follows from the figure's
     /// image
     #[arg(long, value_name = "CM", allow_hyphen_values = true, conflicts_with_all = ["size", "scale"])]
     width_cm: Option<String>,
-    /// Height in centimetres on paper; `all` then arranges the three pictures to be as large as the paper allows
+    /// Height in centimetres on paper; `all` then arranges the three views to be as large as the paper allows
     #[arg(long, value_name = "CM", allow_hyphen_values = true, requires = "width_cm")]
     height_cm: Option<String>,
     /// Width, height and letters for a column of a journal (8.8 cm, 8 pt), the text of a page of A4 (16 cm, 9 pt), a
@@ -42,7 +42,7 @@ pub(in crate::cli) struct OutputArgs {
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
     /// Height of the letters of names in points on paper, 9 where --width-cm is given. Strokes are in proportion. On a
-    /// sheet of all three they are smaller where a picture has no room for them, but still legible (6 points)
+    /// sheet of all three they are smaller where an image has no room for them, but still legible (6 points)
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
     /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the
@@ -52,18 +52,18 @@ pub(in crate::cli) struct OutputArgs {
     /// Transparent background. Not for JPEG, which has no transparency
     #[arg(long)]
     pub(in crate::cli) transparent: bool,
-    /// Crop the empty background around each picture
+    /// Crop the empty background around each image
     #[arg(long)]
     crop: bool,
-    /// Faces of an SVG or PDF: as areas (`vector`), as one picture under the lines (`picture`), or as areas where these
+    /// Faces of an SVG or PDF: as areas (`vector`), as one image under the lines (`picture`), or as areas where these
     /// say what the pixels do
     #[arg(long, value_parser = one_of(Faces::ALL, Faces::name), default_value = Faces::default().name())]
     faces: Faces,
     /// Letters of an SVG or PDF as outlines. No program needs the font, and none can search or edit them
     #[arg(long)]
     outlines: bool,
-    /// Figure file whose observers see the world and the canonical volume, as they are seen in its own pictures: what
-    /// differs in a series of pictures has moved, and not who looks
+    /// Figure file whose observers see the world and the canonical volume, as they are seen in its own views: what
+    /// differs in a series of images has moved, and not who looks
     #[arg(long, value_name = "FIGURE")]
     pub(in crate::cli) observer_of: Option<PathBuf>,
     /// Theme; without it, that of the figure
@@ -163,7 +163,7 @@ fn output_help() -> String {
     format!("File to write; its extension decides the format: {}", picture_endings())
 }
 
-/// The extensions of picture files.
+/// The extensions of image files.
 pub(in crate::cli) fn picture_endings() -> String {
     let endings = PictureFormat::ALL.iter().flat_map(|format| format.endings());
     endings.map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(", ")

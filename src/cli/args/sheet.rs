@@ -16,23 +16,23 @@ use crate::views::{View, Views};
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SheetArgs {
-    /// Figure file, or a picture that camera-lab wrote
+    /// Figure file, or an image that camera-lab wrote
     pub(in crate::cli) figure: PathBuf,
     #[command(flatten)]
     pub(in crate::cli) common: FigureArgs,
     #[command(flatten)]
     pub(in crate::cli) family: FamilyArgs,
-    /// Which picture. Several are below one another, a row for each
+    /// Which view. Several are below one another, a row for each
     #[arg(long, value_parser = one_of(Views::CHOICES, Views::name), default_value = View::Image.name())]
     pub(in crate::cli) view: Views,
-    /// Number of pictures in a row; without it, as many as have room, at most 4, or with two --vary the values of the
+    /// Number of images in a row; without it, as many as have room, at most 4, or with two --vary the values of the
     /// second
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     columns: Option<String>,
     /// Put letters before the captions: (a), (b) …
     #[arg(long)]
     pub(in crate::cli) parts: bool,
-    /// Caption of a picture in place of its value, the first one for the first picture. An empty one leaves it out
+    /// Caption of an image in place of its value, the first one for the first image. An empty one leaves it out
     #[arg(long = "caption", value_name = "TEXT", allow_hyphen_values = true)]
     pub(in crate::cli) captions: Vec<String>,
     #[command(flatten)]
@@ -42,7 +42,7 @@ pub(in crate::cli) struct SheetArgs {
 /// The keys and operations that vary.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct FamilyArgs {
-    /// Key of the figure or operation with its values, one picture for each: `camera.view_angle=20,40,60,90`;
+    /// Key of the figure or operation with its values, one image for each: `camera.view_angle=20,40,60,90`;
     /// `style.visibility=painter,depth-buffer`; `show.step.at=0..4:5` (five numbers from 0 to 4); azimuth=0,30,60.
     /// Commas between brackets belong to a value. Given twice, the values of the first are rows and those of the
     /// second columns

@@ -357,7 +357,7 @@ mod tests {
             (Lang::En, "azimuth", "Azimuth"),
             (Lang::En, "empty image", "Camera check"),
             (Lang::En, "title", "Title and caption…"),
-            (Lang::En, "pdf", "Export pictures…"),
+            (Lang::En, "pdf", "Export images…"),
             (Lang::En, "run time", "Numerics"),
             (Lang::En, "handout", "Handout…"),
             (Lang::En, "worksheet", "Handout…"),

@@ -113,8 +113,8 @@ impl Table {
     }
 }
 
-/// The decimals of numbers of which the greatest is `most`, one fewer than the digits; `None` means each has its own digits,
-/// since all are wanted or the numbers are too great.
+/// The decimals of numbers of which the greatest is `most`, one fewer than the digits; `None` means each has its own
+/// digits, since all are wanted or the numbers are too great.
 fn decimals(most: f64, digits: usize) -> Option<usize> {
     let beyond = [1e3, 1e4, 1e5, 1e6].iter().filter(|power| most >= **power).count();
     if digits >= numbers::EXACT_DIGITS || beyond == 4 { None } else { Some((digits - 1).saturating_sub(beyond)) }

@@ -86,8 +86,8 @@ pub(in crate::gui) struct Whereabouts {
 }
 
 impl Whereabouts {
-    /// Gives the place of the window once it has stayed there for a while; `None` means it hasn't, or fills the screen for a
-    /// presentation.
+    /// Gives the place of the window once it has stayed there for a while; `None` means it hasn't, or fills the screen
+    /// for a presentation.
     pub(in crate::gui) fn settled(&mut self, ctx: &Context, before: Option<WindowPlace>) -> Option<WindowPlace> {
         let (now, viewport) = ctx.input(|input| (input.time, input.viewport().clone()));
         if viewport.fullscreen == Some(true) || viewport.minimized == Some(true) {

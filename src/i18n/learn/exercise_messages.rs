@@ -24,7 +24,7 @@ texts! {
     name: "Name", "Nome";
     date: "Date", "Data";
     seed: "seed", "semente";
-    target: "The picture to match", "Esta é a imagem a reproduzir";
+    target: "The image to match", "Esta é a imagem a reproduzir";
 }
 
 /// An identifier that no exercise has.
@@ -169,7 +169,7 @@ pub fn sheet_ending(lang: Lang, path: &str) -> String {
 /// A picture of an exercise that gives none.
 #[must_use]
 pub fn no_picture(lang: Lang, id: &str) -> String {
-    both!(lang; "--picture: {id} has no picture to match", "--picture: {id} não tem imagem a reproduzir")
+    both!(lang; "--picture: {id} has no image to match", "--picture: {id} não tem imagem a reproduzir")
 }
 
 /// A picture with an ending that cannot be written.
@@ -192,7 +192,7 @@ pub fn why(lang: Lang, why: Why) -> String {
             format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
         }
         (_, Why::Begun) => both!(lang; "You began it, and it isn't solved yet.",
-            "Você o começou, e ele ainda não está resolvido."),
+            "Você já o iniciou, mas ele ainda não está resolvido."),
         (Lang::En, Why::Due(days)) => {
             let ago = if days == 1 { "a day ago".to_owned() } else { format!("{days} days ago") };
             format!("You solved it {ago}. See whether you still can, with new numbers.")

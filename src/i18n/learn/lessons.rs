@@ -39,9 +39,9 @@ texts! {
     again: "Back to the step", "De volta ao passo";
     again_hint: "Shows the figure of the step as it was at first", "Mostra a figura do passo como era no início";
     text_command: "Text of the step", "Texto do passo";
-    text_hint: "Shows or hides the text under the pictures (C in a presentation)", "Mostra ou oculta o texto sob as imagens (C na apresentação)";
+    text_hint: "Shows or hides the text under the views (C in a presentation)", "Mostra ou oculta o texto sob as vistas (C na apresentação)";
     question_command: "Question of the step", "Pergunta do passo";
-    question_hint: "Shows or hides the question under the pictures. In a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as imagens. Na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
+    question_hint: "Shows or hides the question under the views. In a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as vistas. Na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
     notes_command: "Speaker notes", "Notas do apresentador";
     clock_hint: "Minutes and seconds since you opened the speaker notes", "Minutos e segundos desde que você abriu as notas do apresentador";
     notes_hint: "Shows or hides the speaker notes of the step, in a window of their own", "Mostra ou oculta as notas do apresentador do passo, em uma janela própria";
@@ -74,9 +74,9 @@ texts! {
     copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
     copy_action: "Copy", "Copiar";
     step_earlier: "Move up", "Para cima";
-    step_earlier_hint: "The step comes before the one above it. Its picture stays the same", "O passo vem antes do anterior. A imagem continua a mesma";
+    step_earlier_hint: "The step comes before the one above it. Its image stays the same", "O passo vem antes do anterior. A imagem continua a mesma";
     step_later: "Move down", "Para baixo";
-    step_later_hint: "The step comes after the next one. Its picture stays the same", "O passo vem depois do próximo. A imagem continua a mesma";
+    step_later_hint: "The step comes after the next one. Its image stays the same", "O passo vem depois do próximo. A imagem continua a mesma";
     step_screen: "Use what's on the screen", "Usar o que está na tela";
     step_screen_hint: "From now on the step shows what you see. Its texts stay", "A partir de agora o passo mostra o que você vê. Os textos ficam";
     step_another: "New step after this one", "Novo passo depois deste";
@@ -98,22 +98,22 @@ texts! {
     lesson_title_field: "Title of the lesson", "Título da lição";
     lesson_sentence_field: "Sentence to keep (Markdown, $formulas$)", "Frase para guardar (Markdown, $fórmulas$)";
     lesson_minutes_field: "Minutes", "Minutos";
-    forget_typed: "Back to the text of the file", "De volta ao texto do arquivo";
-    forget_typed_hint: "Forgets what was typed since it was written last", "Esquece o que foi digitado desde que foi escrito";
+    forget_typed: "Back to the saved text", "Voltar ao texto salvo";
+    forget_typed_hint: "Discards the text you've typed since it was last saved", "Descarta o texto que você digitou desde que o passo foi salvo";
     // The question about text that cannot be saved.
     unsaved_text_title: "Leave without the text of this step?", "Sair sem o texto deste passo?";
     unsaved_text: "The text you typed isn't in the lesson's file, and can't be saved there:", "O texto que você digitou não está no arquivo da lição e não pode ser salvo nele:";
     save_copy: "Save a copy…", "Salvar uma cópia…";
     // The texts of a recorded step and lesson.
     new_lesson: "A new lesson", "Uma nova lição";
-    new_text: "Say here what is to be seen.", "Diga aqui o que se vê.";
+    new_text: "Write the text of this step here.", "Escreva aqui o texto deste passo.";
     // A line of the window at its first start.
     new_here: "New here?", "Primeira vez aqui?";
     or_gallery: "Gallery of figures", "Galeria de figuras";
     go_on: "Go on", "Continuar";
     no_go_on: "Close this line until the next start", "Fechar esta linha até a próxima vez";
     no_welcome: "Close this line. The lessons are in the menu Help", "Fechar esta linha. As lições estão no menu Ajuda";
-    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: speaker notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas do apresentador · um número: aquele passo · P: caneta · S: foco · B: preto";
+    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: speaker notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas do apresentador · um número: aquele passo · P: caneta · S: holofote · B: preto";
     // The list of lessons.
     lessons_command: "Lessons…", "Lições…";
     lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
@@ -386,7 +386,7 @@ pub fn per_page(lang: Lang, found: &str) -> String {
 #[must_use]
 pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
     match (lang, is_handout) {
-        (Lang::En, true) => format!("{option} is for a folder of pictures; a handout takes --per-page and --answers"),
+        (Lang::En, true) => format!("{option} is for a folder of images; a handout takes --per-page and --answers"),
         (Lang::En, false) => format!("{option} is for a handout; allowed: -o OUT.pdf"),
         (Lang::PtBr, true) => {
             format!("{option} vale para uma pasta de imagens; uma apostila aceita --per-page e --answers")
@@ -398,7 +398,7 @@ pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
 /// Pictures of a lesson are asked for in a file that holds only one.
 #[must_use]
 pub fn output_name(lang: Lang, path: &str) -> String {
-    both!(lang; "{path} would be one picture; allowed: a folder, or a name that ends in .pdf",
+    both!(lang; "{path} would be one image; allowed: a folder, or a name that ends in .pdf",
         "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf")
 }
 
@@ -406,9 +406,9 @@ pub fn output_name(lang: Lang, path: &str) -> String {
 #[must_use]
 pub fn all_good(lang: Lang, count: usize) -> String {
     match (lang, count) {
-        (Lang::En, 1) => "the lesson is good\n".to_owned(),
-        (Lang::En, _) => format!("{count} lessons are good\n"),
-        (Lang::PtBr, 1) => "a lição está boa\n".to_owned(),
-        (Lang::PtBr, _) => format!("{count} lições estão boas\n"),
+        (Lang::En, 1) => "the lesson has no errors\n".to_owned(),
+        (Lang::En, _) => format!("{count} lessons have no errors\n"),
+        (Lang::PtBr, 1) => "a lição não tem erros\n".to_owned(),
+        (Lang::PtBr, _) => format!("{count} lições não têm erros\n"),
     }
 }

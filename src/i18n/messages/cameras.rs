@@ -91,7 +91,7 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
         Derived::ViewProjectionMatrix => pick!(lang; english("The product of the matrices"),
             Wording::new("o produto das matrizes de projeção e de vista", "O produto das matrizes")),
         Derived::VolumeCorners => pick!(lang; english("A corner of the view volume"),
-            Wording::new("os vértices do volume de vista", "Um canto do volume de vista")),
+            Wording::new("os vértices do volume de vista", "Um vértice do volume de vista")),
     }
 }
 

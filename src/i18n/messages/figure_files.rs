@@ -229,7 +229,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::WrongAnswer => both!(lang; "a wrong answer, which the message explains",
             "uma resposta errada, que a mensagem explica"),
         Allowed::NotePlace => pick!(lang;
-            "[x, y, z] of the world, [x, y] of the picture from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
+            "[x, y, z] of the world, [x, y] of the image from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
             "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned()),
         Allowed::PairIn(least, most) => both!(lang; "two numbers, [x, y], each from {least} to {most}",
             "dois números, [x, y], cada um de {least} a {most}"),

@@ -76,7 +76,7 @@ pub fn link(lang: Lang, error: ShareError) -> String {
 /// Why a picture cannot be written in a format.
 #[must_use]
 pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
-    both!(lang; "the picture cannot be written as {format} ({why})",
+    both!(lang; "the image cannot be written as {format} ({why})",
         "a imagem não pode ser gravada como {format} ({why})")
 }
 

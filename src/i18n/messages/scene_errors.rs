@@ -69,13 +69,13 @@ pub(in crate::i18n) fn scene_wording(lang: Lang, error: &SceneError) -> Wording 
             format!("no máximo {MAX_LIGHTS} luzes"),
         ),
         (Lang::En, SceneError::ShadowMaps { .. }) => {
-            english(&format!("shadow maps of at most {MAX_SHADOW_TEXELS} texels together, six for a lamp"))
+            english(&format!("shadow maps of at most {MAX_SHADOW_TEXELS} texels together, six for a point light"))
         }
         (Lang::PtBr, SceneError::ShadowMaps { texels }) => Wording::new(
             format!(
-                "têm mapas de sombras de {texels} texels, seis por lâmpada; permitido: no máximo {MAX_SHADOW_TEXELS}"
+                "têm mapas de sombras de {texels} texels, seis por luz pontual; permitido: no máximo {MAX_SHADOW_TEXELS}"
             ),
-            format!("mapas de sombras de no máximo {MAX_SHADOW_TEXELS} texels ao todo, seis por lâmpada"),
+            format!("mapas de sombras de no máximo {MAX_SHADOW_TEXELS} texels ao todo, seis por luz pontual"),
         ),
         (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
         (Lang::En, SceneError::Light { .. }) => english("the position must be finite"),

@@ -13,7 +13,7 @@ texts! {
     reversed: "reversed", "invertido";
     reversed_hint: "z_n is 1 at F and 0 at B. Floating-point numbers are dense around 0, where perspective crowds the depths. In OpenGL by glClipControl with GL_ZERO_TO_ONE", "z_n é 1 em F e 0 em B. Números de ponto flutuante são densos perto de 0, onde a perspectiva comprime as profundidades. No OpenGL, por glClipControl com GL_ZERO_TO_ONE";
     infinite: "B → ∞", "B → ∞";
-    infinite_hint: "The limit of the matrices as the back plane goes to infinity, in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito, só em perspectiva. As imagens ainda são recortadas em B";
+    infinite_hint: "The limit of the matrices as the back plane goes to infinity, in perspective only. The views are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito, só em perspectiva. As vistas ainda são recortadas em B";
     row_vectors: "row vectors", "vetores linha";
     row_vectors_hint: "As in texts that write p′ = p M", "Como em textos que escrevem p′ = p M";
     row_vectors_said: "Points are rows, p′ = p M. Every matrix is transposed, and a product is read from the left.", "Pontos são linhas, p′ = p M. Cada matriz é transposta, e um produto é lido da esquerda.";

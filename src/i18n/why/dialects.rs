@@ -24,7 +24,7 @@ texts! {
     instead: "Read it as", "Ler como";
     instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
     camera: "Camera", "Câmera";
-    camera_hint: "The text has several cameras. This one is read", "O texto tem várias câmeras. Lê-se esta";
+    camera_hint: "The text has several cameras. This is the one you see", "O texto tem várias câmeras. Esta é a que você vê";
     image: "Image of the matrix", "Imagem da matriz";
     image_hint: "The size in pixels of the image that K belongs to. It isn't in the matrix. The figure takes it on with the camera.",
         "O tamanho em pixels da imagem a que K pertence. Não está na matriz. A figura o recebe com a câmera.";
@@ -308,8 +308,10 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
             "O ponto principal é o meio da imagem de lados trocados: K é de n × m pixels?"),
         Unknown::WideAngle => pick!(lang; "The angle of the image is greater than 150°, which is unlikely.",
             "O ângulo da imagem é maior que 150°, o que é improvável."),
-        Unknown::NormalisedPixels => pick!(lang; "K is normalised. Its numbers are shares of the sides of the image.",
-            "K é normalizada. Os números são frações dos lados da imagem."),
+        Unknown::NormalisedPixels => {
+            pick!(lang; "K is normalised. Its numbers are fractions of the sides of the image.",
+            "K é normalizada. Os números são frações dos lados da imagem.")
+        }
     }
 }
 

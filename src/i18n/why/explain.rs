@@ -60,7 +60,7 @@ texts! {
     copy_code_hint: "Copies the code", "Copia o código";
     steps: "Frustum → cube", "Tronco → cubo";
     steps_hint: "How the view volume becomes the canonical one, step by step, in the decomposition of each source", "Como o volume de vista vira o canônico, passo a passo, na decomposição de cada fonte";
-    steps_hidden: "The picture of the canonical volume, which shows this, is hidden (Ctrl+2).", "A imagem do volume canônico, que mostra isto, está escondida (Ctrl+2).";
+    steps_hidden: "The view of the canonical volume, which shows this, is hidden (Ctrl+2).", "A vista do volume canônico, que mostra isto, está oculta (Ctrl+2).";
     nothing_done: "No step is applied, so this is the world.", "Nenhum passo foi aplicado, e este é o mundo.";
     to_world: "To the world", "Ao mundo";
     step_back: "Step back", "Um passo atrás";

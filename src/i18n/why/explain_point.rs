@@ -6,14 +6,14 @@ use crate::sanitize::escaped;
 use crate::views::{ShadowAt, TexelAt};
 
 texts! {
-    no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Adicione um, ou fixe um vértice em uma imagem e aperte Seguir.";
+    no_points: "No point is followed. Add one, or pin a vertex in a view and press Follow.", "Nenhum ponto é seguido. Adicione um, ou fixe um vértice em uma vista e aperte Seguir.";
     add: "Add", "Adicionar";
     add_hint: "Adds a point, at the vertex under the pointer or at PF, and follows it", "Adiciona um ponto, no vértice sob o ponteiro ou em PF, e o segue";
     delete: "Delete", "Excluir";
     delete_hint: "Deletes the followed point", "Exclui o ponto seguido";
     too_many: "You can't follow more points. There are 32 already.", "Não se podem seguir mais pontos. Já há 32.";
     name: "Name of the point", "Nome do ponto";
-    name_hint: "As it is written in the pictures and in the figure file", "Como é escrito nas imagens e no arquivo da figura";
+    name_hint: "As it is written in the views and in the figure file", "Como é escrito nas vistas e no arquivo da figura";
     name_taken: "Another point has this name.", "Outro ponto tem este nome.";
     name_empty: "A point needs a name.", "Um ponto precisa de um nome.";
     // On the card of the probe.

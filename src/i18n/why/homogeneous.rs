@@ -24,5 +24,5 @@ texts! {
     affine: "affine: wrong", "afim: errado";
     correct: "with w: right", "com w: certo";
     same: "In parallel projection both are the same.", "Em projeção paralela os dois são iguais.";
-    vanishing: "Vanishing points in the pictures", "Pontos de fuga nas imagens";
+    vanishing: "Vanishing points in the views", "Pontos de fuga nas vistas";
 }

@@ -21,7 +21,7 @@ texts! {
     measure_hint: "Runs all methods of this study on the same inputs, in the background. It takes a few seconds", "Executa todos os métodos deste estudo nas mesmas entradas, em segundo plano. Leva alguns segundos";
     cancel: "Cancel", "Cancelar";
     open: "open", "abrir";
-    open_hint: "Shows in the three pictures the camera on which this method was worst. The open figure is kept with its changes", "Mostra nas três imagens a câmera em que este método foi pior. A figura aberta é guardada com as alterações";
+    open_hint: "Shows in the three views the camera on which this method was worst. The open figure is kept with its changes", "Mostra nas três vistas a câmera em que este método foi pior. A figura aberta é guardada com as alterações";
     // Which chart.
     over_parameter: "error against parameter", "erro contra parâmetro";
     over_time: "error against time", "erro contra tempo";
@@ -122,7 +122,7 @@ pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
         Unit::SceneUnits => pick!(lang; "error / scene units", "erro / unidades da cena"),
         Unit::Radians => pick!(lang; "error / rad", "erro / rad"),
         Unit::Relative => pick!(lang; "relative error", "erro relativo"),
-        Unit::Share => pick!(lang; "wrong share", "parcela errada"),
+        Unit::Share => pick!(lang; "wrong fraction", "fração errada"),
         Unit::Color => pick!(lang; "error / range of a channel", "erro / faixa de um canal"),
         Unit::Ndc => pick!(lang; "error / NDC", "erro / NDC"),
     }
@@ -198,14 +198,14 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("house", "casa"),
     ("house, acne", "casa, acne"),
     ("house, detached", "casa, soltas"),
-    ("corridor with a lamp", "corredor com lâmpada"),
-    ("corridor with a lamp, acne", "corredor com lâmpada, acne"),
-    ("corridor with a lamp, detached", "corredor com lâmpada, soltas"),
-    ("bias 0, edge 1", "folga 0, borda 1"),
-    ("bias 30, edge 1", "folga 30, borda 1"),
-    ("bias 1, edge 0", "folga 1, borda 0"),
-    ("bias 1, edge 1", "folga 1, borda 1"),
-    ("bias 1, edge 4", "folga 1, borda 4"),
+    ("corridor with a lamp", "corredor com luz"),
+    ("corridor with a lamp, acne", "corredor com luz, acne"),
+    ("corridor with a lamp, detached", "corredor com luz, descoladas"),
+    ("bias 0, edge 1", "bias 0, borda 1"),
+    ("bias 30, edge 1", "bias 30, borda 1"),
+    ("bias 1, edge 0", "bias 1, borda 0"),
+    ("bias 1, edge 1", "bias 1, borda 1"),
+    ("bias 1, edge 4", "bias 1, borda 4"),
 ];
 
 /// A case or a method by its name.

@@ -66,7 +66,7 @@ pub fn steps(lang: Lang, found: &PhotographCamera) -> Vec<String> {
     let mut steps: Vec<String> = found.vanishing.iter().map(|point| vanishing(lang, point)).collect();
     if let (Some(f), Some(cost)) = (found.focal_length, found.view_angle_per_pixel) {
         let (f, theta, cost) = (number(f), number(found.parameters.view_angle), lang.mark().number(cost, 2));
-        steps.push(both!(lang; "f² = −(V₁ · V₂), from the middle of the image: f = {f} px",
+        steps.push(both!(lang; "f² = −(V₁ · V₂), from the centre of the image: f = {f} px",
             "f² = −(V₁ · V₂), a partir do meio da imagem: f = {f} px"));
         steps.push(both!(lang; "tan(θ/2) = n / 2f: θ = {theta}°; a pixel of error in each end costs {cost}°",
             "tan(θ/2) = n / 2f: θ = {theta}°; um pixel de erro em cada ponta custa {cost}°"));

@@ -69,8 +69,8 @@ pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     match stage {
         Stage::Traverse => pick!(lang;
-            "Walks through the tree of the scene, multiplies the transforms, and adds what the picture shows besides. [3] §1.1, step 1",
-            "Percorre a árvore da cena, multiplica as transformações e acrescenta o que a imagem mostra além dela. [3] §1.1, passo 1"),
+            "Walks through the tree of the scene, multiplies the transforms, and adds what the view shows besides. [3] §1.1, step 1",
+            "Percorre a árvore da cena, multiplica as transformações e acrescenta o que a vista mostra além dela. [3] §1.1, passo 1"),
         Stage::CullObjects => pick!(lang;
             "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1",
             "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de vista. [3] §1.1"),
@@ -100,10 +100,10 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
             "Cores ou normais entre os vértices de uma face, com correção de perspectiva. [2]; [3] §1.1, passo 7"),
         Stage::HiddenSurfaces => pick!(lang; "Decides which face is seen at a pixel. [2]; [3] §1.1, step 8",
             "Decide qual face é vista em cada pixel. [2]; [3] §1.1, passo 8"),
-        Stage::Texture => pick!(lang; "Pictures on surfaces. [3] §1.1, step 9",
+        Stage::Texture => pick!(lang; "Images on surfaces. [3] §1.1, step 9",
             "Imagens sobre superfícies. [3] §1.1, passo 9"),
         Stage::Shadow => pick!(lang;
-            "Takes light away if the light sees something nearer in its depth picture, the shadow map. [3] §1.1, step 9",
+            "Takes light away if the light sees something nearer in its depth image, the shadow map. [3] §1.1, step 9",
             "Retira luz se a fonte vê algo mais próximo em sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
         Stage::Blend => pick!(lang; "Blends translucent colours with what is behind them. [3] §1.1, step 9",
             "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9"),

@@ -4,7 +4,7 @@ use crate::i18n::Lang;
 use crate::pipeline::{PlaneSet, Reason};
 
 texts! {
-    always: "every picture needs it", "toda imagem precisa dela";
+    always: "every view needs it", "toda vista precisa dela";
     nothing_in_view: "nothing is in view", "não há nada no campo de visão";
     something_in_view: "the vertices of what is in view must be mapped to pixels", "os vértices do que se vê precisam ser levados a pixels";
     forced: "not needed; runs because all stages were requested", "desnecessária; é executada porque todas foram pedidas";
@@ -28,12 +28,12 @@ texts! {
     painted_by_splitting: "BSP: from back to front, split at faces that cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
     no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split at faces that cross each other's planes", "BSP: a saída não tem z-buffer; de trás para a frente, com as faces divididas pelos planos umas das outras";
     no_texture: "no object has a texture", "nenhum objeto tem textura";
-    no_shadows: "no light casts a shadow into view", "nenhuma luz lança sombra no que se vê";
+    no_shadows: "no light casts a shadow into view", "nenhuma luz projeta sombra no que se vê";
     nothing_shadowed: "nothing in view can be shadowed: no object takes light", "nada no campo de visão pode ficar na sombra: nenhum objeto recebe luz";
     all_opaque: "everything in view is opaque", "tudo que se vê é opaco";
     one_sample: "one sample for each pixel", "uma amostra por pixel";
     lines_in_view: "edges, outlines, lines, marks or texts are to be drawn", "há arestas, contornos, linhas, marcas ou textos a desenhar";
-    depths_shown: "the picture shows depths instead of colours", "a imagem mostra profundidades em vez de cores";
+    depths_shown: "the image shows depths instead of colours", "a imagem mostra profundidades em vez de cores";
     divided_first: "after the divide, as requested: too late, what is behind the eye has folded over", "depois da divisão, como foi pedido: tarde demais, o que está atrás do olho já dobrou para a frente";
     no_lines: "nothing but faces is in view", "só há faces no campo de visão";
 }

@@ -6,7 +6,7 @@ texts! {
     in_the_code: "In the code", "No código";
     in_the_code_hint: "The source file of this stage, in the project's folder. Its head explains the algorithm", "O arquivo-fonte desta etapa, na pasta do projeto. O começo dele explica o algoritmo";
     hint: "The image as painted so far, triangle by triangle, in the order of painting.", "A imagem pintada até aqui, triângulo por triângulo, na ordem de pintura.";
-    hidden: "The image is hidden: Ctrl+3 shows it.", "A imagem está escondida: Ctrl+3 a mostra.";
+    hidden: "The image is hidden: Ctrl+3 shows it.", "A imagem está oculta: Ctrl+3 a mostra.";
     painter: "Painter", "Pintor";
     painter_hint: "From back to front by the distance of the centroid of each face", "De trás para a frente, pela distância do centroide de cada face";
     painter_said: "Each face is painted over those behind it. The order is that of their centroids. Faces that cross, or overlap in a cycle, have no right order.",
@@ -26,9 +26,9 @@ texts! {
     fewer: "Fewer triangles", "Menos triângulos";
     more: "More triangles", "Mais triângulos";
     all: "The whole image", "A imagem inteira";
-    shown: "Shown in the picture", "Na imagem";
-    none_shown: "A click on a stage, here or in the strip (F10), shows in the picture what goes in and what comes out.", "Um clique numa etapa, aqui ou na faixa (F10), mostra na imagem o que entra e o que sai.";
-    show: "Click or press Enter to show it in the picture, or to stop showing it. F1 opens its reference page", "Clique ou aperte Enter para mostrar na imagem, ou deixar de mostrar. F1 abre o verbete";
+    shown: "Shown in the view", "Na vista";
+    none_shown: "A click on a stage, here or in the strip (F10), shows in the view what goes in and what comes out.", "Um clique numa etapa, aqui ou na faixa (F10), mostra na vista o que entra e o que sai.";
+    show: "Click or press Enter to show it in the view, or to stop showing it. F1 opens its reference page", "Clique ou aperte Enter para mostrar na vista, ou deixar de mostrar. F1 abre o verbete";
     boxes: "The boxes around the objects. Those that are dropped are dashed.", "As caixas em volta dos objetos. As descartadas são tracejadas.";
     normals: "The normal at each vertex, as it is in the world.", "A normal em cada vértice, como é no mundo.";
     vertices: "The numbers at vertices: before → after.", "Os números nos vértices: antes → depois.";
@@ -36,8 +36,8 @@ texts! {
     pieces: "Triangles that cross a plane are dashed. Lines are the pieces that remain, with the new vertices marked. Parts outside are tinted in the world.",
         "Os triângulos que cruzam um plano são tracejados. As linhas são os pedaços que restam, com os vértices novos marcados. As partes de fora são tingidas no mundo.";
     halves: "The left half shows the input, the right half the output.", "A metade esquerda mostra a entrada, a direita a saída.";
-    strip: "Also under the pictures (F10), with counts and times", "Também sob as imagens (F10), com contagens e tempos";
-    strip_hint: "The strip under the pictures shows the input, the output and the time of each stage", "A faixa sob as imagens mostra a entrada, a saída e o tempo de cada etapa";
+    strip: "Also under the views (F10), with counts and times", "Também sob as vistas (F10), com contagens e tempos";
+    strip_hint: "The strip under the views shows the input, the output and the time of each stage", "A faixa sob as vistas mostra a entrada, a saída e o tempo de cada etapa";
 }
 
 /// The display of a stage in a picture.

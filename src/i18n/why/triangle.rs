@@ -26,8 +26,8 @@ texts! {
     is_back: "N · (C − a) ≤ 0, so it faces away. It's culled if the object is closed or one-sided", "N · (C − a) ≤ 0, e está de costas. É descartado se o objeto é fechado ou de um lado só";
     inside: "inside all planes: 000000", "dentro de todos os planos: 000000";
     outside: "outside:", "fora:";
-    all_outside: "All corners are outside one plane, so it's dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano, e ele é descartado inteiro, sem corte.";
-    no_cut: "No corner is outside any plane, so nothing is cut.", "Nenhum canto está fora de plano algum, e nada é cortado.";
+    all_outside: "All vertices are outside one plane, so the triangle is dropped whole, without a cut.", "Todos os vértices estão fora de um mesmo plano, e ele é descartado inteiro, sem corte.";
+    no_cut: "No vertex is outside any plane, so nothing is cut.", "Nenhum vértice está fora de algum plano, e nada é cortado.";
     left: "remaining:", "resta:";
     nothing_left: "nothing remains", "nada resta";
     covers: "pixels covered", "pixels cobertos";
@@ -43,7 +43,7 @@ texts! {
     z_nothing: "nothing was there", "nada estava ali";
     kept: "nearer, so it's kept and the buffer now holds its Z", "mais perto, e é mantido. O buffer agora guarda o Z dele";
     rejected: "not nearer, so it's discarded and the buffer stays", "não está mais perto, e é descartado. O buffer fica como está";
-    before_hint: "Before it are drawn other objects, and other triangles of its own object.", "Antes dele são desenhados outros objetos, e outros triângulos do próprio objeto.";
+    before_hint: "Other objects, and other triangles of its own object, are drawn before it.", "Antes dele são desenhados outros objetos, e outros triângulos do próprio objeto.";
 }
 
 /// The name of a step.

@@ -6,8 +6,8 @@ texts! {
     name: "Name of the camera", "Nome da câmera";
     name_hint: "The label in the world. Each camera has a name of its own", "O rótulo no mundo. Cada câmera tem um nome próprio";
     name_bad: "Another camera has this name, or it is empty", "Outra câmera tem esse nome, ou ele está vazio";
-    color: "Color of the camera", "Cor da câmera";
-    color_hint: "The color of its body, axes and volume in the world", "A cor do corpo, dos eixos e do volume no mundo";
+    color: "Colour of the camera", "Cor da câmera";
+    color_hint: "The colour of its body, axes and volume in the world", "A cor do corpo, dos eixos e do volume no mundo";
     look: "Look", "Olhar";
     look_hint: "Exchanges this camera and the current one. A click on the camera in the world does the same", "Troca esta câmera e a atual. Um clique na câmera no mundo faz o mesmo";
     beside: "its image beside", "sua imagem ao lado";
@@ -16,7 +16,7 @@ texts! {
     remove: "Remove", "Remover";
     remove_hint: "Removes the camera from the figure", "Remove a câmera da figura";
     add: "Keep this camera", "Guardar esta câmera";
-    add_hint: "Adds a copy of the current camera to the list", "Acrescenta à lista uma cópia da câmera atual";
+    add_hint: "Adds a copy of the current camera to the list", "Adiciona à lista uma cópia da câmera atual";
     before: "Before and after", "Antes e depois";
     before_hint: "Keeps the current camera under the name *before*. Each operation then shows both", "Guarda a câmera atual com o nome *antes*. Cada operação então mostra as duas";
     before_name: "before", "antes";

@@ -18,15 +18,15 @@ texts! {
     // Title of the image.
     image: "Image", "Imagem";
     // Tooltip of a button.
-    hide: "Hide this picture", "Esconder esta imagem";
+    hide: "Hide this view", "Ocultar esta vista";
     maximize: "Enlarge (double-click)", "Ampliar (clique duplo)";
-    restore: "All pictures again (double-click)", "Todas as imagens de novo (clique duplo)";
+    restore: "All views again (double-click)", "Todas as vistas de novo (clique duplo)";
     // A switch of the image, and its tooltip.
     undistorted: "undistorted", "sem distorção";
     undistorted_hint: "As the eye would see it, with the aspect A of the view window. If off, you see the m × n image of (5.22), whose pixels aren't square here. Pixel numbers are those of the image in both cases", "Como o olho veria, com o aspecto A da janela de vista. Desligado, você vê a imagem m × n de (5.22), cujos pixels aqui não são quadrados. Os números dos pixels são os da imagem nos dois casos";
     // Tooltip of a switch.
     section: "Section along u, with similar triangles", "Corte ao longo de u, com triângulos semelhantes";
-    link: "Orbit world and canonical volume together", "Girar mundo e volume canônico juntos";
+    link: "Orbit world and canonical volume together", "Orbitar mundo e volume canônico juntos";
     // A menu, and its tooltip.
     on_the_way: "World → canonical volume", "Mundo → volume canônico";
     look: "Viewpoint", "Ponto de vista";
@@ -42,7 +42,7 @@ texts! {
     along_v: "Along v, from above, eye left, back plane right", "Ao longo de v, de cima, olho à esquerda, fundo à direita";
     along_n: "Along n, as the camera looks", "Ao longo de n, como a câmera olha";
     // Tooltip of a menu.
-    arrange: "Arrange the pictures", "Dispor as imagens";
+    arrange: "Arrange the views", "Dispor as vistas";
     // How the pictures share the room.
     arrange_auto: "To fit the window", "Conforme a janela";
     arrange_row: "Side by side", "Lado a lado";
@@ -50,30 +50,30 @@ texts! {
     arrange_above: "The world above the others", "O mundo acima das outras";
     arrange_beside: "The world beside the others", "O mundo ao lado das outras";
     // Before the names of the pictures that can be shown again.
-    hidden: "Hidden:", "Escondidas:";
+    hidden: "Hidden:", "Ocultas:";
     // What pointer and wheel do in the world and in the canonical volume.
-    pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: girar · Shift ou botão direito: mover · roda: zoom";
+    pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: orbitar · Shift ou botão direito: mover · roda: zoom";
     // What the pointer does in the image.
-    pointer_in_image: "Drag: orbit the camera · Shift or right button: pan · wheel: dolly · click: pin the probe", "Arrastar: girar a câmera · Shift ou botão direito: mover · roda: aproximar · clique: fixar a sonda";
+    pointer_in_image: "Drag: orbit the camera · Shift or right button: pan · wheel: dolly · click: pin the probe", "Arrastar: orbitar com a câmera · Shift ou botão direito: mover · roda: aproximar · clique: fixar a sonda";
     // Where nothing is pointed at: what can be done.
-    idle: "Drag C, PF, VUP and the planes in the world, or anything else to orbit", "Arraste C, PF, VUP e os planos no mundo, ou o resto para girar";
+    idle: "Drag C, PF, VUP and the planes in the world, or anything else to orbit", "Arraste C, PF, VUP e os planos no mundo, ou o resto para orbitar";
     // The same where the world is hidden.
     idle_canonical: "Drag: orbit", "Arraste: girar";
     // What the keys do in the world.
-    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: orbit · + −: zoom the picture · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: girar a imagem · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
+    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: orbit · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: orbitar · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
     // What the keys do in the canonical volume.
-    keys_in_canonical: "Arrows: orbit · + −: zoom the picture · Home: fit all · V: probe vertices", "Setas: girar a imagem · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
+    keys_in_canonical: "Arrows: orbit · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: orbitar · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
     // What the keys do in the image.
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
     // Title of the strip of stages, and the button that shows it.
     strip: "Stages", "Etapas";
     // Tooltip of that button.
     // Name of the chooser whose stages are shown.
-    strip_of: "Stages of the picture", "Etapas da imagem";
+    strip_of: "Stages of the view", "Etapas da vista";
     // Tooltip of a button.
-    strip_close: "Hide the stages (F10)", "Esconder as etapas (F10)";
+    strip_close: "Hide the stages (F10)", "Ocultar as etapas (F10)";
     // Of a picture that is hidden.
-    strip_hidden: "This picture is hidden, so no stage runs for it.", "Esta imagem está escondida, e nenhuma etapa é executada para ela.";
+    strip_hidden: "This view is hidden, so no stage runs for it.", "Esta vista está oculta, e nenhuma etapa é executada para ela.";
     // Before the time of all stages.
     strip_total: "in all", "ao todo";
     // Before the number of stages that ran.
@@ -83,12 +83,12 @@ texts! {
     // What can be done with the strip.
     strip_hint: "click a stage to see what goes in and what comes out", "clique em uma etapa para ver o que entra e o que sai";
     // Of a stage.
-    strip_reveal: "Click or press Enter to show in the picture what goes in and what comes out. F1 opens its reference page", "Clique ou aperte Enter para mostrar na imagem o que entra e o que sai. F1 abre o verbete";
+    strip_reveal: "Click or press Enter to show in the view what goes in and what comes out. F1 opens its reference page", "Clique ou aperte Enter para mostrar na vista o que entra e o que sai. F1 abre o verbete";
     strip_unreveal: "Click or press Enter or Esc to stop showing it. F1 opens its reference page", "Clique ou aperte Enter ou Esc para deixar de mostrar. F1 abre o verbete";
     // While the eye turns.
-    turning: "Orbiting", "Girando a imagem";
+    turning: "Orbiting", "Orbitando";
     // While the picture is moved.
-    moving: "Panning", "Movendo a imagem";
+    moving: "Panning", "Movendo a vista";
     // How a point is dragged on the plane; what follows is its height.
     drag_on_plane: "Drag: on the plane y =", "Arrastar: no plano y =";
     // How a point is dragged up and down.
@@ -100,8 +100,8 @@ texts! {
     // Before the reason why a handle does not go on.
     stopped: "Stopped:", "Parado:";
     // Where a picture could not be drawn.
-    given_up: "Cancelled. This picture is redrawn when the figure changes.", "Cancelada. Esta imagem é redesenhada quando a figura mudar.";
-    not_drawn: "This picture could not be drawn.", "Esta imagem não pôde ser desenhada.";
+    given_up: "Cancelled. This view is redrawn when the figure changes.", "Cancelada. Esta vista é redesenhada quando a figura mudar.";
+    not_drawn: "This view could not be drawn.", "Esta vista não pôde ser desenhada.";
     // Where nothing is pointed at.
     probe_hint: "Point at a vertex or at a pixel of the image to read its coordinates here.", "Aponte para um vértice ou um pixel da imagem para ler aqui suas coordenadas.";
     // While the probe is pinned.
@@ -151,8 +151,8 @@ texts! {
 #[must_use]
 pub fn went_back(lang: Lang, view: View) -> String {
     let name = texts(lang).view(view);
-    both!(lang; "{name} is seen from farther away, so that everything stays in the picture (Alt+0 fits it)",
-        "{name} é visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)")
+    both!(lang; "{name} is seen from farther away, so that everything stays in the view (Alt+0 fits it)",
+        "{name} é visto de mais longe, para que tudo continue na vista (Alt+0 enquadra)")
 }
 
 impl CanvasTexts {

@@ -17,15 +17,15 @@ texts! {
     health: "Health", "Saúde";
     findings: "Problems", "Problemas";
     no_problems: "No problems found. The image agrees with exact visibility.", "Nenhum problema encontrado. A imagem concorda com a visibilidade exata.";
-    on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
+    on_the_other_side: "In the other version of the comparison:", "Na outra versão da comparação:";
     no_problems_in_coarse: "No problems found. A coarser image agrees with exact visibility.", "Nenhum problema encontrado. Uma imagem menos fina concorda com a visibilidade exata.";
-    repair: "Repair", "Correção";
-    no_repair: "no change to the figure repairs this", "nenhuma mudança na figura conserta isto";
-    nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
-    cannot_repair: "no change to the figure repairs this, so it is written unchanged", "nenhuma mudança na figura conserta isto, e ela é gravada como está";
+    repair: "Fix", "Correção";
+    no_repair: "no change to the figure fixes this", "nenhuma mudança na figura corrige isto";
+    nothing_repaired: "there's nothing to fix, so the figure is written unchanged", "não há nada a corrigir, e a figura é gravada sem mudança";
+    cannot_repair: "no change to the figure fixes this, so it's written unchanged", "nenhuma mudança na figura corrige isto, e ela é gravada como está";
     // Of the window.
     coach: "Camera check", "Diagnóstico da câmera";
-    coach_hint: "How close the camera is to numerical trouble, and why something is missing from the picture", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
+    coach_hint: "How close the camera is to numerical trouble, and why something is missing from the image", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
     camera_is: "Camera check:", "Diagnóstico da câmera:";
     image_empty: "Image empty: why?", "Imagem vazia: por quê?";
     one_finding: "1 problem", "1 problema";
@@ -52,7 +52,7 @@ texts! {
     at_focus: "at the distance of PF,", "na distância de PF,";
     suggested: "F and B that hold the scene:", "F e B que contêm a cena:";
     use_them: "Use them", "Usar";
-    shadow_bias: "bias of shadows", "folga das sombras";
+    shadow_bias: "bias of shadows", "bias das sombras";
     good: "good", "boa";
     fair: "fair", "regular";
     poor: "poor", "ruim";
@@ -297,10 +297,10 @@ fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
             "{count} mostram uma face mais distante na frente de uma mais próxima, porque as faces são pintadas na ordem de seus centroides."),
         Cause::ShadowAcne => both!(lang;
             "{count} that face a light lie in their own shadow (shadow acne). The bias of the shadow map is too small.",
-            "{count} voltados para uma luz estão em sua própria sombra (acne de sombras). A folga do mapa de sombras é pequena demais."),
+            "{count} voltados para uma luz estão em sua própria sombra (acne de sombras). O bias do mapa de sombras é pequeno demais."),
         Cause::ShadowDetached => both!(lang;
             "{count} that face a light are lit although something blocks it: the shadow is detached from its object. The bias of the shadow map is too large.",
-            "{count} voltados para uma luz estão iluminados, embora algo a bloqueie: a sombra se descola do objeto. A folga do mapa de sombras é grande demais."),
+            "{count} voltados para uma luz estão iluminados, embora algo a bloqueie: a sombra se descola do objeto. O bias do mapa de sombras é grande demais."),
         Cause::AffineTexture => both!(lang;
             "{count} show the wrong part of a texture, because it is interpolated without w.",
             "{count} mostram a parte errada de uma textura, porque ela é interpolada sem w."),

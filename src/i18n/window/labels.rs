@@ -30,7 +30,7 @@ texts! {
     hidden: "hidden:", "ocultos:";
     show_again: "Shows the label again", "Mostra o rótulo de novo";
     add: "Add an annotation", "Adicionar anotação";
-    add_hint: "A click puts it at a vertex, an edge, a point, or at a place of the picture; Enter in a picture, in its middle", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da imagem; Enter em uma imagem, no meio dela";
+    add_hint: "A click puts it at a vertex, an edge, a point, or at any place of the view. Enter in a view puts it at its centre", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da vista. Enter em uma vista a põe no centro dela";
     adding: "Click to place the annotation, or press Esc for none", "Clique para pôr a anotação, ou aperte Esc para nenhuma";
     note: "annotation", "anotação";
     full: "There is no room for more annotations", "Não há lugar para mais anotações";
@@ -63,6 +63,6 @@ pub fn refused(lang: Lang, error: &LabelTextError) -> String {
 pub fn unknown(lang: Lang, name: &str, near: Option<&str>) -> String {
     let name = escaped(name);
     let meant = figure_files::meant(lang, near);
-    both!(lang; "[labels] names \"{name}\", which no label of the pictures is called{meant}",
-        "[labels] cita \"{name}\", nome que nenhum rótulo das imagens tem{meant}")
+    both!(lang; "[labels] names \"{name}\", which no label of the views is called{meant}",
+        "[labels] cita \"{name}\", nome que nenhum rótulo das vistas tem{meant}")
 }

@@ -21,7 +21,7 @@ texts! {
     pixels: "f in pixels (x, y)", "f em pixels (x, y)";
     pixels_hint: "F m/W and F n/H, as in K of OpenCV", "F m/W e F n/H, como em K do OpenCV";
     shift: "lens shift", "deslocamento";
-    shift_hint: "The middle of the window, to the right and up, as shares of the side that the sensor spans, as Blender counts it", "O meio da janela, para a direita e para cima, em partes do lado que o sensor cobre, como conta o Blender";
+    shift_hint: "The middle of the window, to the right and up, as fractions of the side that the sensor spans, as Blender counts it", "O meio da janela, para a direita e para cima, em partes do lado que o sensor cobre, como conta o Blender";
     distance: "distance", "distância";
     distance_hint: "A distance from C along DOP. At first it's D", "Uma distância de C ao longo de DOP. No começo é D";
     view_there: "W × H there", "W × H ali";

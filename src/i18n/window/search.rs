@@ -5,7 +5,7 @@ texts! {
     title: "Search", "Pesquisar";
     field: "Command, explanation, lesson, reference page, exercise, figure…", "Comando, explicação, lição, verbete, exercício, figura…";
     keys: "↑ ↓: choose · Enter: go there · Esc: close", "↑ ↓: escolher · Enter: ir · Esc: fechar";
-    nothing: "Nothing has these words. Try fewer letters, or another name for it.", "Nada tem estas palavras. Tente menos letras, ou outro nome.";
+    nothing: "No results for these words. Try fewer letters, or another name for it.", "Nenhum resultado com estas palavras. Tente menos letras, ou outro nome.";
     command: "command", "comando";
     operation: "operation", "operação";
     parameter: "parameter", "parâmetro";

@@ -26,6 +26,6 @@ texts! {
     name_text: "The browser saves it with its downloads and may change the name. Which name do you want?", "O navegador o salva entre os downloads e pode mudar o nome. Que nome você quer?";
     name_hint: "name.toml", "nome.toml";
     help_touch: "Touch", "Toque";
-    help_touch_text: "One finger orbits a 3D picture, or drags what it touches; two fingers pan and zoom it. A double tap maximises a picture.", "Um dedo gira uma imagem 3D, ou arrasta o que toca; dois dedos a movem e ampliam. Dois toques maximizam uma imagem.";
+    help_touch_text: "One finger orbits a 3D view, or drags what it touches; two fingers pan and zoom it. A double tap maximises a view.", "Um dedo orbita uma vista 3D ou arrasta o que toca; dois dedos a movem e ampliam. Dois toques maximizam uma vista.";
     keys_of_browser: "The browser keeps some keys for itself. Commands without a key here are in the menus.", "O navegador reserva algumas teclas. Os comandos sem tecla aqui estão nos menus.";
 }

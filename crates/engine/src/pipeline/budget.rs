@@ -23,7 +23,7 @@ pub enum OverBudget {
     /// Rounding puts vertices more than a quarter of a pixel off their places: the picture magnifies more than
     /// coordinates have digits.
     #[error(
-        "{}: the picture magnifies more than coordinates have digits; allowed: a wider window, or scene and camera nearer to the origin",
+        "{}: the image magnifies more than coordinates have digits; allowed: a wider window, or scene and camera nearer to the origin",
         vertex_offsets(vertices)
     )]
     Rounding {

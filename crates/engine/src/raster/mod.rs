@@ -84,8 +84,8 @@ impl Rasterizer {
         true
     }
 
-    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None` means no
-    /// more.
+    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None` means
+    /// no more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
     }

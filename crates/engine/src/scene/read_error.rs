@@ -94,7 +94,7 @@ pub enum NamedBy {
     #[error("a mesh")]
     Mesh,
     /// A figure that came inside a picture.
-    #[error("a figure inside a picture")]
+    #[error("a figure inside an image")]
     Picture,
     /// A lesson.
     #[error("a lesson")]

@@ -46,7 +46,7 @@ impl AnimationFormat {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum AnimationError {
     /// One of its pictures could not be made, or is not wanted any more.
-    #[error("a picture is missing")]
+    #[error("an image is missing")]
     NoPicture,
     /// The encoder gave up.
     #[error("{0}")]

@@ -24,7 +24,7 @@ const CHUNK: usize = 1 << 20;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PngError {
     /// The encoder gave up.
-    #[error("the picture cannot be written as PNG ({0})")]
+    #[error("the image cannot be written as PNG ({0})")]
     Encode(String),
     /// The bytes are a damaged PNG.
     #[error("the PNG is damaged: {0}")]
@@ -36,7 +36,7 @@ pub enum PngError {
         limit: usize,
     },
     /// The picture holds no figure.
-    #[error("this picture holds no figure; allowed: a figure file, or a picture that camera-lab wrote")]
+    #[error("this image contains no figure; allowed: a figure file, or an image that camera-lab wrote")]
     NoFigure,
 }
 

@@ -17,8 +17,8 @@ pub struct Show {
     /// The picture in which the stage is shown, and whose pipeline it is a stage of. The others show the parts that
     /// belong to it.
     pub stage_of: StagePicture,
-    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None` means all, with
-    /// everything else.
+    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None` means all,
+    /// with everything else.
     pub painted: Option<f64>,
     /// The canonical picture on its way from the world.
     pub step: Option<ShownStep>,

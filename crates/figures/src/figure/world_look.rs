@@ -7,7 +7,8 @@ pub struct WorldLook {
     pub section: bool,
     /// F, B, D, W, H and θ/2 as dimension lines.
     pub dimensions: bool,
-    /// Opacity of the image on the view window, 0 … 1; `None` means opaque, but faint where it would hide much of the scene.
+    /// Opacity of the image on the view window, 0 … 1; `None` means opaque, but faint where it would hide much of the
+    /// scene.
     pub window_opacity: Option<f64>,
     /// The length of **u**, **v**, **n**, VUP and DOP, as a multiple of the usual one; `None`: 1.
     pub axes_length: Option<f64>,

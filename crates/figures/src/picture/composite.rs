@@ -22,10 +22,12 @@ const LEAST_LETTERS: f64 = 6.0;
 pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
-    /// Height of the letters of names in points; `None` means by the scale of the picture. Where there are several pictures,
-    /// they are smaller, as long as they can be read, if they would cover their objects: see [`Composite::crowded`].
+    /// Height of the letters of names in points; `None` means by the scale of the picture. Where there are several
+    /// pictures, they are smaller, as long as they can be read, if they would cover their objects: see
+    /// [`Composite::crowded`].
     pub letters: Option<f64>,
-    /// Width of the edges of solids in points, and other strokes in proportion; `None` means in proportion to the letters.
+    /// Width of the edges of solids in points, and other strokes in proportion; `None` means in proportion to the
+    /// letters.
     pub lines: Option<f64>,
     /// Several pictures are arranged so that they become as large as the shape of the paper allows. Otherwise they are
     /// side by side.
@@ -79,10 +81,10 @@ pub struct Crowded {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoComposite {
     /// More pixels than any picture may have.
-    #[error("there is not enough memory for a picture of this size")]
+    #[error("there is not enough memory for an image of this size")]
     TooLarge,
     /// All pictures do not fit on it.
-    #[error("{count} pictures with gaps of {gap} pixels do not fit on a sheet of this size")]
+    #[error("{count} images with gaps of {gap} pixels do not fit on a sheet of this size")]
     NoRoom {
         /// Number of pictures.
         count: usize,
@@ -90,7 +92,7 @@ pub enum NoComposite {
         gap: u32,
     },
     /// Several pictures of each figure, whose rows would not have them below one another.
-    #[error("{count} figures with several pictures each do not fill rows of {columns}")]
+    #[error("{count} figures with several images each do not fill rows of {columns}")]
     UnevenRows {
         /// The number of figures.
         count: usize,

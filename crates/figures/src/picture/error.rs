@@ -10,7 +10,7 @@ use crate::pipeline::OverBudget;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PictureError {
     /// A side is 0, or there is not enough memory.
-    #[error("there is not enough memory for a picture of this size")]
+    #[error("there is not enough memory for an image of this size")]
     TooLarge,
     /// There is no sheet.
     #[error(transparent)]
@@ -19,7 +19,7 @@ pub enum PictureError {
     #[error("cancelled")]
     Cancelled,
     /// An error of WebP or JPEG.
-    #[error("the picture cannot be written as {} ({why})", .format.name())]
+    #[error("the image cannot be written as {} ({why})", .format.name())]
     Encode {
         /// The format.
         format: PictureFormat,
@@ -27,7 +27,7 @@ pub enum PictureError {
         why: String,
     },
     /// An error of an animation.
-    #[error("the picture cannot be written as {} ({why})", .format.name())]
+    #[error("the image cannot be written as {} ({why})", .format.name())]
     Animate {
         /// The format.
         format: AnimationFormat,
@@ -38,7 +38,7 @@ pub enum PictureError {
     #[error("{}", OverBudget::Strokes)]
     Strokes,
     /// The font of a PDF.
-    #[error("the letters of the picture cannot be written as PDF")]
+    #[error("the letters of the image cannot be written as PDF")]
     Font,
     /// An error of PNG.
     #[error(transparent)]

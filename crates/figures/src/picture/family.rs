@@ -25,7 +25,8 @@ pub struct Family {
     pub parts: bool,
     /// Captions in place of the values, as far as there are some.
     pub captions: Vec<String>,
-    /// The figure whose observers see all of them; `None` means one observer, who has the subject of each in the picture.
+    /// The figure whose observers see all of them; `None` means one observer, who has the subject of each in the
+    /// picture.
     pub observer_of: Option<ObserverOf>,
 }
 

@@ -79,8 +79,8 @@ impl Renderer {
         }
     }
 
-    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None` means no
-    /// more.
+    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None` means
+    /// no more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
     }

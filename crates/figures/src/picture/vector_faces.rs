@@ -1,4 +1,10 @@
 //! The faces of a page of vectors, in the order of painting: as areas, and what has a picture on it as a picture.
+//!
+//! A page has no depth buffer, so faces are painted from back to front. Viewers smooth the border of each area by
+//! itself, and the background shows through between neighbours. So triangles of one colour that follow one another
+//! become one area, and opaque areas have a thin stroke of their own colour along each side that they share. Gradients
+//! and textures become images. The parts of one such surface are put together again if no face between them covers the
+//! part that moves, because every cut would be a seam.
 
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -12,8 +12,8 @@ pub const MAX_PICTURES: usize = 8;
 pub struct Picture {
     /// The world, the canonical volume, or the image.
     pub kind: View,
-    /// The observer of a three-dimensional picture; `None` means from a corner, with everything in the picture. The image is
-    /// seen by the camera alone.
+    /// The observer of a three-dimensional picture; `None` means from a corner, with everything in the picture. The
+    /// image is seen by the camera alone.
     pub observer: Option<Observer>,
     /// The camera that it is about; `None` means that of the figure.
     pub camera: Option<Camera>,

@@ -149,8 +149,8 @@ impl Request {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }
     }
 
-    /// The canonical picture on its way from the world, step by step; `None` means there is no way that the camera can go,
-    /// or none is shown.
+    /// The canonical picture on its way from the world, step by step; `None` means there is no way that the camera can
+    /// go, or none is shown.
     #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         Normalizing::of(self.shot.show.step?, &self.camera)

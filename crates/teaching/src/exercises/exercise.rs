@@ -193,8 +193,8 @@ pub struct Reading {
     pub expected: Expected,
 }
 
-/// Computes a table; with slips, as it comes out when they are made. `None` means nothing comes out, or the slip can't be
-/// made there.
+/// Computes a table; with slips, as it comes out when they are made. `None` means nothing comes out, or the slip can't
+/// be made there.
 pub type Compute = Arc<dyn Fn(Slips) -> Option<Table> + Send + Sync>;
 /// The conditions on a camera: their names, and whether it meets them.
 pub type Conditions = Arc<dyn Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync>;

@@ -10,7 +10,8 @@ use crate::i18n::window::cameras;
 pub struct CameraList {
     /// The name that is being typed for a camera (`None` means the current one), and whether its field has been left.
     pub(in crate::gui) typing: Option<(Option<usize>, String, bool)>,
-    /// The baseline of the next stereo pair; `None` means a thirtieth of D, as the textbooks of stereo photography have it.
+    /// The baseline of the next stereo pair; `None` means a thirtieth of D, as the textbooks of stereo photography have
+    /// it.
     pub baseline: Option<f64>,
 }
 

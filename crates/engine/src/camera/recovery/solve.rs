@@ -1,4 +1,10 @@
 //! The camera of a matrix: (5.7) and (5.13) to (5.16) read backwards.
+//!
+//! The rows of a view matrix are u, v and n, so C = −Rᵀ t. The first two rows of a projection matrix give the window
+//! over F, and the third one gives F and B, because z_n is known at both planes. A product of both is harder. In
+//! perspective its last row is −n and n · c up to a factor, which gives n. The rows above it are u and v, divided by
+//! half the window, plus a part along n if the window is asymmetric. Every division is checked, because the matrix may
+//! be singular, or that of no camera at all.
 
 use glam::{DMat4, DVec3, DVec4};
 

@@ -150,7 +150,8 @@ impl Segment {
     }
 
     /// The places where it touches a segment of a later run, as shares of the lengths: one place, or two where they run
-    /// along each other and one is over the other on the first part of that, below it on the rest. `None` means nowhere.
+    /// along each other and one is over the other on the first part of that, below it on the rest. `None` means
+    /// nowhere.
     fn places(&self, later: &Self) -> [Option<[f64; 2]>; 2] {
         let nearest = self.nearest(later);
         let gap = distance(self.at(nearest[0]), later.at(nearest[1]));

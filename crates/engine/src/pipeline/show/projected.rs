@@ -1,4 +1,9 @@
 //! The mesh of an object after clipping and projection, made by [`Remake`] from the parts that are in the volume.
+//!
+//! Each triangle is cut by the planes that it crosses, in clip space and before the division, as Sutherland and Hodgman
+//! (1974) cut polygons. A new vertex keeps the two old ones that it lies between and its fraction of the way, so
+//! positions, normals and colours are interpolated in one place. A side that lies in the plane of a cut is no edge of
+//! the solid, so these sides are listed apart.
 
 use glam::DVec3;
 

@@ -1,4 +1,9 @@
 //! From the polygons of a file to a mesh: triangles, normals, edges, and whether the surface is closed.
+//!
+//! Files index points, normals and texture coordinates apart, or repeat a point for each of its normals. A mesh has one
+//! index for each vertex, so vertices with the same point and normal become one. They're found in a list for each
+//! point, which is short except in hostile files. A side that two faces have in opposite directions joins them. If
+//! every side is like this, the surface is closed, and its back faces can be dropped.
 
 use glam::DVec3;
 

@@ -42,7 +42,7 @@ pub enum TextureFault {
     #[error("{}", .0.problem)]
     Unreadable(Box<ReadError>),
     /// Another format.
-    #[error("is no picture that is known; allowed: PNG, JPEG and WebP")]
+    #[error("is no known image; allowed: PNG, JPEG and WebP")]
     Format,
     /// The file is not whole, or not as its format asks for.
     #[error("is damaged, or not whole")]

@@ -1,4 +1,10 @@
 //! The layout of the texts of a picture, so that none covers another, a mark or a strong line, and none is cut off.
+//!
+//! The best places for all labels together are an NP-hard problem (Marks and Shieber 1991), and a drag needs an answer
+//! in every frame. So labels choose one after the other, the most important one first. Each tries places around its
+//! point, beginning with the one it prefers, and takes the cheapest. A strong line below it costs in proportion to the
+//! length it covers; another text or a mark costs too much. If all places near the point cost too much, the text stands
+//! farther off, with a line to its point. If that fails too, it's left out.
 
 use glam::DVec2;
 

@@ -67,8 +67,8 @@ fn table<'a>(document: &'a DocumentMut, key: &str) -> Result<Vec<(&'a str, &'a d
     tables.iter().map(table).collect()
 }
 
-/// The table of an entry, made where there is none. `None` means the key has another kind of value, which [`table`] would
-/// not have read.
+/// The table of an entry, made where there is none. `None` means the key has another kind of value, which [`table`]
+/// would not have read.
 fn entered<'a>(document: &'a mut DocumentMut, key: &str, name: &str) -> Option<&'a mut dyn TableLike> {
     let outer = document.entry(key).or_insert_with(|| {
         let mut table = Table::new();

@@ -1,7 +1,7 @@
 //! A trajectory of `Open3D`, `.log`: for each pose a line of three whole numbers, and four lines of a matrix.
 //!
-//! <https://www.open3d.org/docs/release/python_api/open3d.io.read_pinhole_camera_trajectory.html>: the matrix leads from
-//! the camera to the world, in the axes of `OpenCV`.
+//! <https://www.open3d.org/docs/release/python_api/open3d.io.read_pinhole_camera_trajectory.html>: the matrix leads
+//! from the camera to the world, in the axes of `OpenCV`.
 
 use crate::camera::recovery::entries::{MatrixEntries, Written};
 use crate::camera::recovery::text::Pasted;
