@@ -44,6 +44,14 @@ for lang in en pt-BR; do
     draw $figures/culled.toml pipeline-culled.$lang.svg --view world --size 640x480 --lang $lang
 done
 
+# A sheet with its solutions, as pdftoppm (Poppler) shows its first page.
+for lang in en pt-BR; do
+    case " ${only:-sheet.$lang.png} " in *" sheet.$lang.png "*)
+        "$program" exercise sheet --ids view-matrix --answers --lang $lang -o "$scratch/sheet.pdf"
+        pdftoppm -singlefile -r 80 -y 105 -H 775 -png "$scratch/sheet.pdf" "$to/sheet.$lang" ;;
+    esac
+done
+
 case " ${only:-drag.gif} " in *" drag.gif "*)
     "$program" animate figures/drag.toml --vary azimuth=-30..30:16,26..-26:14 --view all --size 320x260 --seconds 3 -o "$to/drag.gif" ;;
 esac
