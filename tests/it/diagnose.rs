@@ -230,7 +230,7 @@ fn the_repair_is_written_with_comments_and_shows_the_object() {
     assert!(json["visible"].as_u64().unwrap() > 1000);
     // There is nothing to repair now: that is said, and the figure stays as it is.
     let again = bench.run(&["diagnose", "b.toml", "--repair", "-o", "c.toml"]);
-    assert!(again.status == Some(0) && again.err.contains("nothing to fix"), "{}", again.err);
+    assert!(again.status == Some(0) && again.err.contains("nothing to repair"), "{}", again.err);
     assert_eq!(bench.read("c.toml"), bench.read("b.toml"));
     // Both options, or none.
     bench.run(&["diagnose", "a.toml", "--repair"]).refused(2);

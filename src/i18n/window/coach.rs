@@ -19,10 +19,10 @@ texts! {
     no_problems: "No problems found. The image agrees with exact visibility.", "Nenhum problema encontrado. A imagem concorda com a visibilidade exata.";
     on_the_other_side: "In the other version of the comparison:", "Na outra versão da comparação:";
     no_problems_in_coarse: "No problems found. A coarser image agrees with exact visibility.", "Nenhum problema encontrado. Uma imagem menos fina concorda com a visibilidade exata.";
-    repair: "Fix", "Correção";
-    no_repair: "no change to the figure fixes this", "nenhuma mudança na figura corrige isto";
-    nothing_repaired: "there's nothing to fix, so the figure is written unchanged", "não há nada a corrigir, e a figura é gravada sem mudança";
-    cannot_repair: "no change to the figure fixes this, so it's written unchanged", "nenhuma mudança na figura corrige isto, e ela é gravada como está";
+    repair: "Repair", "Correção";
+    no_repair: "no change to the figure repairs this", "nenhuma mudança na figura corrige isto";
+    nothing_repaired: "there's nothing to repair, so the figure is written unchanged", "não há nada a corrigir, e a figura é gravada sem mudança";
+    cannot_repair: "no change to the figure repairs this, so it's written unchanged", "nenhuma mudança na figura corrige isto, e ela é gravada como está";
     // Of the window.
     coach: "Camera check", "Diagnóstico da câmera";
     coach_hint: "How close the camera is to numerical trouble, and why something is missing from the image", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
