@@ -84,7 +84,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     assert!(!window.state().shows_exercises(), "off at the start");
     window.click(en::WINDOW.exercises);
     assert_eq!(window.state().explain.shown(), Explanation::Exercises);
-    window.click("The view matrix, [0] §5.3.1, (5.7), not begun");
+    window.click(&format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.untouched));
     let (_, exercise) = made("view-matrix", 0);
     let ask = &exercise.asks[0];
     // −C in the last column, not turned into the VRC.
@@ -433,7 +433,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
     assert!(told.contains("faulty.toml") && told.contains("line 1: statement is missing"), "{told}");
     let own = window.state().exercises.entry("house-view").unwrap().clone();
     let title = said::title(Lang::En, &own).to_owned();
-    window.click(&format!("{title}, not begun"));
+    window.click(&format!("{title}, {}", en::EXERCISE_WINDOW.untouched));
     let exercise = own.exercise(0, &Free::new());
     let ask = exercise.asks.iter().find(|ask| !ask.own_mistakes.is_empty()).unwrap();
     let message = said::ask(Lang::En, &exercise, ask).replace("**", "");
