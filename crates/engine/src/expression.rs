@@ -36,7 +36,7 @@ pub enum Dimension {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{problem}")]
 pub struct ExpressionError {
-    /// The problem.
+    /// The rule that the text breaks.
     pub problem: ExpressionProblem,
     /// The bytes of the text that are at fault. Empty, at its end, where something is missing.
     pub span: Range<usize>,

@@ -150,7 +150,7 @@ pub struct Extent {
 /// A piece of a text whose characters are all on the line, or all lowered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run<'a> {
-    /// The characters.
+    /// In the order of reading, on one line.
     pub text: &'a str,
     /// A subscript: smaller and lower.
     pub lowered: bool,
@@ -311,7 +311,7 @@ pub fn moved(outline: &[Element], by: [f32; 2]) -> Vec<Element> {
 /// A run of a text in one font, with its place in a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetRun {
-    /// The characters.
+    /// In the order of reading, on one line.
     pub text: String,
     /// Their font.
     pub face: Face,

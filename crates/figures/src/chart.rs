@@ -5,7 +5,7 @@ use crate::numbers::{DecimalMark, nice_above};
 /// Curves over a pair of axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// Its title.
+    /// Above the chart.
     pub title: String,
     /// The quantity to the right, with its unit.
     pub x_label: String,

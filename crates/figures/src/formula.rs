@@ -17,7 +17,7 @@ pub use in_line::{bold, italic, set, symbols};
 pub struct FormulaError {
     /// The text between the dollar signs.
     pub formula: String,
-    /// The problem.
+    /// The rule of LaTeX that the text breaks.
     pub problem: FormulaProblem,
 }
 

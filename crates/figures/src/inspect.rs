@@ -88,7 +88,7 @@ pub struct CameraReport {
 /// One of the `[[cameras]]`: its name, the keys of `camera`, and the numbers that follow from them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NamedCameraReport {
-    /// Its name.
+    /// As the author named the point.
     pub name: String,
     /// `#rrggbb`, where the figure gives one.
     #[serde(skip_serializing_if = "Option::is_none")]

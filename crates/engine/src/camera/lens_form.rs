@@ -23,9 +23,9 @@ pub enum SensorFit {
 /// A sensor, in millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensor {
-    /// Its width.
+    /// In pixels.
     pub width: f64,
-    /// Its height.
+    /// In pixels.
     pub height: f64,
     /// The side that spans the image.
     pub fit: SensorFit,

@@ -190,9 +190,9 @@ impl ParameterKey {
 /// A value with a range: a parameter, or the amount of an operation (by its name).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Checked {
-    /// A parameter.
+    /// One of the keys of `[camera]`.
     Parameter(ParameterKey),
-    /// An operation.
+    /// An operation by its word in a file, such as `azimuth`.
     Operation(&'static str),
 }
 

@@ -97,7 +97,7 @@ pub struct Area {
     pub size: [f32; 2],
     /// The radius of its corners in pixels, at most half of the shorter side.
     pub radius: f32,
-    /// Its colour.
+    /// sRGB, with opacity.
     pub fill: Rgba,
 }
 
@@ -110,7 +110,7 @@ pub struct Mark {
     pub shape: MarkShape,
     /// Half its width in pixels.
     pub radius: f32,
-    /// Its colour.
+    /// sRGB, with opacity.
     pub color: Rgba,
     /// Colour of a thin outline, so that it shows on any ground.
     pub outline: Rgba,
@@ -139,7 +139,7 @@ pub struct Label {
     pub position: [f32; 3],
     /// Moves the text, in pixels.
     pub offset: [f32; 2],
-    /// The text.
+    /// Letters on one line; `_` and `{}` lower what follows.
     pub text: String,
     /// In the letters of mathematics, where these have them.
     pub mathematical: bool,

@@ -95,7 +95,7 @@ pub struct Lighting {
     pub distant_viewer: bool,
     /// Light both sides of a face.
     pub two_sided: bool,
-    /// The lights.
+    /// In view space, in the order of the scene.
     pub lights: Vec<ViewLight>,
 }
 

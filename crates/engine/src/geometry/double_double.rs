@@ -308,7 +308,7 @@ impl Dd3 {
         Self { x, y, z }
     }
 
-    /// The components.
+    /// x, y and z.
     pub const fn to_array(self) -> [Dd; 3] {
         [self.x, self.y, self.z]
     }

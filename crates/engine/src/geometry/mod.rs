@@ -67,7 +67,7 @@ impl std::ops::Neg for Angle {
 /// A half-line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Its origin.
+    /// The point at t = 0.
     pub origin: DVec3,
     /// Unit vector.
     pub direction: DVec3,
@@ -112,7 +112,7 @@ impl Aabb {
         all
     }
 
-    /// The middle.
+    /// Half the sum of both corners.
     #[must_use]
     pub fn center(&self) -> DVec3 {
         self.min + (self.max - self.min) * 0.5

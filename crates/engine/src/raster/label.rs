@@ -136,7 +136,7 @@ pub(super) fn mark(pixmap: &mut Pixmap, faces: Occluders, mark: &Mark) {
 pub struct MarkLayer {
     /// The width of its stroke in pixels; `None` means it is filled.
     pub stroke: Option<f32>,
-    /// Its colour.
+    /// sRGB, with opacity.
     pub color: Rgba,
 }
 

@@ -42,7 +42,7 @@ use triangle::Triangle;
 /// A picture and the depths of its surfaces.
 #[derive(Clone, Debug)]
 pub struct Painted {
-    /// The colours.
+    /// Averages of the samples, premultiplied sRGB.
     pub image: Pixmap,
     /// The depth at the first sample of each pixel, row by row; −∞ if there is no surface.
     pub depths: Vec<f32>,

@@ -11,13 +11,13 @@ pub enum SceneError {
     /// Two objects have one name.
     #[error("is \"{}\", like an earlier object; allowed: a unique name", escaped(name))]
     DuplicateName {
-        /// The name.
+        /// The name that two objects have.
         name: String,
     },
     /// An object's parent does not exist.
     #[error("is \"{}\", which is not the name of an object; allowed: the name of an object", escaped(parent))]
     UnknownParent {
-        /// The object.
+        /// The object whose parent is unknown.
         name: String,
         /// The name that was not found.
         parent: String,
@@ -31,7 +31,7 @@ pub enum SceneError {
     /// A number is infinite or not a number.
     #[error("leads to numbers that are not finite; allowed: transforms whose product stays below about 1e308")]
     NotFinite {
-        /// The object.
+        /// The object whose numbers these are.
         name: String,
         /// `translate`, `rotate`, `scale`, `points`, `segments`, or `parent` when only the product with the ancestors'
         /// transforms overflows.
@@ -40,13 +40,13 @@ pub enum SceneError {
     /// A scale of zero makes a solid flat.
     #[error("is 0 along an axis; allowed: any other numbers")]
     ZeroScale {
-        /// The object.
+        /// The object whose scale is 0.
         name: String,
     },
     /// `segments` is out of its range.
     #[error("is {found}; allowed: an integer from {MIN_SEGMENTS} to {MAX_SEGMENTS}")]
     Segments {
-        /// The object.
+        /// The object whose segments these are.
         name: String,
         /// The number found.
         found: u32,
@@ -54,7 +54,7 @@ pub enum SceneError {
     /// A mesh file cannot be used.
     #[error("\"{}\"{}", escaped(path), error.after(&escaped(path)))]
     Mesh {
-        /// The object.
+        /// The object whose texture this is.
         name: String,
         /// As the figure names it.
         path: String,

@@ -200,7 +200,7 @@ pub enum ObjectPaint {
 /// A picture on an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pictured {
-    /// The picture.
+    /// Its texels, shared by all objects that use it.
     pub image: Arc<Texture>,
     /// How it is asked for a colour.
     pub sampler: Sampler,
@@ -262,7 +262,7 @@ impl ObjectPaint {
 pub struct Line {
     /// World points.
     pub points: Vec<DVec3>,
-    /// Its look.
+    /// Colour, width in pixels, and dashes.
     pub style: LineStyle,
 }
 
@@ -275,7 +275,7 @@ pub struct PointMark {
     pub shape: MarkShape,
     /// Half its width in pixels at scale 1.
     pub radius: f32,
-    /// Its colour.
+    /// sRGB, with opacity.
     pub color: Rgba,
     /// Faint behind a face, else always fully drawn.
     pub fade_if_hidden: bool,

@@ -359,11 +359,11 @@ impl ObjectSpec {
 /// A source of light, one entry of `[[scene.lights]]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Its kind.
+    /// Where the light comes from.
     pub kind: LightKind,
     /// The direction in which parallel light travels, of any length but 0, or the position of a lamp; in the world.
     pub vector: DVec3,
-    /// Its shadows.
+    /// Its shadow map, or none.
     pub shadows: Shadows,
 }
 

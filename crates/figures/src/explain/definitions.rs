@@ -7,7 +7,7 @@ use crate::camera::Projection;
 /// The definition of a symbol, with its place in the notes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
-    /// The formula.
+    /// The right side of the equation, in symbols.
     pub formula: Formula,
     /// Its equation in `[0]`. Empty where it has no number.
     pub equation: &'static str,

@@ -27,7 +27,7 @@ pub struct Named {
     pub text: &'static str,
     /// In LaTeX: `t_0`, `\alpha`.
     pub latex: &'static str,
-    /// Its number.
+    /// The value of the symbol in the figure.
     pub value: f64,
     /// An angle in degrees, written with their sign.
     pub is_angle: bool,
@@ -38,7 +38,7 @@ pub struct Named {
 pub enum Formula {
     /// A number in the notes: 0, 1, 2.
     Number(f64),
-    /// A symbol.
+    /// A letter of the notes.
     Symbol(Symbol),
     /// A number with a name of its own.
     Named(Named),

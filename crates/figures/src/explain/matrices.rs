@@ -11,7 +11,7 @@ pub type EntryFormula = [[Formula; 4]; 4];
 /// A matrix with its formulas, and where the notes have it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatrixFormula {
-    /// The matrix.
+    /// The matrix that these formulas make up.
     pub matrix: Matrix,
     /// The equation in force. Empty where the notes have none for it.
     pub equation: &'static str,

@@ -23,7 +23,7 @@ pub struct Line {
     pub formula: String,
     /// The formula with numbers.
     pub numbers: String,
-    /// The result.
+    /// After the equals sign, with the digits of the window.
     pub value: String,
 }
 

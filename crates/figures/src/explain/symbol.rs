@@ -25,7 +25,7 @@ impl Component {
         self as usize
     }
 
-    /// Its letter.
+    /// `x`, `y` or `z`.
     #[must_use]
     pub const fn letter(self) -> char {
         match self {

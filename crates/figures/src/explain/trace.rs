@@ -32,7 +32,7 @@ pub struct Step {
     /// The formula of each number of the output.
     #[serde(skip)]
     pub formulas: Vec<Formula>,
-    /// The matrix.
+    /// The matrix that takes the point to the next space.
     #[serde(skip)]
     pub by: Option<Matrix>,
     /// Computed with a back plane although the convention has none.
@@ -61,7 +61,7 @@ impl Step {
 /// A row of a step before it is evaluated.
 struct UnevaluatedRow {
     symbol: Symbol,
-    /// The summands.
+    /// The products that are added up.
     terms: Vec<Formula>,
     /// The summand after the floor, where there is one.
     after_floor: Option<Option<Formula>>,

@@ -31,7 +31,7 @@ pub enum Vocabulary {
 pub struct Line {
     /// `gluLookAt`, `VRP`, `K` …
     pub name: &'static str,
-    /// Its numbers.
+    /// In the order of the call.
     pub arguments: Vec<Argument>,
 }
 
@@ -40,7 +40,7 @@ pub struct Line {
 pub struct Argument {
     /// As the source calls it: `eyeX`, `fovy`, `z_near`.
     pub name: &'static str,
-    /// Its number.
+    /// In the unit of the library.
     pub value: f64,
     /// The quantity that it sets; [`CameraNumber::Fixed`]: nothing.
     pub quantity: CameraNumber,

@@ -14,7 +14,7 @@ pub struct FigureError {
     pub line: usize,
     /// The section and key as they are written, `[camera] near`. Empty where none is concerned.
     pub key: String,
-    /// The problem.
+    /// The rule that the line breaks.
     pub problem: Problem,
 }
 
@@ -44,7 +44,7 @@ pub enum Problem {
     /// An expression or an angle without the quotes that TOML needs around it.
     #[error("an expression without quotes: {text}")]
     Unquoted {
-        /// The expression.
+        /// As the author wrote it.
         text: String,
     },
     /// A key or section that is there twice.
@@ -85,7 +85,7 @@ pub enum Problem {
     /// A number that is written as a text, which cannot be read.
     #[error("is \"{}\": {error} in {}; allowed: {allowed:?}", escaped(text), expression::marked(text, &error.span))]
     Expression {
-        /// The text.
+        /// As the author wrote it.
         text: String,
         /// The fault in the expression.
         error: Box<ExpressionError>,
@@ -159,7 +159,7 @@ pub enum Allowed {
     Text,
     /// One of some words.
     Word {
-        /// The words.
+        /// All that the key takes.
         words: Vec<&'static str>,
         /// The one that was probably meant.
         near: Option<String>,

@@ -43,7 +43,7 @@ pub enum Letters {
 /// A label with another text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RenamedLabel {
-    /// The label.
+    /// The name of the label, as `label_names` gives it.
     pub name: String,
     /// Its text. Between dollar signs, mathematics ([`set_text`]).
     pub text: String,
@@ -52,7 +52,7 @@ pub struct RenamedLabel {
 /// A label at a place of the author's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedLabel {
-    /// The label.
+    /// The name of the label, as `label_names` gives it.
     pub name: String,
     /// In which picture; `None` means in all.
     pub view: Option<View>,
@@ -63,7 +63,7 @@ pub struct MovedLabel {
 /// A label of another size or colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyledLabel {
-    /// The label.
+    /// The name of the label, as `label_names` gives it.
     pub name: String,
     /// The factor of its size.
     pub size: Option<f64>,
@@ -97,7 +97,7 @@ pub enum MeasureText {
 pub struct Note {
     /// In which picture; `None` means in all. A note at a place of the picture is in one.
     pub view: Option<View>,
-    /// Its subject.
+    /// The point, vertex, edge or place in the view that it belongs to.
     pub at: NotePlace,
     /// From there to the middle of its text, as [`MovedLabel::by`]; `None` means where there is room.
     pub by: Option<DVec2>,
@@ -116,14 +116,14 @@ pub enum NotePlace {
     World(DVec3),
     /// A vertex of an object's mesh, from 0.
     Vertex {
-        /// The object.
+        /// The name of an object in the scene.
         object: String,
         /// The index of the vertex.
         vertex: u32,
     },
     /// The middle of an edge of an object's mesh, from 0.
     Edge {
-        /// The object.
+        /// The name of an object in the scene.
         object: String,
         /// The index of the edge.
         edge: u32,
@@ -137,7 +137,7 @@ pub enum NotePlace {
 pub struct LabelChange<'a> {
     /// It is left out.
     pub hidden: bool,
-    /// Its text.
+    /// `None` if the label keeps its own text.
     pub text: Option<&'a str>,
     /// Its place, as [`MovedLabel::by`].
     pub by: Option<DVec2>,

@@ -42,9 +42,9 @@ pub enum VariationError {
     /// A value that the figure cannot have.
     #[error("{key}={value}: {error}")]
     Figure {
-        /// The key.
+        /// With its section, such as `camera.near`.
         key: String,
-        /// The value.
+        /// As the author wrote it.
         value: String,
         /// Why not. Its line is meaningless.
         error: Box<FigureError>,
@@ -52,9 +52,9 @@ pub enum VariationError {
     /// An amount that is none of an operation.
     #[error("{key}={value}: {error}")]
     Operation {
-        /// The operation.
+        /// The word of the operation, such as `azimuth`.
         key: String,
-        /// The amount.
+        /// As the author wrote it.
         value: String,
         /// Why not.
         error: Box<OperationError>,
@@ -77,7 +77,7 @@ pub struct Variant {
 pub enum VariedValue {
     /// A key, and its value without quotes; `None` means it is removed.
     Key(String, Option<String>),
-    /// An operation.
+    /// An operation of the camera with its amount.
     Operation(Operation),
 }
 

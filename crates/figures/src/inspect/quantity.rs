@@ -334,7 +334,7 @@ impl fmt::Display for Quantity {
 /// A quantity, or an entry of it: what a path in the JSON of `inspect` leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct QuantityPath {
-    /// The quantity.
+    /// A number, vector or matrix of `inspect`.
     pub quantity: Quantity,
     /// The row that is meant, and the column; `None` means all.
     pub entry: [Option<usize>; 2],

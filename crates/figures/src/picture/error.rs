@@ -21,7 +21,7 @@ pub enum PictureError {
     /// An error of WebP or JPEG.
     #[error("the image cannot be written as {} ({why})", .format.name())]
     Encode {
-        /// The format.
+        /// The format that refuses the image.
         format: PictureFormat,
         /// The message of the encoder. Its own error belongs to another crate, and can be neither cloned nor compared.
         why: String,
@@ -29,7 +29,7 @@ pub enum PictureError {
     /// An error of an animation.
     #[error("the image cannot be written as {} ({why})", .format.name())]
     Animate {
-        /// The format.
+        /// The format that refuses the animation.
         format: AnimationFormat,
         /// The message of the encoder, as for [`Encode`](Self::Encode).
         why: String,

@@ -32,7 +32,7 @@ pub struct PictureFile {
 pub struct Told {
     /// The figure file. Empty means none.
     pub figure: String,
-    /// The title.
+    /// Becomes the title of the file; empty if there is none.
     pub title: String,
     /// A sentence for those who do not see it.
     pub description: String,
@@ -60,7 +60,7 @@ pub fn file_beside(path: &Path) -> Option<PathBuf> {
 /// Options of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FileOptions {
-    /// The format.
+    /// By the extension of the file.
     pub format: PictureFormat,
     /// Crop the empty background around each picture.
     pub crop: bool,

@@ -60,7 +60,7 @@ pub struct Handout {
     pub title: String,
     /// The language, as a tag.
     pub language: &'static str,
-    /// The entries.
+    /// In the order of the pages.
     pub entries: Vec<HandoutEntry>,
     /// The number of columns. Two make entries small. They stand side by side in rows, four on a page.
     pub columns: usize,

@@ -9,9 +9,9 @@ use crate::figure::Observer;
 pub struct ObserverOf {
     /// The content of its pictures.
     pub shot: Shot,
-    /// Its camera.
+    /// The camera of that figure.
     pub camera: Camera,
-    /// Its scene.
+    /// The scene of that figure.
     pub scene: SharedScene,
 }
 

@@ -31,7 +31,7 @@ pub struct Palette {
     pub view_up: Rgba,
     /// Direction of projection and focal point.
     pub aim: Rgba,
-    /// The probe.
+    /// Marks and rays of the probe.
     pub probe: Rgba,
     /// The camera before an operation.
     pub ghost: Rgba,

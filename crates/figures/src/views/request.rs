@@ -26,7 +26,7 @@ pub struct Request {
     pub camera: Camera,
     /// The part of the shot that is seen in this picture.
     pub shot: Arc<Shot>,
-    /// The scene.
+    /// Shared by all views of a frame.
     pub scene: SharedScene,
     /// The part made by the pointer alone.
     pub hover: Hover,

@@ -66,7 +66,7 @@ pub enum AnswerError {
     Choice {
         /// The text of the answer.
         given: String,
-        /// The choices.
+        /// The words that the question takes.
         choices: Vec<String>,
     },
     /// Not `key=value`.

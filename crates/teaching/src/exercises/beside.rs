@@ -9,7 +9,7 @@ use super::value::Table;
 /// The other answers of a student to the questions of an exercise.
 #[derive(Clone, Copy, Debug)]
 pub struct Beside<'a> {
-    /// The exercise.
+    /// The exercise that the answers belong to.
     pub exercise: &'a Exercise,
     /// The names of the questions, and the answers.
     pub answers: &'a [(String, Answer)],

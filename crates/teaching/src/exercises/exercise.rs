@@ -24,7 +24,7 @@ pub struct Exercise {
     pub id: String,
     /// The source of its numbers.
     pub seed: u64,
-    /// Its subject.
+    /// The figure that the statement is about.
     pub subject: Subject,
     /// Numbers that the notes leave open and an answer may choose, with those that are chosen here.
     pub free: Vec<(&'static str, f64)>,
@@ -34,7 +34,7 @@ pub struct Exercise {
     pub assumptions: Vec<&'static str>,
     /// The figure with the answers drawn into it, where it has them: to be shown once they have been tried.
     pub answered: Option<Box<Figure>>,
-    /// Its questions.
+    /// In the order of the sheet.
     pub asks: Vec<Ask>,
     /// Its texts, in a lecturer's own exercise.
     pub texts: Option<Arc<OwnTexts>>,

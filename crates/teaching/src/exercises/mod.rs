@@ -46,7 +46,7 @@ pub use worked::Worked;
 /// An exercise, or a family of them.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Its identifier.
+    /// Unique among all exercises, such as `view-matrix`.
     pub id: Cow<'static, str>,
     /// Its place in the notes, or the topic it practises: `[0] 5.1`; empty for a lecturer's own.
     pub source: &'static str,

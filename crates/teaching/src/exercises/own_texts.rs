@@ -9,11 +9,11 @@ use crate::figure::Bilingual;
 /// The texts of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OwnTexts {
-    /// Its title.
+    /// One line in each language.
     pub title: Bilingual,
     /// Its statement in Markdown.
     pub statement: Bilingual,
-    /// The assumptions.
+    /// Readings of the source that the exercise chooses.
     pub assumptions: Vec<Bilingual>,
     /// The questions, by the names of the asks.
     pub asks: BTreeMap<String, Bilingual>,
@@ -22,11 +22,11 @@ pub struct OwnTexts {
 /// A wrong answer that a lecturer expects.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnMistake {
-    /// The answer.
+    /// The answer that makes this mistake likely.
     pub answer: ExpectedAnswer,
     /// The known mistake that it is, if any.
     pub mistake: Option<Mistake>,
-    /// The message.
+    /// The sentence for students who give it.
     pub message: Bilingual,
     /// Hints, weaker ones first.
     pub hints: Vec<Bilingual>,

@@ -101,7 +101,7 @@ pub const MANY_WRONG: u32 = 3;
 /// The next exercise to practise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Next {
-    /// The exercise.
+    /// The identifier of the exercise.
     pub id: String,
     /// With these numbers.
     pub seed: u64,

@@ -14,13 +14,13 @@ pub struct Table {
 }
 
 impl Table {
-    /// A number.
+    /// A table of one row and one column.
     #[must_use]
     pub fn number(value: f64) -> Self {
         Self::column(&[value])
     }
 
-    /// A vector.
+    /// A table of one column.
     #[must_use]
     pub fn column(values: &[f64]) -> Self {
         Self { rows: values.len(), columns: 1, entries: values.to_vec() }
@@ -50,7 +50,7 @@ impl Table {
         self.entries[row * self.columns + column]
     }
 
-    /// The rows.
+    /// From the first row to the last.
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.entries.chunks(self.columns.max(1))
     }

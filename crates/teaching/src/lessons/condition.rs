@@ -74,11 +74,11 @@ pub struct Range {
 /// The state in which a condition holds or not.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
-    /// The figure.
+    /// The figure as the student has left it.
     pub figure: &'a Figure,
-    /// Its camera.
+    /// The validated camera of the figure.
     pub camera: &'a Camera,
-    /// Its scene.
+    /// The scene of the figure, with its meshes.
     pub scene: &'a Scene,
 }
 

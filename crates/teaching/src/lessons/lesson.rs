@@ -12,7 +12,7 @@ use crate::figure::{Bilingual, Figure};
 pub struct Lesson {
     /// Its identifier: a name that is valid in a command line.
     pub id: String,
-    /// Its title.
+    /// One line in each language.
     pub title: Bilingual,
     /// The sentence to keep, in Markdown.
     pub sentence: Option<Bilingual>,
@@ -35,7 +35,7 @@ pub struct Lesson {
 /// An exercise of the program with its numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Question {
-    /// Its identifier.
+    /// Unique among all lessons, such as `camera`.
     pub id: String,
     /// The source of its numbers.
     pub seed: u64,
@@ -44,7 +44,7 @@ pub struct Question {
 /// A lesson that is played from a step on.
 #[derive(Clone, Debug)]
 pub struct OpenLesson {
-    /// The lesson.
+    /// Parsed and checked.
     pub lesson: Arc<Lesson>,
     /// Its file, in whose folder its steps look for meshes; `None` means one of the program.
     pub path: Option<PathBuf>,
@@ -63,7 +63,7 @@ impl PartialEq for OpenLesson {
 /// A step of a lesson.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Its title.
+    /// One line in each language.
     pub title: Bilingual,
     /// Its text in Markdown, with `{quantity}` for the numbers of its figure.
     pub text: Bilingual,

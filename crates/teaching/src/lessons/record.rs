@@ -16,7 +16,7 @@ pub struct Draft {
     pub lesson: Bilingual,
     /// The title of the step.
     pub title: Bilingual,
-    /// Its text.
+    /// Markdown in each language.
     pub text: Bilingual,
 }
 

@@ -8,9 +8,9 @@ use super::read::parse;
 /// A lesson that is part of the program.
 #[derive(Clone, Debug)]
 pub struct ShippedLesson {
-    /// The lesson.
+    /// Parsed and checked.
     pub lesson: Arc<Lesson>,
-    /// Its file.
+    /// The content of its TOML file.
     pub text: &'static str,
 }
 

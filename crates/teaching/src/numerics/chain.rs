@@ -36,12 +36,12 @@ impl<R: Real> Vector<R> {
         Self([component(1, 2), component(2, 0), component(0, 1)])
     }
 
-    /// The difference.
+    /// Componentwise, rounded in `R`.
     pub fn minus(&self, other: &Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i].clone() - other.0[i].clone()))
     }
 
-    /// The sum.
+    /// Componentwise, rounded in `R`.
     pub fn plus(&self, other: &Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i].clone() + other.0[i].clone()))
     }
@@ -51,7 +51,7 @@ impl<R: Real> Vector<R> {
         Self(std::array::from_fn(|i| self.0[i].clone() * factor.clone()))
     }
 
-    /// The length.
+    /// The square root of the scalar product with itself.
     pub fn length(&self) -> R {
         self.dot(self).sqrt()
     }

@@ -230,7 +230,7 @@ impl TwoPlanes {
 /// The resolution of a format of depth buffers for the depths of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolution {
-    /// The format.
+    /// The word of the format, such as `fixed-24`.
     pub format: &'static str,
     /// The length of one step at a depth, in scene units.
     pub step: f64,

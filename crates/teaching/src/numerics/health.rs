@@ -111,9 +111,9 @@ const NEEDLE_DEGREES: f64 = 0.01;
 /// One quantity of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Health {
-    /// The quantity.
+    /// The number that is rated.
     pub quantity: HealthQuantity,
-    /// Its level.
+    /// Good, fair or poor.
     pub level: Level,
     /// In the unit that [`HealthQuantity`] says.
     pub value: f64,

@@ -162,7 +162,7 @@ pub struct Row {
 /// The result of a study.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Findings {
-    /// The study.
+    /// The study that was measured.
     pub study: Study,
     /// The reference of the errors.
     pub reference: &'static str,

@@ -29,9 +29,9 @@ pub enum Decomposition {
 /// A step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factor {
-    /// The step.
+    /// The step's place in its source, such as `[2]` P.
     pub step: Step,
-    /// Its matrix.
+    /// Multiplies the product of the steps before it from the left.
     pub matrix: DMat4,
     /// After it z grows into the screen. The space is left-handed.
     pub left_handed: bool,

@@ -22,7 +22,7 @@ pub enum Freedom {
     Yaw,
     /// PF about **u** through C.
     Pitch,
-    /// The window.
+    /// Divides l, r, b and t; C, PF and VUP stay.
     Zoom,
     /// C along DOP.
     Dolly,

@@ -19,7 +19,7 @@ impl WorldAxis {
     /// All, in their order.
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
-    /// Its letter.
+    /// `x`, `y` or `z`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -41,7 +41,7 @@ impl WorldAxis {
 /// A line in a photograph along an axis of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhotographLine {
-    /// The axis.
+    /// The direction of the line in the world.
     pub axis: WorldAxis,
     /// Its ends in pixels, (0, 0) at the top left: from the first to the second, the coordinate grows.
     pub ends: [DVec2; 2],

@@ -45,7 +45,7 @@ pub enum RecoveryError {
     /// The last row fits neither projection.
     #[error("the last row is {0}; a camera's is 0 0 0 1 (view, parallel) or, with its factor taken out, −n and n·c (perspective: 0 0 −1 0)", row(*.last))]
     LastRow {
-        /// Its entries.
+        /// The last row of the matrix.
         last: DVec4,
     },
     /// Axes that must be perpendicular are not.
@@ -65,7 +65,7 @@ pub enum RecoveryError {
     Length {
         /// From 1.
         row: usize,
-        /// Its length.
+        /// The length of that row.
         length: f64,
     },
     /// An entry that must be zero is not.

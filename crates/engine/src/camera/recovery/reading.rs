@@ -113,7 +113,7 @@ pub struct Stated {
     pub axes: Option<Axes>,
     /// It is written by columns, or for row vectors. If `kind` is open too, `false` leaves it open.
     pub by_columns: bool,
-    /// Its NDC.
+    /// The NDC that a projection leads to; `None` leaves them open.
     pub ndc: Option<NdcRange>,
     /// The image that its pixels are of.
     pub image: ImageSize,

@@ -209,7 +209,7 @@ pub enum Reason {
 /// The plan of one stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StagePlan {
-    /// The stage.
+    /// The stage that the plan runs or skips.
     pub stage: Stage,
     /// Whether it runs.
     pub runs: bool,

@@ -22,7 +22,7 @@ use work::StageWork;
 /// A picture, and how it came about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// The picture.
+    /// The display list that pixels and vectors are made from.
     pub drawing: Drawing,
     /// The stages needed, with reasons.
     pub plan: Plan,
@@ -50,7 +50,7 @@ pub struct Frame {
 /// The place of a triangle of a mesh in a drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FollowedTriangle {
-    /// The surface.
+    /// Its index in the drawing.
     pub surface: usize,
     /// The triangles of this surface that are left of it: one, none, or the fan that clipping makes.
     pub triangles: Vec<usize>,
@@ -68,7 +68,7 @@ impl Frame {
 /// One stage of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StageReport {
-    /// The stage.
+    /// The stage that did this.
     pub stage: Stage,
     /// Whether it ran.
     pub ran: bool,

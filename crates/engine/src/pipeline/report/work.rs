@@ -26,7 +26,7 @@ const MOST: usize = 20_000;
 /// pixels and depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StageWork {
-    /// The stage.
+    /// The stage that did the work.
     pub stage: Stage,
     /// Sides of the input: of boxes around objects, of triangles.
     pub before: Vec<[[f32; 3]; 2]>,
@@ -62,7 +62,7 @@ pub struct VertexWork {
 /// An object that was compared with the volume.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectWork {
-    /// Its name.
+    /// As the author named the object.
     pub name: String,
     /// The middle of its box, if that is in the picture.
     pub middle: Option<[f32; 3]>,

@@ -70,7 +70,7 @@ pub struct PlaneCut {
 /// A corner that a plane makes: inside + t (outside − inside).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
-    /// Its name.
+    /// The letter of the new vertex.
     pub name: char,
     /// The name of the end inside.
     pub inside: char,
@@ -85,7 +85,7 @@ pub struct Cut {
 /// A corner of the rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CornerLeft {
-    /// Its name.
+    /// The letter of the vertex, an old or a new one.
     pub name: char,
     /// World.
     pub world: DVec3,

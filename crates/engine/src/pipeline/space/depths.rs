@@ -36,7 +36,7 @@ pub struct DepthScale {
 /// The distances from the plane of the eye between which there is something to see, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InView {
-    /// The least.
+    /// Depth of the nearest point.
     pub nearest: f64,
     /// The greatest. Less than the least if nothing is in view.
     pub farthest: f64,

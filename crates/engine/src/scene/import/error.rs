@@ -31,7 +31,7 @@ pub enum MeshError {
     Obj {
         /// From 1.
         line: usize,
-        /// The fault.
+        /// The rule of the format that this line breaks.
         fault: ObjFault,
     },
     /// The JSON of a glTF file does not parse.
@@ -41,7 +41,7 @@ pub enum MeshError {
         line: usize,
         /// From 1.
         column: usize,
-        /// The fault.
+        /// The rule of JSON that the file breaks.
         fault: JsonFault,
     },
     /// A glTF file is not as it should be.
@@ -49,7 +49,7 @@ pub enum MeshError {
     Gltf {
         /// Such as `accessors[3]`. Empty when it is the file as a whole.
         place: String,
-        /// The fault.
+        /// The rule of glTF that the file breaks.
         fault: GltfFault,
     },
 }
@@ -161,7 +161,7 @@ pub enum MeshNotice {
     /// A material would make its faces fully invisible.
     #[error("the material \"{material}\" is fully transparent (Tr 1 or d 0); it is drawn opaque")]
     Invisible {
-        /// Its name.
+        /// As the library of materials has it.
         material: String,
     },
 }
@@ -178,7 +178,7 @@ pub enum JsonFault {
     /// A key that must be there is not.
     #[error("the key \"{key}\" is missing in the object that ends here")]
     MissingKey {
-        /// The key.
+        /// The key that is missing.
         key: String,
     },
     /// A value of another type than glTF wants.
@@ -209,13 +209,13 @@ pub enum GltfFault {
     /// The frame of a GLB file is broken.
     #[error("not a valid GLB file: {fault}")]
     Container {
-        /// The fault.
+        /// The rule of the container that the file breaks.
         fault: GlbFault,
     },
     /// Another version of glTF.
     #[error("this is glTF {found}; allowed: 2.0")]
     Version {
-        /// The version.
+        /// As the file states it, such as 1.0.
         found: String,
     },
     /// A value breaks a rule of glTF.
@@ -253,7 +253,7 @@ pub enum GltfFault {
     /// An index names a vertex that is not there.
     #[error("index {found} names a vertex that does not exist; there are {vertices}")]
     Index {
-        /// The index.
+        /// The index of a vertex.
         found: u32,
         /// The number of vertices.
         vertices: usize,
@@ -261,7 +261,7 @@ pub enum GltfFault {
     /// A sparse accessor names an item that is not there, or not in rising order.
     #[error("a sparse accessor's index {found} is not among its {count} items, or does not rise")]
     SparseIndex {
-        /// The index.
+        /// The index of an item.
         found: u32,
         /// The number of items.
         count: usize,

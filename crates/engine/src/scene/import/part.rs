@@ -11,7 +11,7 @@ use crate::scene::{Mesh, MeshNotice};
 /// A mesh file that has been read.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Imported {
-    /// Its objects.
+    /// One for each name and material.
     pub parts: Vec<Part>,
     /// Parts that were left out, or read otherwise than written.
     pub notices: Vec<MeshNotice>,
@@ -20,7 +20,7 @@ pub struct Imported {
 /// The texture of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartTexture {
-    /// The picture.
+    /// Its texels, shared by all parts that use it.
     pub image: Arc<Texture>,
     /// How it is asked for a colour.
     pub sampler: Sampler,
@@ -31,7 +31,7 @@ pub struct PartTexture {
 pub struct Part {
     /// Its name in the file. May be empty, need not be unique.
     pub name: String,
-    /// Its surface.
+    /// Triangles in the space of the file.
     pub mesh: Arc<Mesh>,
     /// The placement of the part in the file.
     pub file_from_part: DMat4,

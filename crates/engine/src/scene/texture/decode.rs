@@ -18,7 +18,7 @@ use crate::scene::read_error::Beside;
 pub struct TextureError {
     /// The file, as its figure or mesh names it.
     pub file: String,
-    /// The fault.
+    /// The reason why the file is refused.
     pub fault: TextureFault,
 }
 
@@ -50,9 +50,9 @@ pub enum TextureFault {
     /// It is wider or higher than a texture may be.
     #[error("has {width} × {height} pixels; allowed: at most {MAX_TEXTURE_SIDE} a side and {MAX_TEXELS} in all")]
     TooLarge {
-        /// Its width.
+        /// In pixels.
         width: u32,
-        /// Its height.
+        /// In pixels.
         height: u32,
     },
     /// The textures of the scene have too many texels together.

@@ -50,7 +50,7 @@ pub struct Trs {
 }
 
 impl Default for Trs {
-    /// The identity.
+    /// No translation, no rotation, scale 1.
     fn default() -> Self {
         Self { translate: DVec3::ZERO, rotate: DVec3::ZERO, scale: DVec3::ONE }
     }

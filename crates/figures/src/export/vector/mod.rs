@@ -54,18 +54,18 @@ pub enum Item {
     },
     /// A filled area, by the non-zero rule.
     Fill {
-        /// Its contours.
+        /// Closed contours.
         path: Vec<Element>,
-        /// Its colour.
+        /// sRGB, with opacity.
         color: Rgba,
     },
     /// A stroke.
     Stroke {
-        /// Its contours.
+        /// Open or closed lines.
         path: Vec<Element>,
-        /// Its colour.
+        /// sRGB, with opacity.
         color: Rgba,
-        /// Its width.
+        /// In units of the page.
         width: f32,
         /// Lengths of dashes and of the gaps between them, in turn. Empty means none.
         dashes: Vec<f32>,
@@ -78,7 +78,7 @@ pub enum Item {
     Text {
         /// The left end of its baseline.
         at: [f32; 2],
-        /// The text.
+        /// On one line.
         text: String,
         /// In the letters of mathematics, where these have them.
         mathematical: bool,
@@ -135,7 +135,7 @@ impl Item {
 pub struct Beside {
     /// Its name, in the folder of the first.
     pub name: String,
-    /// Its bytes.
+    /// The whole content of the file.
     pub bytes: Vec<u8>,
 }
 

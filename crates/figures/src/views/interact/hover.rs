@@ -40,7 +40,7 @@ impl Hover {
 pub struct ObjectTransform {
     /// The transform of its parent.
     pub world_from_parent: DMat4,
-    /// Its own.
+    /// The transform of the object itself, in its parent.
     pub trs: Trs,
 }
 
@@ -125,7 +125,7 @@ impl Probe {
 pub struct Ghost {
     /// The camera before.
     pub before: Camera,
-    /// The operation.
+    /// The operation that leads to the camera after it.
     pub operation: Operation,
     /// The sign rule of rotations.
     pub convention: Convention,
@@ -178,7 +178,7 @@ pub enum Transforming {
 /// The placement of the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransformGizmo {
-    /// Its mode.
+    /// Translation, rotation or scale.
     pub does: Transforming,
     /// Its middle (world).
     pub origin: DVec3,

@@ -184,7 +184,7 @@ impl Mistake {
         (Self::WindowAsStart, "window-as-start"),
     ];
 
-    /// Its code.
+    /// The word of the mistake in JSON and in `progress.toml`.
     #[must_use]
     pub fn code(self) -> &'static str {
         Self::ALL.iter().find(|(mistake, _)| *mistake == self).map_or("", |(_, code)| code)

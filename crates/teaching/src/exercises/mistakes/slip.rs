@@ -5,7 +5,7 @@ use super::mistake::Mistake;
 /// The cause of a wrong answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cause {
-    /// The mistake.
+    /// The mistake that the student made.
     pub mistake: Mistake,
     /// The name of the texts that tell this way of making it. Empty where those of the mistake do.
     pub variant: &'static str,

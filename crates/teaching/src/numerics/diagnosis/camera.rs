@@ -13,13 +13,13 @@ use crate::scene::Scene;
 pub struct ImpossibleCamera {
     /// Why they make none.
     pub error: CameraError,
-    /// The parameters.
+    /// The parameters after the repair.
     pub parameters: Parameters,
     /// How the image is drawn.
     pub style: Style,
     /// The inner work of the pipeline in the image.
     pub reveal: Reveal,
-    /// Its size.
+    /// In pixels, after the repair.
     pub image: ImageSize,
 }
 
