@@ -34,7 +34,7 @@ pub(in crate::cli) struct ListArgs {
     /// A table to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: TableFormat,
-    /// A folder with your own exercises, listed after the others
+    /// A folder with files of your own, listed after the others
     #[arg(long, value_name = "DIR")]
     pub(in crate::cli) folder: Option<PathBuf>,
     /// Language of titles and messages

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
+use super::exercise::ListArgs;
 use super::words::{LangArg, TableFormat, one_of};
 use crate::camera::ImageSize;
 use crate::cli::Failure;
@@ -32,19 +33,6 @@ pub(in crate::cli) enum LessonCommand {
     Render(LessonRenderArgs),
     /// Open the window with a lesson
     Play(PlayArgs),
-}
-
-#[derive(Debug, Args)]
-pub(in crate::cli) struct ListArgs {
-    /// A table to read, or JSON for programs
-    #[arg(long, value_enum, default_value_t)]
-    pub(in crate::cli) format: TableFormat,
-    /// A folder with your own lessons, listed after the others
-    #[arg(long, value_name = "DIR")]
-    pub(in crate::cli) folder: Option<PathBuf>,
-    /// Language of titles and messages
-    #[arg(long, value_enum, ignore_case = true)]
-    pub(in crate::cli) lang: Option<LangArg>,
 }
 
 /// Which lesson.

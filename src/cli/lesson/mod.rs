@@ -11,9 +11,8 @@ use serde_json::{Value, json};
 use super::render::{no_picture, save, save_handout};
 use super::{Failure, Opening, print, say};
 use crate::camera::Camera;
-use crate::cli::args::lesson::{
-    CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, ListArgs, PlayArgs, ShowArgs, WhichArgs,
-};
+use crate::cli::args::exercise::ListArgs;
+use crate::cli::args::lesson::{CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PlayArgs, ShowArgs, WhichArgs};
 use crate::cli::args::words::{LangArg, TableFormat};
 use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of};
 use crate::exercises::Entry;
