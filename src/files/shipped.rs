@@ -50,9 +50,9 @@ macro_rules! shipped {
 }
 
 /// All of them, in the order in which they are shown. Every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 51] = shipped![
+pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
-    Camera "pipeline/": "look-at";
+    Camera "pipeline/": "look-at", "two-eyes";
     Cube "pipeline/": "frustum-to-cube", "parallel-perspective", "view-angles", "opengl-direct3d";
     Cube "": "ndc-cube";
     Clipping "pipeline/": "clipping", "divide-first", "culled";
@@ -117,6 +117,7 @@ pub(super) fn shipped_file(path: &str, named_by: Option<&str>) -> Option<&'stati
     match name {
         "teapot.obj" => Some(include_bytes!("../../assets/meshes/teapot.obj")),
         "teapot.mtl" => Some(include_bytes!("../../assets/meshes/teapot.mtl")),
+        "house.png" => Some(include_bytes!("../../assets/photographs/house.png")),
         _ => None,
     }
 }

@@ -277,3 +277,27 @@ fn a_file_with_several_cameras_has_a_list() {
         assert_eq!(window.state().explain.pasted.camera, 0);
     }
 }
+
+/// Two cameras, each on a node of its own, the second one on an arm.
+const GLTF: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"translation": [1, 2, 6], "camera": 0, "name": "front"}, {"translation": [0, 1, 0], "children": [2]},
+    {"translation": [0, 0, 9], "camera": 1, "name": "arm"}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.25, "zfar": 40}},
+    {"type": "orthographic", "orthographic": {"xmag": 3, "ymag": 2, "znear": 1, "zfar": 30}}]}"#;
+
+#[test]
+fn all_cameras_of_a_gltf_file_become_those_of_the_figure_and_are_undone() {
+    let mut window = window(Lang::En, Explanation::Dialects);
+    let before = window.state().document.figure().clone();
+    window.app_mut().state.explain.pasted.text = GLTF.to_owned();
+    window.run();
+    window.click(en::DIALECTS.take_all);
+    let figure = window.state().document.figure();
+    assert_eq!(figure.tag.name.as_deref(), Some("front"));
+    assert_eq!((figure.camera.position, figure.camera.near), (DVec3::new(1.0, 2.0, 6.0), 0.25));
+    let [arm] = &figure.cameras[..] else { panic!("{:?}", figure.cameras) };
+    assert_eq!((arm.name.as_str(), arm.parameters.position), ("arm", DVec3::new(0.0, 1.0, 9.0)));
+    assert_eq!((arm.parameters.projection, arm.parameters.height), (Projection::Parallel, 4.0));
+    window.command_key(Key::Z);
+    assert_eq!(*window.state().document.figure(), before);
+}

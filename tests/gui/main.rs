@@ -41,6 +41,7 @@ mod other_programs;
 mod overdraw;
 mod painter;
 mod panels;
+mod photograph;
 mod pictures;
 mod points;
 mod predictions;

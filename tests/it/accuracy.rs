@@ -86,6 +86,22 @@ fn the_figure_of_the_worst_input_is_a_camera() {
     }
 }
 
+/// A pixel turns a line by its inverse length, and the place where two lines meet moves by that over their angle.
+#[test]
+fn the_camera_of_a_photograph_is_off_by_the_inverse_of_the_angle_between_the_lines() {
+    let findings = findings(Study::Photograph);
+    let error = |case, angle, method| row(findings, case, angle, method).error;
+    for case in ["view angle", "direction"] {
+        let share = error(case, 5.0, OWN) / error(case, 20.0, OWN);
+        assert!((1.5..12.0).contains(&share), "{case}: {share}");
+        for angle in [40.0, 20.0, 10.0, 5.0] {
+            assert!(error(case, angle, OWN) < 1.3 * error(case, angle, "two lines"), "{case} {angle}");
+        }
+    }
+    // Of the intersections of many lines, the worst decide their mean.
+    assert!(error("view angle", 0.5, "mean of intersections") > 1.5 * error("view angle", 0.5, OWN));
+}
+
 /// A coordinate of 10^k in single precision is off by about 10^k · 2^-25; relative to the eye it is not.
 #[test]
 fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {

@@ -269,6 +269,38 @@ fn of_zoom_or_dolly(exercise: &Exercise) -> Vec<Wrong> {
     wrong
 }
 
+fn of_disparity(exercise: &Exercise) -> Vec<Wrong> {
+    let [theta, near, m, n, b] = ["theta", "F", "m", "n", "b"].map(|name| number(exercise, name));
+    let [d, meeting, left, right] = ["d", "D", "xl", "xr"].map(|name| number(exercise, name));
+    let f = n / (2.0 * (theta / 2.0).to_radians().tan());
+    let delta = left - right;
+    vec![
+        ("f", vec![2.0 * f], "factor-two"),
+        ("f", vec![n / (2.0 * theta.to_radians().tan())], "whole-angle"),
+        ("f", vec![n / (2.0 * (theta / 2.0).tan())], "radians"),
+        ("f", vec![f * m / n], "columns-and-rows-exchanged"),
+        ("f", vec![near], "not-done"),
+        ("disparity", vec![f * b / (2.0 * d)], "factor-two"),
+        ("disparity", vec![f * d / b], "inverse"),
+        ("disparity", vec![d / (f * b)], "inverse"),
+        ("disparity", vec![-f * b / d], "sign"),
+        ("disparity", vec![near * b / d], "not-done"),
+        ("disparity", vec![b * m / (2.0 * d * (theta / 2.0).to_radians().tan())], "columns-and-rows-exchanged"),
+        ("shifted", vec![f * b / d], "not-done"),
+        ("shifted", vec![f * b * (1.0 / meeting - 1.0 / d)], "sign"),
+        ("shifted", vec![f * b * (1.0 / d - 1.0 / meeting) / 2.0], "factor-two"),
+        ("depth", vec![f * b / (2.0 * delta)], "factor-two"),
+        ("depth", vec![f * b / left], "not-done"),
+        ("depth", vec![f * b / (left + right)], "sign"),
+        ("depth", vec![-f * b / delta], "sign"),
+        ("depth", vec![delta / (f * b)], "inverse"),
+        ("depth", vec![near * b / delta], "not-done"),
+        ("step", vec![f * b / (2.0 * delta * delta)], "factor-two"),
+        ("step", vec![delta * delta / (f * b)], "inverse"),
+        ("step", vec![f * b / (left * left)], "not-done"),
+    ]
+}
+
 /// The way from P to lamp 1, and to lamp 2, as the statement tells them.
 fn ways(exercise: &Exercise, p: DVec3) -> [DVec3; 2] {
     let vector = |name| DVec3::from_slice(&tuple(exercise, name));
@@ -337,7 +369,7 @@ fn of_light(exercise: &Exercise) -> Vec<Wrong> {
 /// Wrong answers to an exercise.
 type WrongAnswers = fn(&Exercise) -> Vec<Wrong>;
 
-const FAMILIES: [(&str, WrongAnswers); 10] = [
+const FAMILIES: [(&str, WrongAnswers); 11] = [
     ("asymmetric-window", of_asymmetric_window),
     ("clip-segment", of_segment),
     ("outcodes", of_outcodes),
@@ -348,6 +380,7 @@ const FAMILIES: [(&str, WrongAnswers); 10] = [
     ("depth-resolution", of_depth),
     ("zoom-or-dolly", of_zoom_or_dolly),
     ("light", of_light),
+    ("disparity", of_disparity),
 ];
 
 #[test]

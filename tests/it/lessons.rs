@@ -173,7 +173,7 @@ fn the_lessons_of_the_guides_are_good() {
 
 #[test]
 fn every_step_of_the_lessons_of_the_program_is_good() {
-    assert_eq!(shipped().len(), 16, "each file is a lesson");
+    assert_eq!(shipped().len(), 18, "each file is a lesson");
     let ids: Vec<&str> = shipped().iter().map(|shipped| shipped.lesson.id.as_str()).collect();
     let mut seen = Seen::default();
     for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
@@ -347,7 +347,7 @@ fn a_lesson_has_a_plan_and_questions_around_it() {
 fn the_command_line_lists_shows_checks_and_draws() {
     let bench = Bench::new("lessons");
     let list = bench.run(&["lesson", "list", "--format", "json"]).json();
-    assert_eq!(list.as_array().unwrap().len(), 16);
+    assert_eq!(list.as_array().unwrap().len(), 18);
     assert_eq!(list[0]["id"], "camera");
     let show = bench.run(&["lesson", "show", "basis", "--format", "json"]).json();
     let steps = show["steps"].as_array().unwrap();
@@ -388,7 +388,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
     );
     assert!(bench.run(&["lesson", "render", "small.toml", "-o", "a.png"]).refused(2).contains("a folder"));
     let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
-    assert_eq!(listed[16]["id"], "small");
+    assert_eq!(listed[18]["id"], "small");
 
     bench.write("small.toml", LESSON.replace("near = 2", "near = -2"));
     let refused = bench.run(&["lesson", "check", "small.toml"]);

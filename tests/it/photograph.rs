@@ -102,3 +102,58 @@ fn all_cameras_of_a_file_become_those_of_a_figure() {
         assert_eq!(camera["position"], serde_json::json!([x, 5.0, 0.0]));
     }
 }
+
+/// Two cameras, each on a node of its own, the second one on an arm.
+const GLTF: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"translation": [1, 2, 6], "camera": 0, "name": "front"}, {"translation": [0, 1, 0], "children": [2]},
+    {"translation": [0, 0, 9], "camera": 1, "name": "arm"}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.25, "zfar": 40}},
+    {"type": "orthographic", "orthographic": {"xmag": 3, "ymag": 2, "znear": 1, "zfar": 30}}]}"#;
+
+#[test]
+fn all_cameras_of_a_gltf_file_open_as_those_of_a_figure() {
+    let bench = Bench::new("all-cameras-gltf");
+    bench.write("figure.toml", "");
+    bench.write("two.gltf", GLTF);
+    let written = text(&bench, &["matrix", "figure.toml", "--from", "two.gltf", "--camera", "all"]);
+    bench.write("all.toml", &written);
+    let report = bench.run(&["inspect", "all.toml", "--format", "json"]).json();
+    assert_eq!(report["camera"]["position"], serde_json::json!([1.0, 2.0, 6.0]), "{written}");
+    let others = report["cameras"].as_array().unwrap();
+    assert_eq!((others.len(), &others[0]["name"]), (1, &serde_json::json!("arm")));
+    assert_eq!(others[0]["position"], serde_json::json!([0.0, 1.0, 9.0]));
+    // The picture of both, as the window shows it.
+    bench.run(&["render", "all.toml", "--view", "world", "--size", "200x150", "-o", "all.png"]).done();
+}
+
+#[test]
+fn the_arithmetic_has_the_horizon_and_its_roll() {
+    let bench = Bench::new("photograph-roll");
+    bench.write("figure.toml", "");
+    // The photograph of the lesson, whose camera is rolled by 3°.
+    let run = [
+        "photograph",
+        "figure.toml",
+        "--size",
+        "640x480",
+        "--lines",
+        "x: 210.3,293.4 443.5,360.5; 215.1,157.3 458.6,160",
+        "--lines",
+        "z: 561.9,320.8 443.5,360.5; 575.7,174.7 458.6,160",
+        "--origin",
+        "210.3,293.4",
+        "--length",
+        "x: 443.5,360.5 4",
+    ];
+    let written = text(&bench, &run);
+    let roll = written.lines().find_map(|line| line.split_once("rolled by ")).unwrap().1;
+    let roll: f64 = roll.trim_end_matches('°').parse().unwrap();
+    assert!((roll - 3.03).abs() < 0.3, "{written}");
+    bench.write("found.toml", &written);
+    let report = bench.run(&["inspect", "found.toml", "--format", "json"]).json();
+    for (place, known) in [7.0, 1.7, 5.0].into_iter().enumerate() {
+        let found = report["camera"]["position"][place].as_f64().unwrap();
+        assert!((found - known).abs() < 0.1, "{found} for {known}");
+    }
+    assert!(text(&bench, &[&run[..], &["--lang", "pt-BR"]].concat()).contains("está rolada em"));
+}

@@ -13,7 +13,7 @@ use eframe::egui::{self, ViewportCommand};
 use super::file_kind::FileKind;
 use super::title_dialog::TitleForm;
 use crate::export::format::PictureFormat;
-use crate::figure::{Figure, read, update};
+use crate::figure::{Figure, Photograph, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
 use crate::gui::gallery::Source;
@@ -222,6 +222,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::CompareWith => compare::with_file(state, path),
         Purpose::Texture(object) => texture(state, &object, path),
+        Purpose::Photograph => photograph(state, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),
         Purpose::OwnLesson => state.copy_lesson(path, &agreed),
@@ -292,6 +293,15 @@ fn texture(state: &mut State, object: &str, path: &Path) {
         if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
             object.texture = Some(TextureSource::of(&named));
         }
+    });
+}
+
+/// Puts a photograph under the image. One in the place of another keeps the opacity.
+fn photograph(state: &mut State, path: &Path) {
+    let file = files::named_in_figure(state.document.folder(), path);
+    state.document.edit(|figure| {
+        let opacity = figure.photograph.as_ref().map_or(Photograph::USUAL_OPACITY, |before| before.opacity);
+        figure.photograph = Some(Photograph { file, opacity });
     });
 }
 

@@ -8,7 +8,7 @@ use crate::gui::state::{MESH_ENDINGS, Purpose, State, TEXTURE_ENDINGS};
 use crate::i18n::learn::{exercise_window, handouts, lessons};
 use crate::i18n::why::explain;
 use crate::i18n::window;
-use crate::i18n::window::{gallery, scenes};
+use crate::i18n::window::{gallery, photograph, scenes};
 
 /// A kind of files.
 pub(in crate::gui) struct FileKind {
@@ -96,6 +96,11 @@ impl FileKind {
                 let t = scenes::texts(lang);
                 let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
                 (Wanted::File, t.texture_title, t.texture_action, filters, String::new())
+            }
+            Purpose::Photograph => {
+                let (words, t) = (photograph::texts(lang), scenes::texts(lang));
+                let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
+                (Wanted::File, words.choose_title, words.choose_action, filters, String::new())
             }
             Purpose::Folder => (Wanted::Folder, gallery::texts(lang).choose, t.open_action, Vec::new(), String::new()),
             Purpose::Exercises => (Wanted::Folder, exercises.own_open, t.open_action, Vec::new(), String::new()),

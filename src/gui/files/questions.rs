@@ -73,6 +73,8 @@ pub enum Purpose {
     Mesh(MeshFor),
     /// To put a texture on the object of this name.
     Texture(String),
+    /// To put a photograph under the image.
+    Photograph,
     /// A folder, whose figures the gallery is to show.
     Folder,
     /// To add a step to a lesson.

@@ -8,9 +8,11 @@ mod axis_cross;
 mod card;
 pub(super) mod highlight;
 mod icons;
+mod image_place;
 pub(super) mod labels;
 mod long_work;
 pub(super) mod motion;
+pub(super) mod photograph;
 pub(super) mod pointer;
 mod readout;
 mod rendering;
@@ -209,6 +211,7 @@ impl Canvas {
     pub fn holds_something(&self, state: &State) -> bool {
         self.drag.is_some()
             || state.label_mode.on
+            || state.photograph.on
             || self.is_probing()
             || state.pinned().is_some()
             || state.can_release_shown()
@@ -272,6 +275,8 @@ impl Canvas {
         self.labels_card(ui, state, &panes);
         Self::marks(ui, state.placing().as_ref(), &panes);
         Self::wipers(ui, state, &panes);
+        Self::photograph_lines(ui, state, &panes);
+        Self::photograph_card(ui, state, &panes);
 
         if state.layout.strip {
             self.strip(ui, stages, state, texts);

@@ -42,6 +42,7 @@ pub use crate::gui::model::message::{Message, NotExported};
 pub use crate::gui::model::shown::PanelHover;
 use crate::gui::model::shown::{OpenPanels, SeenBy};
 pub use crate::gui::pictures::labels::label_mode::LabelMode;
+pub use crate::gui::pictures::photograph::tool::{Drawn, PhotographTool};
 pub use crate::gui::pictures::view_history::ViewHistory;
 pub use crate::gui::storage::recent::Recent;
 pub(super) use crate::gui::storage::recent::merged;
@@ -207,6 +208,8 @@ pub struct State {
     pub annotations: Annotations,
     /// The mode in which labels are the author's.
     pub label_mode: LabelMode,
+    /// The lines on the photograph, which say where its camera was.
+    pub photograph: PhotographTool,
     /// The studies of error against run time.
     pub numerics: Numerics,
     /// The side of explanations.
@@ -316,6 +319,7 @@ impl State {
             camera_a: None,
             annotations: Annotations::default(),
             label_mode: LabelMode::default(),
+            photograph: PhotographTool::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
             exercises: Exercises::default(),
@@ -354,6 +358,7 @@ impl State {
         self.tree = SceneTree::default();
         self.follow = Follow::default();
         self.cameras = CameraList::default();
+        self.photograph = PhotographTool::default();
         self.views.reset(self.document.figure().observers);
         let screen = self.document.figure().screen;
         self.show_screen(screen);

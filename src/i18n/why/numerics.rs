@@ -59,6 +59,8 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
             "Filtros de uma textura contra a média exata sobre o pixel"),
         Study::Shadows => pick!(lang; "Shadow maps against rays to the light",
             "Mapas de sombras contra raios até a luz"),
+        Study::Photograph => pick!(lang; "The camera of a photograph from lines that are a pixel off",
+            "A câmera de uma fotografia, de retas erradas em um pixel"),
     }
 }
 
@@ -76,6 +78,7 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
         Study::Clipping => pick!(lang; "Clipping through w = 0", "Recorte por w = 0"),
         Study::TextureFilter => pick!(lang; "Filters of textures", "Filtros de texturas"),
         Study::Shadows => pick!(lang; "Shadow maps", "Mapas de sombras"),
+        Study::Photograph => pick!(lang; "Camera of a photograph", "Câmera de uma fotografia"),
     }
 }
 
@@ -105,6 +108,8 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
             "distância da outra ponta ao plano w = 0 / unidades da cena"),
         Study::TextureFilter => pick!(lang; "texels along a pixel", "texels ao longo de um pixel"),
         Study::Shadows => pick!(lang; "side of the map / texels", "lado do mapa / texels"),
+        Study::Photograph => pick!(lang; "angle between the lines of an axis / degrees",
+            "ângulo entre as retas de um eixo / graus"),
     }
 }
 
@@ -197,7 +202,7 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("screen and ball, detached", "biombo e bola, soltas"),
     ("house", "casa"),
     ("house, acne", "casa, acne"),
-    ("house, detached", "casa, soltas"),
+    ("house, detached", "casa, descoladas"),
     ("corridor with a lamp", "corredor com luz"),
     ("corridor with a lamp, acne", "corredor com luz, acne"),
     ("corridor with a lamp, detached", "corredor com luz, descoladas"),
@@ -206,6 +211,10 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("bias 1, edge 0", "bias 1, borda 0"),
     ("bias 1, edge 1", "bias 1, borda 1"),
     ("bias 1, edge 4", "bias 1, borda 4"),
+    ("view angle", "ângulo de vista"),
+    ("direction", "direção"),
+    ("two lines", "duas retas"),
+    ("mean of intersections", "média das interseções"),
 ];
 
 /// A case or a method by its name.
@@ -238,6 +247,7 @@ fn reference(study: Study) -> &'static str {
         Study::Antialiasing => "área exata com 512 bits",
         Study::TextureFilter => "média exata sobre o pixel, em luz linear",
         Study::Shadows => "raios até a luz, em f64",
+        Study::Photograph => "a câmera sorteada",
     }
 }
 

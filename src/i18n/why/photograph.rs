@@ -71,6 +71,7 @@ pub fn steps(lang: Lang, found: &PhotographCamera) -> Vec<String> {
         steps.push(both!(lang; "tan(θ/2) = n / 2f: θ = {theta}°; a pixel of error in each end costs {cost}°",
             "tan(θ/2) = n / 2f: θ = {theta}°; um pixel de erro em cada ponta custa {cost}°"));
     }
+    steps.push(horizon(lang, found));
     let cost = lang.mark().number(found.direction_per_pixel, 2);
     steps.push(
         both!(lang; "R: an axis with the vanishing point (x, y) has the direction (x, y, −f) in the VRC; a pixel \
@@ -78,7 +79,32 @@ pub fn steps(lang: Lang, found: &PhotographCamera) -> Vec<String> {
         "R: um eixo com o ponto de fuga (x, y) tem a direção (x, y, −f) no VRC; um pixel de erro em cada ponta gira n \
          em {cost}°"),
     );
+    let [u, v, n] = found.axes().map(|axis| lang.mark().tuple(&axis.to_array(), 4));
+    steps.push(format!("u = {u}, v = {v}, n = {n}"));
+    let c = lang.mark().tuple(&found.parameters.position.to_array(), DIGITS);
+    if found.untold.contains(&Untold::Position) {
+        return steps;
+    }
+    steps.push(if found.untold.contains(&Untold::Distance) {
+        both!(lang; "The origin with the pixel (x, y) is at λ (x, y, −f) in the VRC; with D of the figure, C = {c}",
+            "A origem com o pixel (x, y) está em λ (x, y, −f) no VRC; com D da figura, C = {c}")
+    } else {
+        both!(lang; "The origin with the pixel (x, y) is at λ (x, y, −f) in the VRC, and the length gives λ: C = {c}",
+            "A origem com o pixel (x, y) está em λ (x, y, −f) no VRC, e o comprimento dá λ: C = {c}")
+    });
     steps
+}
+
+/// The horizon, and the roll of the camera that it shows.
+fn horizon(lang: Lang, found: &PhotographCamera) -> String {
+    let roll = lang.mark().number(found.roll(), 3);
+    match found.horizon {
+        Some(_) => both!(lang; "The horizon goes through V_x and V_z, since both lie at infinity on y = 0: the camera \
+                                is rolled by {roll}°",
+            "O horizonte passa por V_x e V_z, pois ambos estão no infinito de y = 0: a câmera está rolada em {roll}°"),
+        None => both!(lang; "The horizon is at infinity: the camera looks straight up or down",
+            "O horizonte está no infinito: a câmera olha reto para cima ou para baixo"),
+    }
 }
 
 fn vanishing(lang: Lang, point: &AxisVanishing) -> String {

@@ -7,6 +7,7 @@ pub mod compare;
 pub mod gallery;
 pub mod labels;
 pub mod lens;
+pub mod photograph;
 pub mod predict;
 pub mod progress;
 pub mod scenes;

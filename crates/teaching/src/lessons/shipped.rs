@@ -21,7 +21,7 @@ macro_rules! lessons {
 }
 
 /// Their files, in the order in which they are taken.
-const TEXTS: [&str; 16] = lessons![
+const TEXTS: [&str; 18] = lessons![
     "01-camera",
     "02-basis",
     "03-window",
@@ -37,7 +37,9 @@ const TEXTS: [&str; 16] = lessons![
     "13-hidden",
     "14-light",
     "15-limits",
-    "16-sheet"
+    "16-eyes",
+    "17-photograph",
+    "18-sheet"
 ];
 
 /// All of them, in the order in which they are taken.

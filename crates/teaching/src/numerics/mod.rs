@@ -51,11 +51,13 @@ pub enum Study {
     TextureFilter,
     /// Shadow maps: their size, bias and soft edge.
     Shadows,
+    /// The camera of a photograph from lines that are a pixel off.
+    Photograph,
 }
 
 impl Study {
     /// All, in the order of reporting.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::VertexTransform,
         Self::Basis,
         Self::RepeatedOperations,
@@ -66,6 +68,7 @@ impl Study {
         Self::Clipping,
         Self::TextureFilter,
         Self::Shadows,
+        Self::Photograph,
     ];
 
     /// Its name on the command line and in JSON.
@@ -82,6 +85,7 @@ impl Study {
             Self::Clipping => "clipping",
             Self::TextureFilter => "texture-filter",
             Self::Shadows => "shadows",
+            Self::Photograph => "photograph",
         }
     }
 }
@@ -198,6 +202,7 @@ pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings
         Study::Clipping => studies::clipping::run(&lab).await,
         Study::TextureFilter => studies::texture_filter::run(&lab).await,
         Study::Shadows => studies::shadows::run(&lab).await,
+        Study::Photograph => studies::photograph::run(&lab).await,
     }
 }
 

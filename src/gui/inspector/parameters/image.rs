@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use eframe::egui;
 
-use super::{complaint, row};
+use super::{complaint, photograph, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
 use crate::gui::inspector::{more, section};
@@ -65,6 +65,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
                 state.document.set_parameters(parameters);
             }
         }
+        photograph::ui(ui, state);
     });
     more(ui, t, t.viewport, |ui| viewport(ui, state, t));
 }

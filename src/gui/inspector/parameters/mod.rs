@@ -5,6 +5,7 @@ mod cameras;
 mod free_window;
 mod image;
 mod lens_menu;
+mod photograph;
 mod style;
 mod world_section;
 

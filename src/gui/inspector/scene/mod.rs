@@ -29,6 +29,7 @@ use crate::limits::MAX_SIDE;
 use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
+pub(super) use texture::mend;
 
 /// A change requested by the tree or a button.
 enum Edit {

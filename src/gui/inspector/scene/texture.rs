@@ -55,7 +55,7 @@ pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2
 }
 
 /// The buttons by which the user mends what could not be read.
-pub(super) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
+pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
     let t = crate::i18n::window::scenes::texts(state.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         state.document.allow_files();

@@ -52,6 +52,10 @@ impl Canvas {
             if !state.label_mode.is_typing {
                 state.label_mode.step_back();
             }
+        } else if escape && state.photograph.on {
+            if !ui.ctx().text_edit_focused() {
+                state.photograph.step_back();
+            }
         } else if escape {
             // One thing after the other.
             if state.pinned().is_none() && !self.is_probing() && state.release_shown() {

@@ -1,13 +1,14 @@
 //! A question for a place in the image: a cross that a click, a drag or the arrow keys put there, and beside it the
 //! guess and the right place, once they may be seen.
 
-use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Pos2, Rect, Stroke, TextStyle, Ui, pos2, vec2};
+use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
 
+use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::gui::state::{Placing, State};
-use crate::views::{View, image_frame, pick};
+use crate::views::{View, pick};
 
 /// Half a side of the cross, and the radius of the rings, in points.
 const CROSS: f32 = 11.0;
@@ -54,27 +55,29 @@ impl Canvas {
         let Some(placing) = placing else { return };
         for pane in panes.iter().filter(|pane| pane.view == View::Image) {
             let (dark, visuals) = (Color32::from_black_alpha(160), ui.visuals());
+            let shown = ImagePlace::of(pane);
+            let on_screen = |place: [f64; 2]| shown.on_screen(DVec2::from_array(place));
             let painter = ui.painter().with_clip_rect(pane.rect.rect);
             let [mine, right] = [Color32::from_rgb(0xff, 0xa5, 0x20), Color32::from_rgb(0x4c, 0xd0, 0x6a)];
             if let (Some(guess), Some(place)) = (placing.guess, placing.right) {
-                let ends = [guess, place].map(|at| on_screen(pane, at));
+                let ends = [guess, place].map(|at| on_screen(at));
                 painter.line_segment(ends, Stroke::new(1.5, mine));
             }
             let rings = [(placing.guess, mine), (placing.right, right)];
             for (at, color) in rings.into_iter().filter_map(|(at, color)| Some((at?, color))) {
-                let at = on_screen(pane, at);
+                let at = on_screen(at);
                 painter.circle_stroke(at, RING, Stroke::new(4.0, dark));
                 painter.circle_stroke(at, RING, Stroke::new(2.0, color));
             }
             if let Some(from) = placing.from {
-                let at = on_screen(pane, from);
+                let at = on_screen(from);
                 let font = TextStyle::Heading.resolve(ui.style());
                 painter.circle_filled(at, 4.5, Color32::WHITE);
                 painter.circle_filled(at, 3.0, dark);
                 painter.text(at + vec2(8.0, -4.0), Align2::LEFT_BOTTOM, "M", font, right);
             }
             if let Some(mark) = placing.mark.filter(|_| placing.right.is_none() || placing.is_open) {
-                let at = on_screen(pane, mark);
+                let at = on_screen(mark);
                 for (width, color) in [(4.0, dark), (2.0, mine)] {
                     let stroke = Stroke::new(width, color);
                     painter.hline(at.x - CROSS..=at.x + CROSS, at.y, stroke);
@@ -90,15 +93,4 @@ impl Canvas {
             }
         }
     }
-}
-
-/// The point of the screen at a place in the image.
-#[expect(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "sides of a screen")]
-fn on_screen(pane: &Pane, [i, j]: [f64; 2]) -> Pos2 {
-    let request = &pane.request;
-    let f = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
-    let frame: Rect = pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
-    let image = request.shot.look.image;
-    let share = [i / f64::from(image.width), j / f64::from(image.height)].map(|share| share as f32);
-    pos2(frame.left() + share[0] * frame.width(), frame.top() + share[1] * frame.height())
 }

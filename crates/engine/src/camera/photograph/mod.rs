@@ -107,6 +107,22 @@ pub struct PhotographCamera {
     pub untold: Vec<Untold>,
 }
 
+impl PhotographCamera {
+    /// **u**, **v** and **n** in the world, the rows of R.
+    #[must_use]
+    pub fn axes(&self) -> [DVec3; 3] {
+        let (v, n) = (self.parameters.view_up, (self.parameters.position - self.parameters.focal_point).normalize());
+        [v.cross(n), v, n]
+    }
+
+    /// The angle by which the camera is rolled about **n**: that of the horizon with the rows of the image. Degrees.
+    #[must_use]
+    pub fn roll(&self) -> f64 {
+        let [u, v, _] = self.axes();
+        u.y.atan2(v.y).to_degrees()
+    }
+}
+
 /// The camera of the marks in an image. What they leave open is that of `given`: θ, F, B, and the distance of C.
 ///
 /// # Errors

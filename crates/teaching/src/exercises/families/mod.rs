@@ -9,6 +9,7 @@ mod matrices;
 mod operations;
 mod points;
 mod spaces;
+mod stereo;
 
 use super::Entry;
 
@@ -43,6 +44,7 @@ pub static ENTRIES: &[Entry] = &[
     spaces::ORDER,
     depth::DEPTH_RESOLUTION,
     depth::PAINTER,
+    stereo::DISPARITY,
     light::LIGHT,
     hands::MATCH_PICTURE,
     hands::PLACE_CAMERA,

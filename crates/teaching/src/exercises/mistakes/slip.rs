@@ -357,6 +357,22 @@ slips! {
     MovedByWhole = NotTouching;
     /// Moved by M/2 + 1.
     MovedOneMore = NotTouching;
+    /// b/2 for b.
+    BaselineHalved = FactorTwo "baseline";
+    /// δ/(f b), in the place of f b/δ, or d in the place of δ.
+    DisparityInverted = Inverse "disparity";
+    /// d and b in each other's place: f d/b.
+    DepthOverBaseline = Inverse "disparity";
+    /// F in the place of f in pixels.
+    WindowUnits = NotDone "pixels";
+    /// The column in the left image, and not the difference of both.
+    OneImage = NotDone "disparity";
+    /// The sum of both columns.
+    PositionsAdded = Sign "columns";
+    /// The column in the right image less that in the left one.
+    EyesExchanged = Sign "eyes";
+    /// Parallel windows, where they are shifted.
+    ShiftForgotten = NotDone "shift";
 }
 
 /// [`Slips`] has a bit for each.

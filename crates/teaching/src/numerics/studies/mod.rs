@@ -5,6 +5,7 @@ pub(super) mod basis;
 pub(super) mod clipping;
 pub(super) mod depth_buffer;
 pub(super) mod painter;
+pub(super) mod photograph;
 pub(super) mod repeated_operations;
 pub(super) mod shading;
 pub(super) mod shadows;

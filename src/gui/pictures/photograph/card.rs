@@ -1,0 +1,135 @@
+//! The card of the tool: what is drawn, and the camera that follows, step by step.
+
+use eframe::egui::{self, Align2, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
+
+use super::tool::Drawn;
+use crate::camera::{Camera, PhotographCamera, WorldAxis};
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::state::State;
+use crate::i18n::why::photograph as steps;
+use crate::i18n::window;
+use crate::i18n::window::photograph as words;
+use crate::i18n::window::photograph::Texts;
+
+/// The width of the card.
+const WIDTH: f32 = 330.0;
+
+impl Canvas {
+    /// Shows the card while the tool is open. It can be moved.
+    pub(in crate::gui::pictures) fn photograph_card(ui: &Ui, state: &mut State, panes: &[Pane]) {
+        let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
+        let Some(room) = room.filter(|_| state.photograph.on) else { return };
+        let t = words::texts(state.settings.lang);
+        let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(room).resizable(false);
+        let card = card.pivot(Align2::LEFT_BOTTOM).default_pos(room.left_bottom() + vec2(8.0, -8.0));
+        card.collapsible(false).show(ui.ctx(), |ui| {
+            ui.set_width(WIDTH);
+            drawn(ui, state, t);
+            ui.separator();
+            let given = *state.document.camera().parameters();
+            let found = state.photograph.camera(state.document.figure().image, &given);
+            let scroll = ScrollArea::vertical().max_height((room.height() - 220.0).max(80.0));
+            scroll.show(ui, |ui| match &found {
+                Ok(found) => account(ui, state, found),
+                Err(error) => {
+                    let reason = format!("⚠ {}", steps::error(state.settings.lang, *error));
+                    ui.add(egui::Label::new(RichText::new(reason).weak()).wrap());
+                }
+            });
+            ui.horizontal_wrapped(|ui| {
+                let take = ui.add_enabled(found.is_ok(), Button::new(t.take)).explained(t.take_hint);
+                if let Ok(found) = found
+                    && take.clicked()
+                {
+                    use_camera(state, &found);
+                }
+                let is_empty = state.photograph.grips().is_empty();
+                if ui.add_enabled(!is_empty, Button::new(t.clear)).clicked() {
+                    state.photograph.clear();
+                }
+                if ui.button(t.close).clicked() {
+                    state.photograph.step_back();
+                }
+            });
+        });
+    }
+}
+
+/// What the next drag draws, and the coordinate of the known length.
+fn drawn(ui: &mut Ui, state: &mut State, t: &Texts) {
+    let lang = state.settings.lang;
+    ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
+    if state.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
+        ui.colored_label(ui.visuals().warn_fg_color, t.beside);
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.label(t.draw);
+        for drawn in Drawn::ALL {
+            let (text, name, hint) = match drawn {
+                Drawn::Line(axis) => (axis.name(), format!("{} {}", t.line, axis.name()), t.line_hint),
+                Drawn::Origin => (t.origin, t.origin.to_owned(), t.origin_hint),
+                Drawn::Length => (t.known, t.known.to_owned(), t.known_hint),
+            };
+            let button = ui.add(Button::new(text).selected(state.photograph.drawn == drawn)).explained(hint);
+            if button.accessible_name(name).clicked() {
+                state.photograph.drawn = drawn;
+            }
+        }
+    });
+    if state.photograph.drawn == Drawn::Length || state.photograph.marks.length.is_some() {
+        length(ui, state, t);
+    }
+    let of = |axis| state.photograph.marks.lines.iter().filter(|line| line.axis == axis).count();
+    ui.label(RichText::new(words::counts(lang, WorldAxis::ALL.map(of))).small().weak());
+}
+
+/// The axis and the coordinate of the point of the length.
+fn length(ui: &mut Ui, state: &mut State, t: &Texts) {
+    let (mut axis, mut coordinate) = state.photograph.length;
+    ui.horizontal(|ui| {
+        for one in WorldAxis::ALL {
+            let button = ui.selectable_label(axis == one, one.name());
+            if button.explained(t.along).accessible_name(format!("{}: {}", t.along, one.name())).clicked() {
+                axis = one;
+            }
+        }
+        ui.label("=");
+        let field = NumberField::new(t.coordinate, Step::Multiply(1.1)).hint(t.known_hint).width(92.0);
+        let before = coordinate;
+        field.show(ui, window::texts(state.settings.lang), &mut coordinate);
+        // 0 is the origin.
+        if coordinate == 0.0 {
+            coordinate = before;
+        }
+    });
+    state.photograph.length = (axis, coordinate);
+    if let Some((_, at, _)) = state.photograph.marks.length {
+        state.photograph.marks.length = Some((axis, at, coordinate));
+    }
+}
+
+/// The arithmetic, as the command line prints it, and what the photograph doesn't say.
+fn account(ui: &mut Ui, state: &State, found: &PhotographCamera) {
+    let lang = state.settings.lang;
+    for (number, step) in steps::steps(lang, found).iter().enumerate() {
+        ui.add(egui::Label::new(format!("{}. {step}", number + 1)).wrap());
+    }
+    for untold in &found.untold {
+        let text = RichText::new(format!("⚠ {}", steps::untold(lang, *untold))).color(ui.visuals().warn_fg_color);
+        ui.add(egui::Label::new(text).wrap());
+    }
+}
+
+/// Makes it the camera of the figure, as one step of undo.
+fn use_camera(state: &mut State, found: &PhotographCamera) {
+    match Camera::new(&found.parameters) {
+        Ok(camera) => {
+            state.document.commit();
+            state.document.set_camera(camera);
+        }
+        Err(error) => state.say_camera_error(Err(error)),
+    }
+}

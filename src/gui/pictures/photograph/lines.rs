@@ -1,0 +1,191 @@
+//! The lines on the photograph: drawn, dragged by their ends, and prolonged to the vanishing points.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, Color32, CursorIcon, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, TextStyle,
+    Ui, Vec2, WidgetInfo, vec2,
+};
+use glam::DVec2;
+
+use super::tool::{Drawn, Grip, SHORTEST};
+use crate::appearance::Rgba;
+use crate::camera::{PhotographCamera, WorldAxis};
+use crate::gui::pictures::image_place::ImagePlace;
+use crate::gui::pictures::labels::label_drag::arrow_of;
+use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::state::State;
+use crate::i18n::window::photograph as words;
+use crate::views::{Palette, View};
+
+/// The radius of a grip, and that in which the pointer catches it, in points.
+const GRIP: f32 = 5.0;
+const REACH: f32 = 9.0;
+/// Pixels of the image for one press of an arrow key with Shift.
+const FAST: f64 = 10.0;
+
+impl Canvas {
+    /// Shows the lines while the tool is open, and lets pointer and keys draw and move them.
+    pub(in crate::gui::pictures) fn photograph_lines(ui: &Ui, state: &mut State, panes: &[Pane]) {
+        // Two images side by side have no place for them.
+        let shows = |pane: &&Pane| {
+            let compared = pane.request.shot.compared.as_ref();
+            pane.view == View::Image && compared.is_none_or(|compared| !compared.comparison.beside)
+        };
+        let Some(pane) = panes.iter().find(shows).filter(|_| state.photograph.on) else { return };
+        let place = ImagePlace::of(pane);
+        draw(ui, state, pane, &place);
+        for (grip, at) in state.photograph.grips() {
+            drag(ui, state, pane, &place, (grip, at));
+        }
+        let parameters = *state.document.camera().parameters();
+        let found = state.photograph.camera(state.document.figure().image, &parameters).ok();
+        paint(ui, state, pane, &place, found.as_ref());
+    }
+}
+
+/// A drag on the photograph draws a line or puts a point.
+fn draw(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace) {
+    let response = ui.interact(pane.rect.rect, Id::unique("photograph"), Sense::click_and_drag());
+    if response.hovered() {
+        ui.set_cursor_icon(CursorIcon::Crosshair);
+    }
+    let tool = &mut state.photograph;
+    let pressed = ui.input(|input| input.pointer.press_origin());
+    let pointer = response.interact_pointer_pos();
+    if let Some(origin) = pressed.filter(|_| response.drag_started()) {
+        tool.begin(place.in_image(origin));
+    }
+    if let Some(pointer) = pointer.filter(|_| response.dragged()) {
+        tool.go_on(place.in_image(pointer));
+    }
+    if response.drag_stopped() {
+        let ends = tool.new_line.and_then(|line| tool.marks.lines.get(line)).map(|line| line.ends);
+        let is_long = |[a, b]: [DVec2; 2]| place.on_screen(a).distance(place.on_screen(b)) >= SHORTEST;
+        tool.end(ends.is_some_and(is_long));
+    }
+    // A line needs two ends, a point only a click.
+    if let Some(pointer) = pointer.filter(|_| response.clicked() && !matches!(tool.drawn, Drawn::Line(_))) {
+        tool.begin(place.in_image(pointer));
+    }
+}
+
+/// A grip follows the pointer and the arrow keys. Delete removes what it belongs to.
+fn drag(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace, (grip, at): (Grip, DVec2)) {
+    let middle = place.on_screen(at);
+    let rect = Rect::from_center_size(middle, Vec2::splat(2.0 * REACH)).intersect(pane.rect.rect);
+    let response = ui.interact(rect, Id::unique(("photograph", grip)), Sense::click_and_drag());
+    let name = name(state, grip);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
+    if response.clicked() || response.drag_started() {
+        response.request_focus();
+    }
+    if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
+        state.photograph.move_to(grip, place.in_image(pointer));
+    }
+    if response.has_focus() {
+        keys(ui, state, &response, (grip, at));
+    }
+}
+
+/// The name of a grip for screen readers.
+fn name(state: &State, grip: Grip) -> String {
+    let (lang, tool) = (state.settings.lang, &state.photograph);
+    match grip {
+        Grip::End(line, end) => words::end(lang, (line + 1, tool.marks.lines[line].axis), end == 0),
+        Grip::Origin => words::texts(lang).origin.to_owned(),
+        Grip::Length => words::length(lang, tool.length),
+    }
+}
+
+fn keys(ui: &Ui, state: &mut State, response: &Response, (grip, at): (Grip, DVec2)) {
+    let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let (by, removes) = ui.input(|input| {
+        let step = if input.modifiers.shift { FAST } else { 1.0 };
+        let keys = [Key::ArrowLeft, Key::ArrowRight, Key::ArrowUp, Key::ArrowDown];
+        let presses = |key| f64::from(u32::try_from(input.num_presses(key)).unwrap_or(0));
+        let by: DVec2 = keys.into_iter().map(|key| arrow_of(key) * (step * presses(key))).sum();
+        (DVec2::new(by.x, -by.y), input.key_pressed(Key::Delete) || input.key_pressed(Key::Backspace))
+    });
+    let marks = &mut state.photograph.marks;
+    match grip {
+        Grip::End(line, _) if removes && line < marks.lines.len() => drop(marks.lines.remove(line)),
+        Grip::Origin if removes => marks.origin = None,
+        Grip::Length if removes => marks.length = None,
+        _ if by != DVec2::ZERO => state.photograph.move_to(grip, at + by),
+        _ => {}
+    }
+}
+
+const fn color_of(rgba: Rgba) -> Color32 {
+    Color32::from_rgb(rgba.r, rgba.g, rgba.b)
+}
+
+fn axis_color(palette: Palette, axis: WorldAxis) -> Color32 {
+    let place = WorldAxis::ALL.iter().position(|known| *known == axis).unwrap_or(0);
+    color_of(palette.axes[place])
+}
+
+/// A stroke that can be seen on any photograph.
+fn stroke(painter: &Painter, ends: [Pos2; 2], width: f32, [color, paper]: [Color32; 2]) {
+    painter.line_segment(ends, Stroke::new(width + 2.0, paper.gamma_multiply(0.7)));
+    painter.line_segment(ends, Stroke::new(width, color));
+}
+
+fn paint(ui: &Ui, state: &State, pane: &Pane, place: &ImagePlace, found: Option<&PhotographCamera>) {
+    let palette = Palette::of(state.settings.theme);
+    let painter = ui.painter().with_clip_rect(pane.rect.rect);
+    let paper = color_of(palette.paper);
+    let marks = &state.photograph.marks;
+    if let Some([a, b]) = found.and_then(|found| found.horizon) {
+        // Far enough to cross the pane.
+        let along = (b - a).normalize() * 1e5;
+        let ends = [a - along, a + along].map(|end| place.on_screen(end));
+        stroke(&painter, ends, 1.0, [color_of(palette.soft), paper]);
+    }
+    for line in &marks.lines {
+        let color = axis_color(palette, line.axis);
+        let ends = line.ends.map(|end| place.on_screen(end));
+        let vanishing = found.and_then(|found| found.vanishing.iter().find(|point| point.axis == line.axis));
+        if let Some(point) = vanishing.and_then(|point| point.pixel) {
+            let nearer = usize::from(line.ends[1].distance(point) < line.ends[0].distance(point));
+            let way = [ends[nearer], place.on_screen(point)];
+            painter.extend(Shape::dashed_line(&way, Stroke::new(1.0, color), 5.0, 5.0));
+        }
+        stroke(&painter, ends, 2.5, [color, paper]);
+    }
+    for (grip, at) in state.photograph.grips() {
+        let color = match grip {
+            Grip::End(line, _) => axis_color(palette, marks.lines[line].axis),
+            Grip::Origin => color_of(palette.ink),
+            Grip::Length => axis_color(palette, state.photograph.length.0),
+        };
+        let middle = place.on_screen(at);
+        let is_focused = ui.memory(|memory| memory.has_focus(Id::unique(("photograph", grip))));
+        let radius = if is_focused { GRIP + 2.0 } else { GRIP };
+        painter.circle(middle, radius, color.gamma_multiply(0.5), Stroke::new(1.5, paper));
+        let name = match grip {
+            Grip::End(line, 1) => marks.lines[line].axis.name().to_owned(),
+            Grip::End(..) => continue,
+            Grip::Origin => "O".to_owned(),
+            Grip::Length => words::length(state.settings.lang, state.photograph.length),
+        };
+        label(ui, &painter, middle, &name, [color, paper]);
+    }
+    for point in found.iter().flat_map(|found| &found.vanishing) {
+        let Some(pixel) = point.pixel else { continue };
+        let (at, color) = (place.on_screen(pixel), axis_color(palette, point.axis));
+        painter.circle_stroke(at, GRIP, Stroke::new(2.0, color));
+        label(ui, &painter, at, &format!("V_{}", point.axis.name()), [color, paper]);
+    }
+}
+
+/// A name beside a place.
+fn label(ui: &Ui, painter: &Painter, at: Pos2, text: &str, [color, paper]: [Color32; 2]) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = painter.layout_no_wrap(text.to_owned(), font, color);
+    let room = Align2::LEFT_BOTTOM.anchor_size(at + vec2(8.0, -8.0), galley.size());
+    painter.rect_filled(room.expand(2.0), 2.0, paper.gamma_multiply(0.8));
+    painter.galley(room.min, galley, color);
+}

@@ -1,0 +1,5 @@
+//! The camera of the photograph, from lines that are drawn on it along the axes of the world.
+
+mod card;
+mod lines;
+pub(in crate::gui) mod tool;

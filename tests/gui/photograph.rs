@@ -1,0 +1,159 @@
+//! The photograph under the image: chosen, shown, removed, and its camera found from lines that are drawn on it.
+
+use camera_lab::camera::{Camera, Viewport, WorldAxis};
+use camera_lab::figure::write::to_toml;
+use camera_lab::figure::{Figure, Photograph, read};
+use camera_lab::gui::state::Tab;
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::why::photograph as steps;
+use camera_lab::i18n::window::photograph as words;
+use camera_lab::views::{Size, View, image_frame};
+use eframe::egui::{Key, Pos2, pos2};
+use egui_kittest::kittest::Queryable as _;
+use glam::{DVec2, DVec3};
+
+use super::window::Window;
+
+/// The photograph of the lesson with a camera that isn't its own.
+const WRONG: &str = "[camera]\nposition = [5, 3, 8]\nview_angle = 30\n[image]\nwidth = 640\nheight = 480\n\
+                     photograph = \"camera-lab:house.png\"\n[scene]\npreset = \"empty\"\n[style]\nantialias = 1\n";
+/// Its own.
+const RIGHT: &str = "[camera]\nposition = [7, 1.7, 5]\nfocal_point = [2, 1, -0.2]\nview_up = [-0.105, 0.994, -0.033]\n\
+                     view_angle = 45\nnear = 2\nfar = 20\n[image]\nwidth = 640\nheight = 480\n";
+
+fn window(lang: Lang, text: &str) -> Window {
+    let figure = read::parse(text).expect("a figure");
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
+    state.layout.maximized = Some(View::Image);
+    state.settings.tab = Tab::Camera;
+    Window::with_state(state, [1280.0, 1500.0])
+}
+
+fn figure(window: &Window) -> &Figure {
+    window.state().document.figure()
+}
+
+/// Where the window shows a point of the world, if the right camera took the image.
+fn on_screen(window: &Window, p: [f64; 3]) -> Pos2 {
+    let right = read::parse(RIGHT).expect("a figure");
+    let camera = Camera::new(&right.camera).expect("a camera");
+    let at = camera.stations(DVec3::from_array(p), right.image, &Viewport::whole(right.image));
+    let (at, window_of_camera) = (at.projected.expect("in front").window, camera.window());
+    let share = DVec2::new(
+        (at.x - window_of_camera.left) / window_of_camera.width(),
+        (window_of_camera.top - at.y) / window_of_camera.height(),
+    );
+    let app = window.harness.state().as_ref().expect("a window");
+    let (_, rect) = app.canvas.places().find(|(view, _)| *view == View::Image).expect("the image");
+    let size = Size { width: rect.width() as u32, height: rect.height() as u32, scale: 1.0 };
+    let frame = image_frame(size, 640.0 / 480.0);
+    let corner = rect.min + eframe::egui::vec2(frame.x as f32, frame.y as f32);
+    pos2(corner.x + share.x as f32 * frame.width as f32, corner.y + share.y as f32 * frame.height as f32)
+}
+
+/// Draws a line between two points of the world.
+fn draw(window: &mut Window, from: [f64; 3], to: [f64; 3]) {
+    let [from, to] = [from, to].map(|p| on_screen(window, p));
+    window.drag(from, to - from, |_| {});
+}
+
+#[test]
+fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = words::texts(lang);
+        let mut window = window(lang, WRONG);
+        let before = figure(&window).clone();
+        window.click(t.find);
+        assert!(window.says(t.how));
+        assert!(window.says(&steps::error(lang, camera_lab::camera::PhotographError::TooFewLines)));
+        draw(&mut window, [0.0, 0.0, 0.0], [4.0, 0.0, 0.0]);
+        draw(&mut window, [0.0, 2.0, 0.0], [4.0, 2.0, 0.0]);
+        window.click(&format!("{} z", t.line));
+        draw(&mut window, [4.0, 0.0, -3.0], [4.0, 0.0, 0.0]);
+        draw(&mut window, [4.0, 2.0, -3.0], [4.0, 2.0, 0.0]);
+        assert_eq!(window.state().photograph.marks.lines.len(), 4);
+        assert_eq!(figure(&window), &before, "a drag doesn't move the camera");
+        window.click(t.origin);
+        window.click_at(on_screen(&window, [0.0, 0.0, 0.0]) + eframe::egui::vec2(-12.0, 0.0));
+        window.app_mut().state.photograph.marks.origin = Some(DVec2::new(210.3, 293.4));
+        window.click(t.known);
+        window.app_mut().state.photograph.length = (WorldAxis::X, 4.0);
+        window.app_mut().state.photograph.marks.length = Some((WorldAxis::X, DVec2::new(443.5, 360.5), 4.0));
+        window.run();
+        let given = *window.state().document.camera().parameters();
+        let found = window.state().photograph.camera(figure(&window).image, &given).expect("a camera");
+        for step in steps::steps(lang, &found) {
+            assert!(window.says(&step), "{step}");
+        }
+        window.click(t.take);
+        let camera = figure(&window).camera;
+        let cost = found.view_angle_per_pixel.expect("θ is known");
+        assert!((camera.view_angle - 45.0).abs() < 3.0 * cost, "{} ± {cost}", camera.view_angle);
+        assert!((found.roll() - 3.03).abs() < 1.0, "{}", found.roll());
+        assert!(camera.position.distance(DVec3::new(7.0, 1.7, 5.0)) < 0.6, "{}", camera.position);
+        window.command_key(Key::Z);
+        assert_eq!(figure(&window), &before);
+        window.key(Key::Escape);
+        assert!(!window.state().photograph.on && !window.says(t.how));
+    }
+}
+
+#[test]
+fn lines_nearly_parallel_in_the_image_leave_theta_open_and_the_card_says_so() {
+    let t = words::texts(Lang::En);
+    let mut window = window(Lang::En, WRONG);
+    window.click(t.find);
+    let line = |axis, a: [f64; 2], b: [f64; 2]| camera_lab::camera::PhotographLine {
+        axis,
+        ends: [a, b].map(DVec2::from_array),
+    };
+    window.app_mut().state.photograph.marks.lines = vec![
+        line(WorldAxis::X, [100.0, 100.0], [500.0, 100.0]),
+        line(WorldAxis::X, [100.0, 400.0], [500.0, 400.0]),
+        line(WorldAxis::Y, [150.0, 400.0], [150.0, 100.0]),
+        line(WorldAxis::Y, [450.0, 400.0], [450.0, 100.0]),
+    ];
+    window.run();
+    assert!(window.says(steps::untold(Lang::En, camera_lab::camera::Untold::ViewAngle)));
+    // The keys move an end by a pixel, and remove its line.
+    window.harness.get_by_label(&words::end(Lang::En, (1, WorldAxis::X), true)).focus();
+    window.run();
+    window.key(Key::ArrowRight);
+    assert_eq!(window.state().photograph.marks.lines[0].ends[0].x, 101.0);
+    window.key(Key::Delete);
+    assert_eq!(window.state().photograph.marks.lines.len(), 3);
+    window.click(t.clear);
+    assert!(window.state().photograph.marks.lines.is_empty());
+}
+
+#[test]
+fn the_photograph_is_removed_and_its_opacity_set_undone_and_written() {
+    let t = words::texts(Lang::En);
+    let mut window = window(Lang::En, WRONG);
+    let first = figure(&window).photograph.clone();
+    window.enter(t.opacity, "0.25");
+    let opacity = |window: &Window| figure(window).photograph.as_ref().map(|photograph| photograph.opacity);
+    assert_eq!(opacity(&window), Some(0.25));
+    let written = read::parse(&to_toml(figure(&window))).expect("a figure");
+    assert_eq!(written.photograph, figure(&window).photograph);
+    window.click(t.remove);
+    assert_eq!(figure(&window).photograph, None);
+    assert!(!to_toml(figure(&window)).contains("photograph"));
+    window.command_key(Key::Z);
+    assert_eq!(opacity(&window), Some(0.25));
+    window.command_key(Key::Z);
+    assert_eq!(figure(&window).photograph, first);
+    assert_eq!(first.map(|photograph| photograph.opacity), Some(Photograph::USUAL_OPACITY));
+}
+
+#[test]
+fn an_image_of_another_aspect_takes_the_size_of_the_photograph() {
+    let t = words::texts(Lang::PtBr);
+    let mut window = window(Lang::PtBr, &WRONG.replace("width = 640", "width = 900"));
+    window.wait_for(&words::size(Lang::PtBr, [640, 480]));
+    window.click(t.size);
+    assert_eq!([figure(&window).image.width, figure(&window).image.height], [640, 480]);
+    assert!(!window.says(&words::size(Lang::PtBr, [640, 480])));
+}
