@@ -199,7 +199,7 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("16 samples of nearest", "16 do mais próximo"),
     ("screen and ball", "biombo e bola"),
     ("screen and ball, acne", "biombo e bola, acne"),
-    ("screen and ball, detached", "biombo e bola, soltas"),
+    ("screen and ball, detached", "biombo e bola, descoladas"),
     ("house", "casa"),
     ("house, acne", "casa, acne"),
     ("house, detached", "casa, descoladas"),

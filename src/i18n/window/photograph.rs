@@ -5,7 +5,7 @@ use crate::i18n::Lang;
 
 texts! {
     photograph: "photograph", "fotografia";
-    hint: "A picture that fills the image, under the scene", "Uma imagem que preenche a figura, sob a cena";
+    hint: "A photograph that fills the image, under the scene", "Uma fotografia que preenche a imagem, sob a cena";
     choose: "Choose…", "Escolher…";
     choose_title: "Choose a photograph", "Escolher uma fotografia";
     choose_action: "Choose", "Escolher";
