@@ -5,7 +5,7 @@ use crate::exercises::{self, Exercise, Kind};
 use crate::figure::Figure;
 use crate::i18n::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
 use crate::i18n::{Lang, pictures};
-use crate::lessons::{Lesson, Question, Step, Task};
+use crate::lessons::{Lesson, Question, See, Step, Task};
 use crate::picture::{Composite, FormulaPart, Handout, HandoutEntry, NoComposite, Paragraph};
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views};
@@ -34,6 +34,8 @@ pub struct HandoutOptions {
     pub answers: bool,
     /// It begins with the plan for the lecturer.
     pub plan: bool,
+    /// Steps that answer the question before them come after all questions.
+    pub late: bool,
 }
 
 impl HandoutOptions {
@@ -66,15 +68,24 @@ pub fn of_lesson<E>(
     }
     entries.push(HandoutEntry { picture: None, paragraphs: beginning(lang, lesson) });
     entries.extend(around(lang, t.pretest, &lesson.pretest, room));
+    let mut late = Vec::new();
     for (k, step) in lesson.steps.iter().enumerate() {
         let picture = Some(draw((k, step), options.size())?);
-        entries.push(HandoutEntry { picture, paragraphs: of_step(lang, k, step, room) });
+        let entry = HandoutEntry { picture, paragraphs: of_step(lang, k, step, room) };
+        if options.late && answers(lesson, k) { late.push(entry) } else { entries.push(entry) }
     }
+    let after = around(lang, t.posttest, &lesson.posttest, room);
+    if options.late {
+        entries.extend(after.clone());
+    }
+    entries.extend(late);
     if let Some(sentence) = &lesson.sentence {
         let text = format!("{}: {}", t.keep, in_line(texts::told(lang, sentence)));
         entries.push(HandoutEntry { picture: None, paragraphs: vec![Paragraph::Text(text)] });
     }
-    entries.extend(around(lang, t.posttest, &lesson.posttest, room));
+    if !options.late {
+        entries.extend(after);
+    }
     if options.answers {
         let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(lang, k, step));
         let before = solved_around(lang, t.pretest, &lesson.pretest);
@@ -83,6 +94,13 @@ pub fn of_lesson<E>(
     }
     let title = texts::told(lang, &lesson.title).to_owned();
     Ok(Handout { title, language: lang.tag(), entries, columns })
+}
+
+/// Whether a step only shows the answer to the question of the step before it.
+fn answers(lesson: &Lesson, step: usize) -> bool {
+    let before = step.checked_sub(1).and_then(|before| lesson.steps.get(before));
+    let is_shown = before.is_some_and(|before| matches!(before.see, See::Next));
+    is_shown && lesson.steps.get(step).is_some_and(|step| step.task.is_none())
 }
 
 /// Exercises as a handout. `draw` makes the picture that an exercise asks to match, in a size.

@@ -404,7 +404,7 @@ fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
         ids.map(|id| find_in(&own, id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
     say_faults(&own, lang);
     if args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
-        let options = HandoutOptions { lang: written, columns: 1, answers: args.answers, plan: false };
+        let options = HandoutOptions { lang: written, columns: 1, answers: args.answers, plan: false, late: false };
         let made =
             handout::of_exercises(&found, options, |figure, size| to_match(figure, (written, size), &name, lang))?;
         return save_handout(&made, &args.output, lang);

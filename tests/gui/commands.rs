@@ -7,7 +7,7 @@ use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::app::command::{Command, MENUS};
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::texts;
+use camera_lab::i18n::window::{cameras, compare, predict, search, texts};
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
 use eframe::egui::accesskit::Role;
@@ -513,5 +513,44 @@ fn alt_calls_commands_from_a_field_and_option_writes_into_it() {
         window.harness.event(Event::Text("µ".to_owned()));
         window.run();
         assert_eq!(window.state().settings.reduce_motion, is_called, "{os:?}");
+    }
+}
+
+/// Controls are found by the words that people have for them, and take the keyboard.
+#[test]
+fn controls_are_found_by_their_names() {
+    let mut window = Window::new(Lang::En);
+    for (lang, place) in [(Lang::En, 0), (Lang::PtBr, 1)] {
+        window.app_mut().state.settings.lang = lang;
+        window.run();
+        let (t, compare, of_predict) = (texts(lang), compare::texts(lang), predict::texts(lang));
+        let of_cameras = cameras::texts(lang);
+        for (wanted, title, role) in [
+            (["shading", "sombreamento"], t.shading, Some(Role::ComboBox)),
+            (["Gouraud", "gouraud"], t.shading, Some(Role::ComboBox)),
+            (["predict", "prever"], of_predict.switch, Some(Role::CheckBox)),
+            (["stereo pair", "par estéreo"], of_cameras.pair, Some(Role::Button)),
+            (["keep in the figure", "guardar na figura"], t.keep_operation, None),
+            (["compare cameras", "comparar câmeras"], compare.command, None),
+            (["samples", "amostras"], t.antialias, None),
+        ] {
+            window.command_key(Key::F);
+            window.harness.event(Event::Text(wanted[place].to_owned()));
+            window.run();
+            let kinds = [search::texts(lang).control, search::texts(lang).command];
+            let found =
+                kinds.map(|kind| window.harness.query_by_label(&format!("{title}, {kind}")).map(|row| row.rect()));
+            let above = found.into_iter().flatten().next().expect(wanted[place]);
+            let rows = window
+                .harness
+                .get_all(By::new().predicate(|node| node.label().is_some_and(|label| label.contains(", "))));
+            let higher = rows.filter(|row| row.rect().top() < above.top() && row.rect().left() == above.left()).count();
+            assert!(higher < 2, "{wanted:?}: {higher} before it");
+            window.key(if role.is_some() { Key::Enter } else { Key::Escape });
+            if let Some(role) = role {
+                window.run();
+                assert!(window.harness.get_by_role_and_label(role, title).is_focused(), "{wanted:?}");
+            }
+        }
     }
 }

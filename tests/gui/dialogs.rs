@@ -3,6 +3,7 @@
 use std::fs;
 
 use camera_lab::appearance::Theme;
+use camera_lab::export::format::PictureFormat;
 use camera_lab::gui::state::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::views::{View, Views};
@@ -16,7 +17,7 @@ use crate::words::en;
 
 impl Window {
     /// Presses and lets go within one frame, as it happens where frames take long.
-    fn quick_click(&mut self, at: Pos2) {
+    pub(crate) fn quick_click(&mut self, at: Pos2) {
         self.harness.hover_at(at);
         self.run();
         for pressed in [true, false] {
@@ -207,6 +208,34 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
     assert_eq!(asked(&window).expect("it goes on to the name").width, 333);
 }
 
+/// Key, format, width with Enter: the path is asked for. The next time it's one click less.
+#[test]
+fn a_picture_for_paper_is_exported_by_its_width() {
+    let mut window = Window::new(Lang::En);
+    for (width, opens) in [("8", true), ("5.5", false)] {
+        window.command_key(Key::E);
+        if opens {
+            window.click(PictureFormat::Pdf.name());
+        }
+        window.harness.event(Event::Text(width.to_owned()));
+        window.run();
+        window.key(Key::Enter);
+        let Some(Dialog::Path(Purpose::Export(export), path)) = &window.state().file_flow.dialog else {
+            panic!("{:?}", window.state().file_flow.dialog)
+        };
+        assert_eq!((export.format, export.on_paper), (PictureFormat::Pdf, true));
+        assert_eq!(export.paper.size[0].to_string(), width);
+        assert!(path.ends_with(".pdf"), "{path}");
+        window.key(Key::Escape);
+    }
+    // What cannot be a width is named, and nothing is asked.
+    window.command_key(Key::E);
+    window.harness.event(Event::Text("0".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    assert!(window.says(en::WINDOW.export_heading) && window.says(en::WINDOW.export_width_cm));
+}
+
 #[test]
 fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
     let folder = Folder::new("opaque");
@@ -217,9 +246,9 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
     let greyed =
         |window: &Window| window.harness.get_by_label(en::WINDOW.export_transparent).accesskit_node().is_disabled();
     assert!(window.export().is_without_ground() && !greyed(&window));
-    window.quick_choice("format", "JPEG");
+    window.click(PictureFormat::Jpeg.name());
     assert!(!window.export().is_without_ground() && greyed(&window));
-    window.quick_choice("format", "WebP");
+    window.click(PictureFormat::WebP.name());
     assert!(window.export().is_without_ground() && !greyed(&window), "nothing is forgotten");
     window.key(Key::Enter);
     assert!(matches!(&window.state().file_flow.dialog, Some(Dialog::Path(_, path)) if path.ends_with(".webp")));
@@ -245,8 +274,9 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     assert_eq!(lines(&window), Some(0.44));
     window.enter(en::WINDOW.export_lines, "1.25");
     assert_eq!(lines(&window), Some(1.25));
-    window.enter(en::WINDOW.export_width_cm, "16");
     window.enter(en::WINDOW.export_height_cm, "12");
+    window.type_into(en::WINDOW.export_width_cm, "16");
+    window.key(Key::Tab);
     window.wait_until(|window| (!window.says("the smallest picture")).then_some(()));
 }
 
@@ -291,7 +321,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     window.quick_choice("size", "on paper");
     window.quick_choice("made for", "A4 text, 16 cm");
     assert_eq!(window.export().paper.size, [16.0, 12.0]);
-    window.quick_choice("format", "SVG");
+    window.click(PictureFormat::Svg.name());
     window.key(Key::Enter);
     let file = folder.file("azimuths.svg");
     window.choose(&file);
@@ -391,7 +421,7 @@ fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
     window.command_key(Key::E);
     window.quick_choice(en::WINDOW.export_what, "World");
     assert!(!window.says(en::WINDOW.export_outlines), "a PNG has none");
-    window.quick_choice("format", "SVG");
+    window.click(PictureFormat::Svg.name());
     window.click(en::WINDOW.export_outlines);
     window.harness.get_by_label(en::WINDOW.export_copy).click();
     let copied = |window: &Window| -> Option<String> {

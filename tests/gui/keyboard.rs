@@ -182,8 +182,8 @@ fn what_tab_reaches_is_scrolled_into_sight_and_marked_also_where_it_is_on() {
 fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F7);
-    let list = |window: &Window| window.harness.get_by_role_and_label(Role::ComboBox, "faces").rect();
-    window.harness.get_by_role_and_label(Role::ComboBox, "faces").focus();
+    let list = |window: &Window| window.harness.get_by_role_and_label(Role::ComboBox, en::WINDOW.shading).rect();
+    window.harness.get_by_role_and_label(Role::ComboBox, en::WINDOW.shading).focus();
     window.run();
     window.key(Key::Enter);
     window.run();

@@ -14,7 +14,7 @@ use camera_lab::lessons::{Lesson, OpenLesson, Task, shipped};
 use camera_lab::share::{self, Held};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::files::Folder;
 use super::sessions::written;
@@ -384,10 +384,11 @@ fn a_question_with_choices_is_made_in_the_window() {
     let t = tasks::texts(Lang::En);
     window.click(t.choices);
     type_into(&mut window, t.question_field, "What is larger?");
+    window.click(t.add_choice);
     for (place, choice) in ["only F", "only B", "only D"].into_iter().enumerate() {
         type_into(&mut window, &format!("{} {}", t.choice_field, place + 1), choice);
     }
-    window.click("B");
+    window.click(&format!("{} B", t.right_field));
     type_into(&mut window, &format!("{} 3", t.message_field), "D is no plane.");
     // The preview asks as the class will be asked.
     assert!(window.says("What is larger?"));
@@ -405,6 +406,38 @@ fn a_question_with_choices_is_made_in_the_window() {
     window.click(t.none);
     pause(&mut window);
     assert!(task_in(&path).is_none());
+}
+
+/// Without a lesson, writing begins with what is on the screen.
+#[test]
+fn writing_begins_a_lesson_with_what_is_on_the_screen() {
+    let folder = Folder::new("begin-writing");
+    let path = folder.file("first.toml");
+    let mut window = Window::new(Lang::En);
+    window.menu(en::WINDOW.menu_present, words::texts(Lang::En).write_command);
+    window.choose(&path);
+    assert!(window.state().writes_lesson() && window.state().file_flow.dialog.is_none());
+    assert_eq!(read_lesson(&path).unwrap().0.steps.len(), 1);
+}
+
+/// Typing, Tab, and one click for all of it: an empty question has the keyboard.
+#[test]
+fn a_new_question_is_typed_from_field_to_field() {
+    let folder = Folder::new("new-question");
+    let (mut window, path) = bare(&folder);
+    let t = tasks::texts(Lang::En);
+    window.click(t.none);
+    window.click(t.new_question);
+    for text in ["Which is nearer?", "the front plane", "the back plane", "B lies behind F."] {
+        window.harness.event(Event::Text(text.to_owned()));
+        window.run();
+        window.key(Key::Tab);
+    }
+    pause(&mut window);
+    assert!(judged(&path, "a").0, "the first one is right");
+    let (is_right, why) = judged(&path, "b");
+    assert!(!is_right && why.concat().contains("B lies behind F."), "{why:?}");
+    assert!(window.harness.get_by_label(t.new_question).accesskit_node().is_disabled());
 }
 
 fn asked(path: &Path) -> Ask {

@@ -521,6 +521,24 @@ fn a_multiple_of_the_screen_that_is_too_large_is_said_and_not_made_smaller() {
     assert!(window.says(en::WINDOW.export_heading), "the question stands");
 }
 
+/// The operation that was just done is open, and no row moves under the pointer.
+#[test]
+fn a_step_opens_the_row_of_its_operation() {
+    let mut window = Window::new(Lang::En);
+    let t = en::WINDOW;
+    let at = |window: &Window| window.harness.get_by_label("Azimuth +").rect().center();
+    let place = at(&window);
+    window.quick_click(place);
+    let slider = format!("{}: {}", t.azimuth, t.scrub);
+    assert!(window.harness.query_by_label(&slider).is_some(), "{slider}");
+    assert_eq!(at(&window), place);
+    window.harness.hover_at(pos2(640.0, 400.0));
+    window.run();
+    assert!(window.harness.query_by_label(&format!("{}: {}", t.elevation, t.scrub)).is_none());
+    window.click(t.keep_operation);
+    assert_eq!(window.state().document.figure().show.operations.len(), 1);
+}
+
 #[test]
 fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
     let mut window = Window::new(Lang::En);

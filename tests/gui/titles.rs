@@ -3,6 +3,8 @@
 use std::fs;
 
 use camera_lab::figure::Bilingual;
+use camera_lab::files::read_lesson;
+use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
@@ -76,4 +78,55 @@ fn a_figure_made_of_a_card_has_words_of_its_own() {
     window.wait(|_| file.exists());
     let text = fs::read_to_string(&file).expect("a figure");
     assert!(text.starts_with("title   = \"Azimuth\"") && !text.contains("caption"), "{text}");
+}
+
+/// Gives the figure a title, in the place of the one that it has.
+fn entitle(window: &mut Window, title: &str) {
+    let t = en::WINDOW;
+    window.command_key(Key::I);
+    for language in [t.in_english, t.in_portuguese] {
+        window.harness.get_by_role_and_label(Role::TextInput, &format!("{}, {language}", t.title_name)).click();
+        window.run();
+        window.command_key(Key::A);
+        window.harness.event(Event::Text(title.to_owned()));
+        window.run();
+    }
+    window.click(t.title_action);
+}
+
+fn alt(window: &mut Window, key: Key) {
+    window.harness.key_press_modifiers(Modifiers::ALT, key);
+    window.run();
+}
+
+/// A title is the recorded step's, and one that no step has is asked about.
+#[test]
+fn no_title_is_lost_on_the_way_into_a_lesson() {
+    let folder = Folder::new("title-of-step");
+    let path = folder.file("lesson.toml");
+    let mut window = Window::new(Lang::En);
+    let both = |text: &str| Bilingual { en: text.to_owned(), pt_br: text.to_owned() };
+    entitle(&mut window, "My camera");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::A);
+    window.run();
+    window.choose(&path);
+    let title = |number: usize| read_lesson(&path).expect("a lesson").0.steps[number].title.clone();
+    assert_eq!(title(0), both("My camera"));
+    entitle(&mut window, "Another title");
+    alt(&mut window, Key::R);
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Unsaved(_))), "no step has it");
+    window.key(Key::Escape);
+    entitle(&mut window, "My camera");
+    alt(&mut window, Key::R);
+    assert!(window.state().writes_lesson(), "the step has it");
+    // A title that is given in the step goes with its picture, and stays when the lesson is closed.
+    entitle(&mut window, "From above");
+    window.click(en::LESSONS.step_screen);
+    assert_eq!(title(0), both("From above"));
+    entitle(&mut window, "From below");
+    alt(&mut window, Key::W);
+    assert!(window.state().lesson.is_none());
+    assert_eq!(window.state().document.figure().title, Some(both("From below")));
+    window.command_key(Key::N);
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Unsaved(_))));
 }

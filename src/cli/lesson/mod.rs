@@ -311,7 +311,7 @@ fn faults_of_goal(
 fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
     let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
-    let options = HandoutOptions { lang: written, columns, answers: args.answers, plan: args.plan };
+    let options = HandoutOptions { lang: written, columns, answers: args.answers, plan: args.plan, late: false };
     let made = handout::of_lesson(&found.lesson, options, |step, size| composite(args, found, step, size, lang))?;
     save_handout(&made, &args.output, lang)
 }

@@ -88,7 +88,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
             Dialog::Unsaved(next) => {
-                let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
+                let name = state.figure_name();
                 text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
                 match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
                     Pressed::Action(1) => file_flow::save(ctx, state, Some(next)),

@@ -168,7 +168,7 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 }
 
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
-    let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| escaped(&name));
+    let name = escaped(&state.figure_name());
     let is_changed = state.document.is_changed() && !state.moves_to_step();
     let text = if is_changed { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {

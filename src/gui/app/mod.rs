@@ -36,7 +36,6 @@ use crate::gui::pictures::Canvas;
 use crate::gui::platform::window_size::{Opening, Whereabouts};
 use crate::gui::storage::preferences::Preferences;
 use crate::gui::storage::session::{Keeping, Restored, Sessions};
-use crate::i18n::window;
 use crate::sanitize;
 
 /// The window's program.
@@ -220,8 +219,7 @@ impl App {
 
     /// The name of the figure in the title of the window.
     fn update_title(&mut self, ctx: &egui::Context) {
-        let document = &self.state.document;
-        let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
+        let name = self.state.figure_name();
         // It means that closing the window asks.
         let is_unsaved = !self.state.moves_to_step() && self.state.has_unsaved() || self.state.unsaved_text().is_some();
         let mark = if is_unsaved { " •" } else { "" };

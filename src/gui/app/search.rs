@@ -20,12 +20,13 @@ use crate::gui::learn::exercises::list;
 use crate::gui::state::{AfterSave, Dialog, Side, State, Tab};
 use crate::gui::why;
 use crate::i18n::learn::exercises as exercise_words;
-use crate::i18n::told;
 use crate::i18n::why::{explain as explain_words, notes};
-use crate::i18n::window;
+use crate::i18n::window::cameras;
 use crate::i18n::window::coach as coach_words;
+use crate::i18n::window::predict;
 use crate::i18n::window::search as words;
 use crate::i18n::window::search::{also_called, folded, has_words};
+use crate::i18n::{Lang, told, window};
 use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
 
@@ -43,8 +44,10 @@ enum Target {
     Operation(Freedom),
     /// The camera check.
     CameraCheck,
-    /// The number field of a parameter, by its name.
+    /// A field or a list at the left, by its name.
     Parameter(Tab, &'static str),
+    /// A control among the operations, by its name.
+    AmongOperations(&'static str),
     Explanation(Explanation),
     Matrix(Matrix),
     Note(&'static str),
@@ -104,6 +107,7 @@ fn entries(state: &State) -> Vec<Entry> {
             about: about.into(),
         });
     }
+    all.extend(controls(lang));
     let coach = coach_words::texts(lang);
     all.push(Entry {
         target: Target::CameraCheck,
@@ -188,16 +192,47 @@ fn entries(state: &State) -> Vec<Entry> {
     all
 }
 
+/// The controls that have names of their own.
+fn controls(lang: Lang) -> Vec<Entry> {
+    let (t, of_cameras, of_predict) = (window::texts(lang), cameras::texts(lang), predict::texts(lang));
+    let shadings = [t.shading_hint, t.shading_wireframe, t.shading_flat, t.shading_gouraud, t.shading_phong];
+    let drawing = |name| Target::Parameter(Tab::Drawing, name);
+    let among_cameras = |name| Target::Parameter(Tab::Camera, name);
+    [
+        (drawing(t.shading), t.shading, shadings.join(" · ")),
+        (drawing(t.hidden_lines), t.hidden_lines, t.hidden_lines_hint.to_owned()),
+        (drawing(t.antialias), t.antialias, t.antialias_hint.to_owned()),
+        (drawing(t.window_opacity), t.window_opacity, t.window_opacity_hint.to_owned()),
+        (drawing(t.axes_length), t.axes_length, t.axes_length_hint.to_owned()),
+        (among_cameras(of_cameras.add), of_cameras.add, of_cameras.add_hint.to_owned()),
+        (among_cameras(of_cameras.before), of_cameras.before, of_cameras.before_hint.to_owned()),
+        (among_cameras(of_cameras.pair), of_cameras.pair, of_cameras.pair_hint.to_owned()),
+        (Target::AmongOperations(of_predict.switch), of_predict.switch, of_predict.switch_hint.to_owned()),
+        (Target::AmongOperations(t.keep_operation), t.keep_operation, t.keep_operation_hint.to_owned()),
+    ]
+    .into_iter()
+    .map(|(target, title, about)| Entry {
+        target,
+        kind: words::texts(lang).control,
+        title: title.into(),
+        about: about.into(),
+    })
+    .collect()
+}
+
 /// The results, best first: where the words begin the title, are in it, are elsewhere; the same by other names.
 fn found(state: &State) -> Vec<Entry> {
     let called = also_called(&state.search.wanted);
+    // The ways of shading are its choices.
+    let shading = Target::Parameter(Tab::Drawing, window::texts(state.settings.lang).shading);
     let rank = |entry: &Entry| {
         let title = folded(&entry.title);
         let whole = format!("{title} {}", folded(&entry.about));
         // The hint of an explanation is about as short as a title, and is what people look for first.
         let is_explained = matches!(entry.target, Target::Explanation(_));
+        let is_shading = entry.target == shading;
         let of_name = |name: &str| match name {
-            name if title.starts_with(name) => Some(0),
+            name if title.starts_with(name) || is_shading && has_words(&whole, name) => Some(0),
             name if has_words(&title, name) || is_explained && has_words(&whole, name) => Some(1),
             name if has_words(&whole, name) => Some(3),
             _ => None,
@@ -296,13 +331,19 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         Target::Command(_) => {}
         Target::Parameter(tab, field) => {
             state.settings.tab = tab;
+            let t = cameras::texts(state.settings.lang);
+            state.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
             state.settings.panels_mut().show(Side::Left);
             if !field.is_empty() {
                 number_field::take_keyboard(ctx, field);
             }
         }
+        Target::AmongOperations(name) => {
+            state.settings.panels_mut().show(Side::Right);
+            number_field::take_keyboard(ctx, name);
+        }
         Target::Operation(freedom) => {
-            state.operations.open = freedom;
+            state.operations.open(freedom);
             state.settings.panels_mut().show(Side::Right);
             number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.settings.lang)));
         }
@@ -333,7 +374,6 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::i18n::Lang;
 
     /// The first results for some words, by title.
     fn titles(lang: Lang, wanted: &str) -> Vec<String> {

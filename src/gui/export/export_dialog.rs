@@ -12,7 +12,7 @@ use crate::gui::export::{Export, ExportSource, Paper, as_letters};
 use crate::gui::files::file_flow;
 use crate::gui::inspector::{choice, complaint, row};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::number_field::{FieldError, NumberField, Step};
+use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Dialog, Purpose, State};
 use crate::i18n::window::Texts;
@@ -38,7 +38,10 @@ const LEAST_PICTURE: f32 = 120.0;
 
 /// Asks how. Goes on to the question where.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
-    let enter = !first && enter(ui);
+    let mut enter = !first && enter(ui);
+    if first && export.on_paper {
+        number_field::take_keyboard(ui.ctx(), t.export_width_cm);
+    }
     ui.heading(t.export_heading);
     ui.add_space(6.0);
     let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
@@ -46,13 +49,13 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
     let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height.min(SETTINGS_HIGH));
     let area = area.auto_shrink([false, true]);
-    let row = |ui: &mut egui::Ui| {
+    let mut row = |ui: &mut egui::Ui| {
         ui.spacing_mut().item_spacing.x = BETWEEN;
         let width = SETTINGS.min(ui.available_width());
         let column = |ui: &mut egui::Ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.x = 8.0;
-            settings(ui, t, state, &mut export)
+            settings(ui, t, state, &mut export, &mut enter)
         };
         let errors = ui.vertical(column).inner;
         if room >= LEAST_PICTURE {
@@ -63,9 +66,9 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
         }
         errors
     };
-    let errors = area.show(ui, |ui| ui.horizontal_top(row).inner).inner;
+    let errors = area.show(ui, |ui| ui.horizontal_top(&mut row).inner).inner;
     ui.add_space(10.0);
-    let pressed = match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
+    let pressed = match buttons(ui, t.cancel, &[t.export_action], (first && !export.on_paper).then_some(0)) {
         Pressed::Nothing if enter => Pressed::Action(0),
         pressed => pressed,
     };
@@ -198,8 +201,14 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 /// A field, and the fault of the typed text.
 type Fault = (&'static str, FieldError);
 
-/// The settings. Returns the faults of typed texts.
-fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mut Export) -> Vec<Fault> {
+/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper.
+fn settings(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    state: &mut State,
+    export: &mut Export,
+    enter: &mut bool,
+) -> Vec<Fault> {
     let pair = [[t.show_world, t.show_image], [t.show_world, t.show_canonical], [t.show_canonical, t.show_image]]
         .map(|names| names.join(", "));
     let what = [
@@ -227,7 +236,7 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
     });
     (export.times, export.on_paper) = size;
     let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
-    let mut errors = if export.on_paper { paper(ui, t, export, crowded) } else { Vec::new() };
+    let mut errors = if export.on_paper { paper(ui, t, export, crowded, enter) } else { Vec::new() };
     export.fit_screen(state.picture_sizes, state.screen_scale);
     // A family in multiples of the screen is larger than its figure.
     let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
@@ -249,10 +258,7 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
     row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
         choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
     });
-    let formats = PictureFormat::ALL.map(|format| (format, format.name()));
-    row(ui, "", t.export_format, t.export_format_hint, |ui| {
-        choice(ui, t.export_format, t.export_format_hint, &mut export.format, &formats)
-    });
+    formats(ui, t, export);
     let faces = [
         (Faces::Auto, t.export_faces_auto),
         (Faces::Areas, t.export_faces_areas),
@@ -280,11 +286,33 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
     errors
 }
 
-/// The size on paper. Returns the faults of typed texts.
-fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<Fault> {
-    let field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
+/// The formats side by side. One that is for paper asks for its width there.
+fn formats(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
+    row(ui, "", t.export_format, t.export_format_hint, |ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        for format in PictureFormat::ALL {
+            let chosen = ui.selectable_value(&mut export.format, format, format.name());
+            if chosen.explained(t.export_format_hint).clicked() && format.is_for_paper() {
+                export.on_paper = true;
+                number_field::take_keyboard(ui.ctx(), t.export_width_cm);
+            }
+        }
+    });
+}
+
+/// The size on paper. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width.
+fn paper(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    export: &mut Export,
+    crowded: Option<Crowded>,
+    enter: &mut bool,
+) -> Vec<Fault> {
+    let mut field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
         let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
-        field.show(ui, t, value).error.map(|error| (name, error))
+        let output = field.show(ui, t, value);
+        *enter |= output.entered && name == t.export_width_cm;
+        output.error.map(|error| (name, error))
     };
     let paper = &mut export.paper;
     let mut errors = Vec::new();

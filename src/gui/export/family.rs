@@ -2,7 +2,7 @@
 
 use eframe::egui;
 
-use super::family_choice::{FamilyChoice, Subject};
+use super::family_choice::{FamilyChoice, Subject, Varied};
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
@@ -22,17 +22,19 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
     }
     if subject != Subject::Nothing {
         row(ui, "", words.values, words.values_hint, |ui| {
-            line(ui, t, &mut family.first.values, (words.values, words.values_hint));
+            values(ui, t, &mut family.first, words.values);
         });
         let mut second = family.second.subject;
         row(ui, "", words.second, words.second_hint, |ui| {
             choice(ui, words.second, words.second_hint, &mut second, &subjects(t, words.nothing));
-            if second != Subject::Nothing {
-                line(ui, t, &mut family.second.values, (words.second_values, words.values_hint));
-            }
         });
         if second != family.second.subject {
             family.second.choose(second);
+        }
+        if second != Subject::Nothing {
+            row(ui, "", words.second_values, words.values_hint, |ui| {
+                values(ui, t, &mut family.second, words.second_values);
+            });
         }
         row(ui, "", words.columns, words.columns_hint, |ui| {
             let columns: Vec<(Option<usize>, String)> = [None]
@@ -66,6 +68,46 @@ fn subjects(t: &'static Texts, nothing: &'static str) -> Vec<(Subject, &'static 
     ];
     let ready = (0..).zip(names).map(|(place, name)| (Subject::Ready(place), name));
     [(Subject::Nothing, nothing)].into_iter().chain(ready).chain([(Subject::Typed, words.typed)]).collect()
+}
+
+/// The values of a key: those that have words are switched, the others are typed.
+fn values(ui: &mut egui::Ui, t: &'static Texts, varied: &mut Varied, name: &str) {
+    let hint = families::texts(t.lang).values_hint;
+    let words = words_of(varied.subject, t);
+    if words.is_empty() {
+        return line(ui, t, &mut varied.values, (name, hint));
+    }
+    let chosen: Vec<&str> = varied.values.split(',').map(str::trim).collect();
+    let mut on = words.iter().map(|(word, _)| chosen.contains(word)).collect::<Vec<bool>>();
+    let mut is_changed = false;
+    ui.vertical(|ui| {
+        for ((_, text), on) in words.iter().zip(&mut on) {
+            is_changed |= ui.checkbox(on, *text).changed();
+        }
+    });
+    if is_changed {
+        let kept = words.iter().zip(on).filter(|(_, on)| *on).map(|((word, _), _)| *word);
+        varied.values = kept.collect::<Vec<_>>().join(", ");
+    }
+}
+
+/// The values of a key as files have them, with the words of the window. Empty for numbers.
+fn words_of(subject: Subject, t: &Texts) -> Vec<(&'static str, &'static str)> {
+    match subject.word() {
+        "camera.projection" => vec![("perspective", t.perspective), ("parallel", t.parallel)],
+        "style.visibility" => vec![
+            ("painter", t.visibility_painter),
+            ("depth-buffer", t.visibility_depth_buffer),
+            ("bsp", t.visibility_bsp),
+        ],
+        "style.shading" => vec![
+            ("wireframe", t.shading_wireframe),
+            ("flat", t.shading_flat),
+            ("gouraud", t.shading_gouraud),
+            ("phong", t.shading_phong),
+        ],
+        _ => Vec::new(),
+    }
 }
 
 /// A field for typed values or captions.

@@ -5,6 +5,7 @@ use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, 
 use super::handout_pages::{Content, Job};
 use crate::exercises::Exercise;
 use crate::gui::files::file_flow;
+use crate::gui::files::file_kind::from_title;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
@@ -47,7 +48,7 @@ impl HandoutForm {
     pub(in crate::gui) fn of(state: &State, is_lesson: bool) -> Self {
         let open = state.exercises.open.as_ref();
         let open = open.filter(|open| state.exercises.entries().any(|entry| entry.id == open.id));
-        let options = HandoutOptions { lang: state.settings.lang, columns: 1, answers: false, plan: false };
+        let options = HandoutOptions { lang: state.settings.lang, columns: 1, answers: false, plan: false, late: true };
         let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
         Self {
             lesson: is_lesson.then(|| played(state)).flatten(),
@@ -62,10 +63,10 @@ impl HandoutForm {
     }
 
     /// The name of its file, without an ending.
-    pub(in crate::gui) fn stem(&self) -> &str {
+    pub(in crate::gui) fn stem(&self) -> String {
         match &self.lesson {
-            Some(open) => &open.lesson.id,
-            None => texts(self.options.lang).file,
+            Some(open) => from_title(told(self.options.lang, &open.lesson.title)).unwrap_or(open.lesson.id.clone()),
+            None => texts(self.options.lang).file.to_owned(),
         }
     }
 
@@ -87,9 +88,11 @@ impl HandoutForm {
     }
 }
 
-/// The lesson that is played, or the first of the program.
+/// The lesson that is played, or the one to which steps were added last, or the first of the program.
 fn played(state: &State) -> Option<OpenLesson> {
     let of_playing = state.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
+    let last = || state.own_lessons.iter().find(|(path, _)| Some(path) == state.lesson_file.as_ref());
+    let of_playing = of_playing.or_else(|| last().map(|(path, lesson)| (lesson.clone(), Some(path.clone()))));
     let first = || shipped().first().map(|shipped| (shipped.lesson.clone(), None));
     of_playing.or_else(first).map(|(lesson, path)| OpenLesson { lesson, path, step: 0 })
 }
@@ -97,7 +100,8 @@ fn played(state: &State) -> Option<OpenLesson> {
 /// Shows the dialog. `first`: it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm, first: bool) {
     let t = texts(state.settings.lang);
-    ui.heading(t.heading);
+    let heading = if form.lesson.is_some() { t.handout } else { t.sheet };
+    ui.heading(heading.trim_end_matches('…'));
     ui.add_space(6.0);
     let height = (ui.ctx().content_rect().height() - AROUND).clamp(120.0, PAGE);
     ui.horizontal_top(|ui| {
@@ -137,6 +141,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
     ui.checkbox(&mut options.answers, t.answers).explained(t.answers_hint);
     match &mut form.lesson {
         Some(open) => {
+            ui.checkbox(&mut options.late, t.late).explained(t.late_hint);
             let has_plan = open.lesson.plan.is_some();
             options.plan &= has_plan;
             ui.add_enabled(has_plan, egui::Checkbox::new(&mut options.plan, t.plan))
@@ -240,7 +245,7 @@ fn page(ui: &mut Ui, t: &Texts, state: &mut State, form: &mut HandoutForm, heigh
         }
         None => {
             let drawing = || if form.is_whole() { t.drawing.to_owned() } else { t.nothing.to_owned() };
-            let why = pages.fault().map_or_else(drawing, |error| error.text(t.lang, form.stem()));
+            let why = pages.fault().map_or_else(drawing, |error| error.text(t.lang, &form.stem()));
             let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
             let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
             ui.new_child(place).add(egui::Label::new(RichText::new(why).color(Color32::DARK_GRAY)).wrap());

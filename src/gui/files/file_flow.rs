@@ -185,7 +185,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     }
     let own = state.document.path() == Some(&path);
     // A step is added to what is there.
-    let adds = matches!(purpose, Purpose::Step);
+    let adds = purpose.adds_step();
     let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
     if is_new && !replaced(&purpose, &path).is_empty() {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
@@ -213,6 +213,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         | Purpose::Handout(_)
         | Purpose::Progress
         | Purpose::Step
+        | Purpose::NewLesson
         | Purpose::OwnLesson
         | Purpose::LessonText(_)
             if !agreed.read_only && files::is_read_only(path) =>
@@ -225,6 +226,12 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Photograph => photograph(state, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),
+        Purpose::NewLesson => {
+            state.add_step(path, &agreed);
+            if state.lesson_file.as_deref() == Some(path) {
+                begin(ctx, state, AfterSave::WriteRecorded);
+            }
+        }
         Purpose::OwnLesson => state.copy_lesson(path, &agreed),
         Purpose::LessonText(next) => {
             if state.save_text_as(path, &agreed) {

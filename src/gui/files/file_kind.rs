@@ -7,8 +7,28 @@ use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::gui::state::{MESH_ENDINGS, Purpose, State, TEXTURE_ENDINGS};
 use crate::i18n::learn::{exercise_window, handouts, lessons};
 use crate::i18n::why::explain;
-use crate::i18n::window;
+use crate::i18n::window::search::folded;
 use crate::i18n::window::{gallery, photograph, scenes};
+use crate::i18n::{told, window};
+use crate::views::Views;
+
+/// The greatest length of a name that is made of a title.
+const MAX_NAME: usize = 60;
+
+/// The words of a title as the name of a file, without accents. `None` if nothing is left of them.
+pub(in crate::gui) fn from_title(title: &str) -> Option<String> {
+    let folded = folded(title);
+    let words = folded.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let mut name = String::new();
+    for word in words.filter(|word| word.len() <= MAX_NAME) {
+        if name.len() + word.len() >= MAX_NAME {
+            break;
+        }
+        name.push_str(if name.is_empty() { "" } else { "-" });
+        name.push_str(word);
+    }
+    Some(name).filter(|name| !name.is_empty())
+}
 
 /// A kind of files.
 pub(in crate::gui) struct FileKind {
@@ -31,7 +51,11 @@ impl FileKind {
     pub(in crate::gui) fn of(state: &State, purpose: &Purpose) -> Self {
         let lang = state.settings.lang;
         let (t, exercises, film) = (window::texts(lang), exercise_window::texts(lang), explain::texts(lang));
-        let figure = PathBuf::from(state.document.name().unwrap_or_else(|| t.untitled_file.to_owned()));
+        let title = state.document.figure().title.as_ref().filter(|_| !state.document.has_words_of_card());
+        let title = title.and_then(|title| from_title(told(lang, title)));
+        let named = if state.document.path().is_some() { None } else { title };
+        let figure = named.or_else(|| state.document.name()).unwrap_or_else(|| t.untitled_file.to_owned());
+        let figure = PathBuf::from(figure);
         let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let save_action = t.save_action;
         let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
@@ -50,8 +74,12 @@ impl FileKind {
                 formats.sort_by_key(|format| *format != export.format);
                 let filters = formats.map(|of| format(t.picture_filter, of)).to_vec();
                 let is_family = state.family.variations().is_some();
-                let what = if is_family { "family".to_owned() } else { export.what.name().replace(',', "-") };
-                let name = format!("{stem}-{what}.{}", export.format.ending());
+                let what = match export.what {
+                    _ if is_family => "-family".to_owned(),
+                    Views::All => String::new(),
+                    some => format!("-{}", some.name().replace(',', "-")),
+                };
+                let name = format!("{stem}{what}.{}", export.format.ending());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)
             }
             Purpose::Animation(decomposition) => {
@@ -63,10 +91,10 @@ impl FileKind {
                 let name = format!("{stem}-{}.gif", decomposition.name());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)
             }
-            Purpose::Step | Purpose::OwnLesson | Purpose::LessonText(_) => {
+            Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText(_) => {
                 let t = lessons::texts(lang);
                 let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
-                let copied = state.lesson.as_ref().filter(|_| *purpose != Purpose::Step);
+                let copied = state.lesson.as_ref().filter(|_| !purpose.adds_step());
                 let name = copied.map(|playing| format!("{}.toml", playing.lesson.id));
                 let (title, action) =
                     if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };
@@ -143,6 +171,18 @@ mod tests {
     use super::*;
     use crate::camera::Decomposition;
     use crate::gui::Start;
+
+    #[test]
+    fn names_come_from_titles() {
+        for (title, name) in [
+            ("A camera in numbers", Some("a-camera-in-numbers")),
+            ("Uma câmera: “três” números", Some("uma-camera-tres-numeros")),
+            ("§ θ", None),
+        ] {
+            assert_eq!(from_title(title).as_deref(), name);
+        }
+        assert!(from_title(&"word ".repeat(40)).is_some_and(|name| name.len() <= MAX_NAME && name.ends_with("word")));
+    }
 
     #[test]
     fn endings_are_appended_once() {

@@ -79,6 +79,8 @@ pub enum Purpose {
     Folder,
     /// To add a step to a lesson.
     Step,
+    /// To add a step to a lesson, and to write the lesson.
+    NewLesson,
     /// To copy a lesson of the program, which is written on from then.
     OwnLesson,
     /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
@@ -96,6 +98,11 @@ pub enum Purpose {
 }
 
 impl Purpose {
+    /// True if what is on the screen becomes a step of a lesson.
+    pub(in crate::gui) const fn adds_step(&self) -> bool {
+        matches!(self, Self::Step | Self::NewLesson)
+    }
+
     /// True if the file is for the figure that is shown.
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
         !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises | Self::Handout(_))

@@ -15,7 +15,7 @@ use eframe::egui::{self, CollapsingHeader, RichText};
 use glam::DVec3;
 
 use crate::gui::app::focus::at_right;
-use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
+use crate::gui::kit::number_field::{self, FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::why::context_help;
@@ -172,7 +172,7 @@ pub(super) fn choice<T: PartialEq + Copy>(
     let old = *value;
     let chosen = options.iter().find(|(option, _)| *option == old).map_or("", |(_, text)| *text);
     let below = ui.layer_id();
-    egui::ComboBox::from_id_salt(name)
+    let list = egui::ComboBox::from_id_salt(name)
         .selected_text(chosen)
         .width(116.0)
         .show_ui(ui, |ui| {
@@ -188,6 +188,7 @@ pub(super) fn choice<T: PartialEq + Copy>(
         .response
         .explained(hint)
         .accessible_name(name);
+    number_field::answer_call(ui, &list, name);
     *value != old
 }
 

@@ -5,7 +5,7 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::predict;
 use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::motion;
@@ -75,11 +75,14 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
         ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, state, written));
-        ui.add_enabled_ui(possible, |ui| {
+        let rows = ui.add_enabled_ui(possible, |ui| {
             for Descriptor { freedom, .. } in &OPERATIONS {
                 ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
             }
         });
+        if !ui.rect_contains_pointer(rows.response.rect) {
+            state.operations.close_others();
+        }
         kept(ui, t, state);
         more(ui, t, t.vtk, |ui| {
             let mut vtk = state.operations.convention == Convention::Vtk;
@@ -96,7 +99,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
     let row = ui.scope(|ui| {
         controls(ui, t, state, freedom);
-        if state.operations.open == freedom {
+        if state.operations.shows(freedom) {
             detail(ui, t, state, freedom);
         }
     });
@@ -129,6 +132,9 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Free
     let is_last = state.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
     let keeps = is_last && state.operations.led_to(state.document.camera()).is_some();
     let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
+    if is_last {
+        number_field::answer_call(ui, &button, t.keep_operation);
+    }
     if button.explained(t.keep_operation_hint).explained_disabled(t.keep_operation_disabled).clicked() {
         let camera = state.document.camera().clone();
         state.operations.keep(&camera, &mut state.document.show_mut().operations);
@@ -179,7 +185,7 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
     let name = name(freedom, t);
     let error = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        let is_open = state.operations.open == freedom;
+        let is_open = state.operations.shows(freedom);
         let explained = explained(freedom, t, state.operations.convention);
         let sign = if is_open { "▾" } else { "▸" };
         let title = egui::Button::new(format!("{sign} {name}")).frame(false).truncate();
@@ -205,7 +211,7 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
         let title = title.inner.explained(explained).accessible_name(name);
         title.widget_info(|| egui::WidgetInfo::selected(egui::Role::DisclosureTriangle, true, is_open, name));
         if title.clicked() {
-            state.operations.open = freedom;
+            state.operations.open(freedom);
         }
         button(ui, t, state, freedom, false);
         let step = &mut state.operations.steps[freedom as usize];
@@ -237,6 +243,7 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
     if ui.add(button).accessible_name(name).explained(explained(freedom, t, state.operations.convention)).clicked() {
         let step = state.operations.steps[freedom as usize];
         let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
+        state.operations.open(freedom);
         if !state.predict_first(freedom, amount) {
             motion::begin(state, freedom, amount);
         }

@@ -3,6 +3,7 @@
 use eframe::egui::{self, Button, RichText};
 
 use crate::camera::Operation;
+use crate::gui::kit::number_field;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::color;
@@ -20,7 +21,9 @@ type Written = fn(Operation, &WindowTexts) -> String;
 pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut State, written: Written) {
     let t = words::texts(window.lang);
     let predict = &mut state.operations.predict;
-    if ui.checkbox(&mut predict.on, t.switch).explained(t.switch_hint).changed() && !predict.on {
+    let switch = ui.checkbox(&mut predict.on, t.switch).explained(t.switch_hint);
+    number_field::answer_call(ui, &switch, t.switch);
+    if switch.changed() && !predict.on {
         predict.asked = None;
     }
     let asked = predict.asked.take().filter(|asked| asked.document == state.document.id());
@@ -78,10 +81,10 @@ fn verdict(ui: &mut egui::Ui, t: &Texts, asked: &Prediction) {
             let said = said.map_or("", |said| word(t, said));
             words::sizes(t.lang, said, word(t, Change::of(*times)), *times)
         }
-        (_, Some(off)) => exercise_messages::off(t.lang, off),
-        (_, None) => return,
+        (About::Place { to, .. }, Some(off)) => words::landed(t.lang, *to, &exercise_messages::off(t.lang, off)),
+        (About::Place { .. }, None) => return,
     };
-    let sign = if is_right { format!("✓ {}", t.as_said) } else { "✗".to_owned() };
+    let sign = if is_right { format!("✓ {}", t.as_said) } else { format!("✗ {}", t.otherwise) };
     ui.label(RichText::new(sign).strong().color(color(ui, is_right)));
     prose::show(ui, &text);
 }

@@ -67,6 +67,8 @@ pub struct FieldOutput {
     pub error: Option<FieldError>,
     /// It is being dragged.
     pub held: bool,
+    /// Enter has just ended the typing.
+    pub entered: bool,
 }
 
 /// A reason why the typed text cannot be applied.
@@ -100,10 +102,26 @@ struct Editing {
     error: Option<FieldError>,
 }
 
-/// The field of this name, in a panel that is shown in the next frame, takes the keyboard.
+/// The field or control of this name takes the keyboard when it is shown next.
 pub(in crate::gui) fn take_keyboard(ctx: &egui::Context, name: &str) {
     ctx.data_mut(|data| data.insert_temp(called(), name.to_owned()));
     ctx.request_repaint();
+}
+
+/// The control of this name takes the keyboard and comes into sight, if it was asked to.
+pub(in crate::gui) fn answer_call(ui: &egui::Ui, control: &egui::Response, name: &str) {
+    if is_called(ui, name) {
+        control.request_focus();
+        control.scroll_to_me(None);
+    }
+}
+
+fn is_called(ui: &egui::Ui, name: &str) -> bool {
+    let is_it = ui.data(|data| data.get_temp::<String>(called())).as_deref() == Some(name);
+    if is_it {
+        ui.data_mut(|data| data.remove::<String>(called()));
+    }
+    is_it
 }
 
 fn called() -> egui::Id {
@@ -217,9 +235,7 @@ impl<'a> NumberField<'a> {
 
     /// Takes the keyboard where this field was asked to.
     fn answer_call(&self, ui: &egui::Ui, id: egui::Id) {
-        let called = ui.data(|data| data.get_temp::<String>(called()));
-        if self.owner.is_empty() && called.as_deref() == Some(self.name.as_ref()) {
-            ui.data_mut(|data| data.remove::<String>(self::called()));
+        if self.owner.is_empty() && is_called(ui, &self.name) {
             ui.memory_mut(|memory| memory.request_focus(id));
         }
     }
@@ -245,9 +261,11 @@ impl<'a> NumberField<'a> {
         if idle && state.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
             state = None;
         }
+        let mut entered = false;
         let mut response = if editing {
             let response = self.text_edit(ui, id, texts, &mut state, *value);
             if response.lost_focus() {
+                entered = ui.input(|input| input.key_pressed(Key::Enter));
                 state = self.finish(ui, state, value);
             }
             response
@@ -262,7 +280,7 @@ impl<'a> NumberField<'a> {
             ui.data_mut(|data| data.insert_temp(id, state));
         }
         self.announce(ui, &response, texts, *value);
-        FieldOutput { error, held: response.dragged() }
+        FieldOutput { error, held: response.dragged(), entered }
     }
 
     /// Arrow keys while it is edited, and requests of a screen reader. Returns the error of those.

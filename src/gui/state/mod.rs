@@ -58,10 +58,10 @@ pub use crate::gui::why::state::order::{ListedCall, Order, Own};
 pub use crate::gui::why::state::steps::{Steps, count, end_of, step_at, time_of};
 pub(in crate::gui) use crate::gui::why::state::triangle::Covered;
 pub use crate::gui::why::state::triangle::TriangleNumbers;
-use crate::i18n::Lang;
 use crate::i18n::learn::exercise_window;
 use crate::i18n::messages::faults;
 use crate::i18n::window::predict;
+use crate::i18n::{Lang, told, window};
 use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
 use crate::share::ShareError;
@@ -435,6 +435,13 @@ impl State {
         let before = self.document.figure().scene.clone();
         self.document.redo();
         self.tree.follow(&before, &self.document.figure().scene);
+    }
+
+    /// The name of the figure in the window: that of its file, else its title.
+    pub(in crate::gui) fn figure_name(&self) -> String {
+        let title = || self.document.figure().title.as_ref().map(|title| told(self.settings.lang, title).to_owned());
+        let name = self.document.name().or_else(title);
+        name.unwrap_or_else(|| window::texts(self.settings.lang).untitled.to_owned())
     }
 
     /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.

@@ -215,6 +215,13 @@ pub fn progress_deleted(lang: Lang, path: &str) -> String {
         "Progresso apagado. O arquivo antigo é agora {path}.")
 }
 
+/// The place of a point in the image, in whole pixels.
+#[must_use]
+pub fn lands(lang: Lang, place: [f64; 2]) -> String {
+    let pixel = lang.mark().tuple(&place.map(f64::floor), 5);
+    both!(lang; "The point lands on the pixel {pixel}.", "O ponto cai no pixel {pixel}.")
+}
+
 /// How far an answer is from the right place in the image, pixels to the right and down, and where that place is.
 #[must_use]
 pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {

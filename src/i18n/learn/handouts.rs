@@ -5,12 +5,13 @@ texts! {
     handout_hint: "A lesson as pages to print, with figures, texts, questions and room for answers", "Uma lição como páginas para imprimir, com figuras, textos, perguntas e espaço para respostas";
     sheet: "Exercise sheet…", "Folha de exercícios…";
     sheet_hint: "Exercises of your choice as pages to print, with or without solutions", "Exercícios à sua escolha como páginas para imprimir, com ou sem soluções";
-    heading: "Print", "Imprimir";
     of_lesson: "A lesson", "Uma lição";
     of_exercises: "An exercise sheet", "Uma folha de exercícios";
     language: "language", "idioma";
     answers: "with solutions", "com soluções";
     answers_hint: "Puts the answers and their worked steps on pages of their own at the end", "Põe as respostas e seus passos em páginas próprias no fim";
+    late: "what answers a question at the end", "o que responde a uma pergunta no fim";
+    late_hint: "A step that only shows the answer to the question before it comes after all questions", "Um passo que só mostra a resposta à pergunta anterior vem depois de todas as perguntas";
     plan: "with the lecturer’s plan", "com o plano de aula";
     plan_hint: "Begins with the lecturer’s 50 minutes: figures to show, questions to ask, answers to expect, sheets to hand out", "Começa com os 50 minutos da aula: figuras a mostrar, perguntas a fazer, respostas a esperar, folhas a distribuir";
     no_plan: "This lesson has no plan", "Esta lição não tem plano";

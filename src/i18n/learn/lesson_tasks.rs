@@ -3,6 +3,9 @@
 texts! {
     task: "Question or goal", "Pergunta ou meta";
     task_hint: "What students answer or reach before they go on", "O que os alunos respondem ou alcançam antes de avançar";
+    new_question: "New question", "Nova pergunta";
+    new_question_hint: "A question with two choices for this step. The first one is right until you mark another. Tab goes from field to field", "Uma pergunta com duas alternativas para este passo. A primeira é a certa até você marcar outra. Tab passa de campo em campo";
+    has_task: "This step already has a task", "Este passo já tem uma tarefa";
     none: "none", "nenhuma";
     none_hint: "The step only shows its figure", "O passo só mostra sua figura";
     choices: "choices", "alternativas";
@@ -17,6 +20,7 @@ texts! {
     question_field: "Question (Markdown, $formulas$, {numbers})", "Pergunta (Markdown, $fórmulas$, {números})";
     goal_field: "Goal (Markdown, $formulas$, {numbers})", "Meta (Markdown, $fórmulas$, {números})";
     right_hint: "This choice is right", "Esta alternativa é a certa";
+    right_field: "Right choice", "Alternativa certa";
     choice_field: "Choice", "Alternativa";
     message_field: "Sentence for those who choose it", "Frase para quem a escolher";
     is_right: "✓ right", "✓ certa";

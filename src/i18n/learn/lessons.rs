@@ -70,7 +70,7 @@ texts! {
     step_file: "lesson.toml", "licao.toml";
     // Writing a lesson in the window.
     write_command: "Write the lesson", "Escrever a lição";
-    write_hint: "The texts of the step and of the lesson, their preview, and the order of the steps. Of a lesson of the program you edit a copy", "Os textos do passo e da lição, a prévia deles e a ordem dos passos. De uma lição do programa você edita uma cópia";
+    write_hint: "The texts of the step and of the lesson, their preview, and the order of the steps. Of a lesson of the program you edit a copy. Without a lesson, a new one begins with what is on the screen", "Os textos do passo e da lição, a prévia deles e a ordem dos passos. De uma lição do programa você edita uma cópia. Sem lição, uma nova começa com o que está na tela";
     copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
     copy_action: "Copy", "Copiar";
     step_earlier: "Move up", "Para cima";
@@ -85,8 +85,8 @@ texts! {
     step_remove_hint: "Takes the step out of the lesson; “Undo the change” brings it back", "Tira o passo da lição; “Desfazer a mudança” o traz de volta";
     read_again: "Reload", "Recarregar";
     read_again_hint: "Reads the file as another program has changed it. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo como outro programa o mudou. Você perde o texto que digitou aqui e que ainda não foi salvo";
-    is_kept: "in the file", "no arquivo";
-    not_kept: "not yet in the file", "ainda não no arquivo";
+    is_kept: "saved", "salvo";
+    not_kept: "not saved yet", "ainda não salvo";
     not_written: "Not written into the file", "Não foi escrito no arquivo";
     unfinished: "Write the question and its answers. Then it goes into the file.", "Escreva a pergunta e as respostas. Depois ela vai para o arquivo.";
     step_title_field: "Title", "Título";

@@ -219,7 +219,7 @@ texts! {
     scene_exercise_52: "exercise 5.2", "exercício 5.2";
     scene_exercise_53: "exercise 5.3", "exercício 5.3";
     style: "Style", "Estilo";
-    shading: "faces", "faces";
+    shading: "shading", "sombreamento";
     shading_hint: "How faces are coloured", "Como as faces são coloridas";
     shading_wireframe: "wireframe", "aramado";
     shading_flat: "flat", "constante";

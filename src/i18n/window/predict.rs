@@ -15,6 +15,7 @@ texts! {
     cancel: "Cancel", "Cancelar";
     close: "Close", "Fechar";
     as_said: "As you said.", "Como você disse.";
+    otherwise: "Not as you said.", "Não como você disse.";
     no_point: "No vertex is in the image both before and after this operation, so it's done at once.", "Nenhum vértice está na imagem antes e depois desta operação, e ela é feita logo.";
 }
 
@@ -29,6 +30,13 @@ pub fn where_to(lang: Lang, operation: &str) -> String {
 pub fn how_large(lang: Lang, operation: &str) -> String {
     both!(lang; "**{operation}**: how large will the objects be in the image?",
         "**{operation}**: de que tamanho ficarão os objetos na imagem?")
+}
+
+/// The answer about a point: its pixel, and how far the mark is `off`.
+#[must_use]
+pub fn landed(lang: Lang, place: [f64; 2], off: &str) -> String {
+    let pixel = lang.mark().tuple(&place.map(f64::floor), 5);
+    both!(lang; "M is now at the pixel {pixel}. {off}", "M está agora no pixel {pixel}. {off}")
 }
 
 /// The answer about sizes beside the outcome: how many times as large the objects are.

@@ -9,6 +9,7 @@ texts! {
     command: "command", "comando";
     operation: "operation", "operação";
     parameter: "parameter", "parâmetro";
+    control: "control", "controle";
     note: "reference page", "verbete";
     exercise: "exercise", "exercício";
     figure: "figure", "figura";
@@ -94,6 +95,12 @@ const SYNONYMS: &[&[&str]] = &[
     &["pdf", "svg", "tex", "webp", "export", "exportar"],
     &["run time", "runtime", "tempo de execucao", "benchmark", "numerics", "error against run time", "erro por tempo"],
     &["empty image", "empty", "black image", "imagem vazia", "imagem preta", "camera check", "diagnostico da camera"],
+    &["compare cameras", "comparar cameras", "two cameras", "duas cameras", "compare", "comparar"],
+    &["stereo", "estereo", "stereo pair", "par estereo", "anaglyph", "anaglifo", "left eye", "olho esquerdo"],
+    &["smooth shading", "flat shading", "shading", "sombreamento", "tonalizacao"],
+    &["predict", "prever", "prediction", "previsao", "predict first", "prever antes"],
+    &["ghost", "fantasma", "keep in the figure", "guardar na figura"],
+    &["antialias", "antialiasing", "anti-aliasing", "samples", "amostras", "serrilhado"],
     &["rotate", "orbit", "girar", "orbitar", "azimuth", "azimute"],
     &["tilt", "inclinar", "roll", "rolagem"],
     &["screenshot", "print", "imprimir", "export", "exportar", "png"],

@@ -76,6 +76,15 @@ impl PictureFormat {
         }
     }
 
+    /// True for formats whose pictures are made for paper: a choice of one is a choice of centimetres.
+    #[must_use]
+    pub const fn is_for_paper(self) -> bool {
+        match self {
+            Self::Pdf | Self::Tex => true,
+            Self::Png | Self::WebP | Self::Jpeg | Self::Svg => false,
+        }
+    }
+
     /// The usual one of [`endings`](Self::endings).
     #[must_use]
     pub const fn ending(self) -> &'static str {

@@ -7,7 +7,7 @@ use crate::figure::Bilingual;
 use crate::inspect::quantity::QuantityPath;
 
 /// Choices that a new question has.
-const CHOICES: usize = 3;
+const CHOICES: usize = 2;
 
 /// A kind of task.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -418,6 +418,7 @@ mod tests {
     #[test]
     fn questions_typed_in_fields_are_judged() {
         let mut task = TaskText { text: both("Which?"), ..TaskText::default() }.with_kind(TaskKind::Choices);
+        task.add_choice();
         for (place, choice) in task.choices.iter_mut().enumerate() {
             choice.text = both(&format!("choice {place}"));
         }

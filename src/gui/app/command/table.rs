@@ -277,7 +277,6 @@ pub const MENUS: &[Menu] = &[
                     write_lesson,
                 )
                 .not_in_browser()
-                .in_lesson(|s| s.lesson.is_some() || s.lesson_file.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
                 Row::new(
                     LeaveLesson,
@@ -303,7 +302,9 @@ pub const MENUS: &[Menu] = &[
                 |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
                 |s, _| s.list_lessons(),
             ),
-            row!(Search, ctrl_shift(Key::P), search, search_hint, |s, _| show_search(s)).browsers_keys(),
+            row!(Search, ctrl(Key::F), search, search_hint, |s, _| show_search(s))
+                .or(ctrl_shift(Key::P))
+                .browsers_keys(),
             row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),
             row!(About, shift(Key::F1), about, about_hint, |s, _| show_dialog(s, Dialog::About)),
         ]],
@@ -446,9 +447,11 @@ fn record_step(state: &mut State, ctx: &Context) {
 }
 
 /// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
-/// were added last.
+/// were added last, or a new one that begins with what is on the screen.
 fn write_lesson(state: &mut State, ctx: &Context) {
-    if state.lesson.is_none() {
+    if state.lesson.is_none() && state.lesson_file.is_none() {
+        file_flow::ask(ctx, state, Purpose::NewLesson);
+    } else if state.lesson.is_none() {
         file_flow::begin(ctx, state, AfterSave::WriteRecorded);
     } else if state.plays_own_lesson() {
         state.write_lesson();
@@ -505,6 +508,7 @@ fn show_title(state: &mut State, _: &Context) {
 }
 
 fn show_handout(state: &mut State, is_lesson: bool) {
+    state.look_for_lessons();
     let form = HandoutForm::of(state, is_lesson);
     show_dialog(state, Dialog::Handout(form));
 }

@@ -7,7 +7,7 @@ use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
 use crate::figure::{Comparison, NamedCamera};
 use crate::gui::inspector::section;
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
@@ -21,9 +21,13 @@ use crate::views::{OtherCamera, Palette};
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = cameras::texts(state.settings.lang);
     let count = state.document.figure().cameras.len();
-    // It opens when the first camera comes.
-    let id = if count > 0 { "cameras" } else { "no other cameras" };
-    section(ui, t.cameras, id, count > 0, |ui| {
+    // It opens when the first camera comes, or when one of its buttons was searched for.
+    let (id, opens) = match (count > 0, state.cameras.was_called) {
+        (true, _) => ("cameras", true),
+        (false, true) => ("called cameras", true),
+        (false, false) => ("no other cameras", false),
+    };
+    section(ui, t.cameras, id, opens, |ui| {
         if count > 0 {
             name(ui, state, t, None);
         }
@@ -158,7 +162,9 @@ fn add(ui: &mut egui::Ui, state: &mut State, t: &Texts, has_room: bool) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let button = |ui: &mut egui::Ui, text: &str, hint: &str| {
-            ui.add_enabled(has_room, egui::Button::new(text)).explained(hint).explained_disabled(t.full)
+            let button = ui.add_enabled(has_room, egui::Button::new(text));
+            number_field::answer_call(ui, &button, text);
+            button.explained(hint).explained_disabled(t.full)
         };
         if button(ui, t.add, t.add_hint).clicked() {
             let name = state.document.figure().free_camera_name();
@@ -170,6 +176,7 @@ fn add(ui: &mut egui::Ui, state: &mut State, t: &Texts, has_room: bool) {
         let is_perspective = state.document.camera().projection() == Projection::Perspective;
         let pair = ui.add_enabled(has_room && is_perspective, egui::Button::new(format!("{} ▾", t.pair)));
         let pair = pair.explained(t.pair_hint).accessible_name(t.pair);
+        number_field::answer_call(ui, &pair, t.pair);
         let popup = Popup::from_toggle_button_response(&pair).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
             ui.set_width(240.0);

@@ -13,6 +13,8 @@ pub struct CameraList {
     /// The baseline of the next stereo pair; `None` means a thirtieth of D, as the textbooks of stereo photography have
     /// it.
     pub baseline: Option<f64>,
+    /// One of its buttons was searched for: the list is unfolded.
+    pub(in crate::gui) was_called: bool,
 }
 
 impl State {

@@ -12,7 +12,9 @@ pub struct Operations {
     /// The step of each button: degrees, factor or scene units, in the order of [`OPERATIONS`].
     pub steps: [f64; OPERATIONS.len()],
     /// The one whose slider is shown.
-    pub(in crate::gui) open: Freedom,
+    open: Freedom,
+    /// Those above it that are still open, because the pointer is over the rows: none moves under it.
+    open_above: Vec<Freedom>,
     /// Predictions of what an operation does, before it's done.
     pub predict: Predict,
     /// Whose signs.
@@ -29,6 +31,23 @@ pub struct Operations {
 }
 
 impl Operations {
+    /// True for an operation whose slider is shown.
+    pub(in crate::gui) fn shows(&self, freedom: Freedom) -> bool {
+        self.open == freedom || self.open_above.contains(&freedom)
+    }
+
+    /// Shows the slider of an operation. Its row stays where it is.
+    pub(in crate::gui) fn open(&mut self, freedom: Freedom) {
+        self.open_above.push(self.open);
+        self.open_above.retain(|other| (*other as usize) < freedom as usize);
+        self.open = freedom;
+    }
+
+    /// Leaves one operation open.
+    pub(in crate::gui) fn close_others(&mut self) {
+        self.open_above.clear();
+    }
+
     /// The operation that led to this camera, by the notes' signs; `None` if something else did.
     pub(in crate::gui) fn led_to(&self, camera: &Camera) -> Option<(Operation, &Camera)> {
         let Ghost { before, operation, convention } = self.last.as_ref()?;
@@ -101,6 +120,7 @@ impl Default for Operations {
         Self {
             steps: OPERATIONS.map(|descriptor| descriptor.step),
             open: Freedom::Elevation,
+            open_above: Vec::new(),
             predict: Predict::default(),
             convention: Convention::default(),
             scrub: None,

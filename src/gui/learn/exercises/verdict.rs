@@ -50,8 +50,11 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
             if let Some(diagnosis) = said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right) {
                 prose::show(ui, &diagnosis);
             }
-            if let Some(off) = ask.off(&judged.understood).filter(|_| !judged.right) {
+            if let Some(off) = ask.off(&judged.understood) {
                 prose::show(ui, &messages::off(t.lang, off));
+            }
+            if let Some([i, j]) = place_of(ask).filter(|_| judged.right) {
+                prose::show(ui, &messages::lands(t.lang, [i, j]));
             }
             if let Some(why) = why_guess_was_wrong(state, sheet, ask).filter(|_| judged.right) {
                 prose::show(ui, &why);
@@ -104,8 +107,14 @@ fn offer(ui: &mut Ui, state: &mut State, Sheet { t, entry, exercise }: Sheet<'_>
     });
 }
 
-/// Why the guess was wrong, told when the right answer was seen.
+/// The pixel that a question for a place asks for.
+fn place_of(ask: &Ask) -> Option<[f64; 2]> {
+    ask.expected().table().filter(|_| ask.places)?.entries.try_into().ok()
+}
+
+/// Why the guess was wrong, told when the right answer was seen. Without a picture to see it was told at once.
 fn why_guess_was_wrong(state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<String> {
+    state.lesson.as_ref().filter(|playing| !ask.places && playing.lesson.seen_after(playing.step).is_some())?;
     let guess = state.exercises.guess_at(ask)?;
     let judged = exercises::check(sheet.entry, sheet.exercise, ask, &joined(ask, guess)).ok()?;
     said::diagnosis(sheet.t.lang, ask, &judged).filter(|_| !judged.right)

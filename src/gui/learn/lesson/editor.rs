@@ -6,12 +6,14 @@ use eframe::egui::{Button, Id, RichText, Ui};
 use super::task_fields;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
 use crate::gui::files::file_flow;
+use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{AfterSave, State, StepChange};
 use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, messages};
+use crate::lessons::TaskKind;
 use crate::limits::{MAX_TITLE, MAX_TYPED};
 
 /// Seconds without a key after which the text is written to the file.
@@ -22,8 +24,9 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
     let Some(playing) = state.lesson.as_ref() else { return };
     let Some(writing) = &playing.writing else { return };
     let (step, count) = (playing.step, playing.lesson.steps.len());
-    let is_ahead = writing.is_ahead();
-    let mut change = None;
+    let (is_ahead, has_no_task) = (writing.is_ahead(), writing.typed.task.kind == TaskKind::None);
+    let task = lesson_tasks::texts(t.lang);
+    let (mut change, mut asks) = (None, false);
     ui.horizontal_wrapped(|ui| {
         use StepChange::{Another, Earlier, Later, Remove, Screen};
         for (name, hint, is_possible, what) in [
@@ -38,6 +41,9 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
             }
         }
         ui.separator();
+        let button = ui.add_enabled(has_no_task, Button::new(task.new_question));
+        asks = button.explained(task.new_question_hint).explained_disabled(task.has_task).clicked();
+        ui.separator();
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
             file_flow::begin(ui.ctx(), state, AfterSave::ReadLesson);
         }
@@ -45,6 +51,16 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
     });
     if let Some(change) = change {
         state.change_steps(change);
+    }
+    if asks {
+        let now = ui.input(|input| input.time);
+        let writing = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+        if let Some(writing) = writing {
+            writing.shows = Fields::Task;
+            writing.typed.task = std::mem::take(&mut writing.typed.task).with_kind(TaskKind::Choices);
+            number_field::take_keyboard(ui.ctx(), task.question_field);
+        }
+        state.text_edited(now);
     }
 }
 

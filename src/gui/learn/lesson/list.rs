@@ -48,10 +48,11 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
                     ui.label(RichText::new(format!("◀ {}", t.learn_next)).strong());
                 }
             });
-            if let Some(sentence) = &lesson.sentence {
+            // It would answer the questions of a lesson that is to come.
+            let sentence = lesson.sentence.as_ref().filter(|_| state.is_finished(lesson));
+            if let Some(sentence) = sentence {
                 prose::show(ui, told(lang, sentence).trim());
-            }
-            if !lesson.aims.is_empty() {
+            } else if !lesson.aims.is_empty() {
                 let aims: Vec<&str> = lesson.aims.iter().map(|aim| told(lang, aim).trim()).collect();
                 ui.scope(|ui| {
                     ui.style_mut().override_text_style = Some(TextStyle::Small);

@@ -23,6 +23,7 @@ use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
 use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{AfterSave, Chosen, Dialog, State};
 use crate::i18n::learn::exercises;
@@ -37,7 +38,7 @@ pub(in crate::gui) use speaker::window as speaker_window;
 /// The share of the window that text and task may take. What is longer is scrolled.
 const SHARE: f32 = 0.42;
 /// The share that they may take while they are written.
-const SHARE_WRITTEN: f32 = 0.55;
+const SHARE_WRITTEN: f32 = 0.4;
 /// The share that they may take in a presentation while a question is asked: the button that checks its answer is in
 /// sight.
 const SHARE_ASKED: f32 = 0.5;
@@ -59,6 +60,13 @@ const TYPED: f64 = 0.9;
 /// Goes on with the move to a step, and with what is typed; at the begin of a frame.
 pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     let now = ctx.input(|input| input.time);
+    let presses = |event: &egui::Event| {
+        matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
+    };
+    if state.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
+        // The click is for what the step shows at its end.
+        state.end_move();
+    }
     if state.go_on_moving(now) {
         ctx.request_repaint();
     }
@@ -449,7 +457,9 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
             match link {
                 Link::Note(id) => {
                     let Some(note) = notes::note(lang, id) else { continue };
-                    if ui.link(format!("{}: {}", t.read_more, notes::plain(note.title))).clicked() {
+                    let name = format!("{}: {}", t.read_more, notes::plain(note.title));
+                    let job = theme::sentence(ui, &name, &egui::TextStyle::Body, ui.visuals().hyperlink_color);
+                    if ui.link(job).accessible_name(name).clicked() {
                         state.explain_by_note(note.id);
                     }
                 }

@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::figure::{Figure, Screen};
+use crate::figure::{Bilingual, Figure, Screen};
 use crate::files::{self, FileError};
 use crate::gui::state::{Agreed, Dialog, Message, Side, State};
 use crate::i18n::learn::lessons as words;
-use crate::lessons::{Lesson, with_step};
+use crate::lessons::{Draft, Lesson, with_step};
 use crate::views::View;
 
 impl State {
@@ -31,9 +31,30 @@ impl State {
     pub(in crate::gui) fn is_recorded(&mut self) -> bool {
         let Some(path) = self.lesson_file.as_deref().filter(|_| self.document.path().is_none()) else { return false };
         let Ok((lesson, _)) = files::read_lesson(path) else { return false };
+        if self.title_to_record(Some(&lesson)).is_some() {
+            return false;
+        }
         let here = as_shown(self);
         let content = |figure: &Figure| (Figure { title: None, ..figure.without_scene() }, figure.scene.clone());
         lesson.steps.last().is_some_and(|step| content(&step.figure) == content(&here))
+    }
+
+    /// The title that the user gave the figure, if no step of the lesson has it yet.
+    pub(in crate::gui) fn title_to_record(&self, lesson: Option<&Lesson>) -> Option<Bilingual> {
+        let title = self.document.figure().title.as_ref()?;
+        let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
+        let is_of_step = self.lesson.is_some() && self.document.saved().title.as_ref() == Some(title);
+        let is_new = !is_of_step && !self.document.has_words_of_card() && steps.all(|step| step.title != *title);
+        is_new.then(|| title.clone())
+    }
+
+    /// The words of a new step in a lesson. A title that the user gave the figure is the step's.
+    pub(in crate::gui) fn draft_of_step(&self, lesson: Option<&Lesson>) -> Draft {
+        let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
+        if let Some(title) = self.title_to_record(lesson) {
+            draft.title = title;
+        }
+        draft
     }
 
     /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
@@ -48,13 +69,18 @@ impl State {
 
     /// Opens the list of lessons, with those of the folder of figures too.
     pub(in crate::gui) fn list_lessons(&mut self) {
+        self.look_for_lessons();
+        self.file_flow.dialog = Some(Dialog::Lessons);
+    }
+
+    /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
+    pub(in crate::gui) fn look_for_lessons(&mut self) {
         let folders =
             [self.lesson_file.as_deref().and_then(Path::parent), self.document.folder(), self.gallery.folder()];
         let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
         // A folder that cannot be read has none.
         let found = folder.filter(|_| !self.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
         self.own_lessons = found.unwrap_or_default().lessons;
-        self.file_flow.dialog = Some(Dialog::Lessons);
     }
 
     /// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
@@ -66,15 +92,15 @@ impl State {
 }
 
 fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
-    let (text, number) = if files::disk::exists(path) {
+    let (lesson, text) = if files::disk::exists(path) {
         let (lesson, text) = files::read_lesson(path)?;
-        (text, lesson.steps.len() + 1)
+        (Some(lesson), text)
     } else {
-        (String::new(), 1)
+        (None, String::new())
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let figure = as_shown(state);
-    let (text, lesson) = with_step(&text, &stem, &words::draft(number), &figure)?;
+    let (figure, draft) = (as_shown(state), state.draft_of_step(lesson.as_ref()));
+    let (text, lesson) = with_step(&text, &stem, &draft, &figure)?;
     files::save(path, text.as_bytes(), agreed.overwrite())?;
     Ok(lesson)
 }

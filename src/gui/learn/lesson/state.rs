@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::hands::{Hands, question_with_choices};
 use crate::camera::{Camera, Operation, Parameters};
+use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
 use crate::gui::gallery::Source;
@@ -475,6 +476,19 @@ impl State {
         }
         self.lesson = Some(playing);
         self.follow_writing();
+        if self.waits_for_seen() {
+            self.show_seen();
+        }
+    }
+
+    /// True for a question that a guess was made at and that isn't answered: it asks about the figure that was seen.
+    fn waits_for_seen(&self) -> bool {
+        let step = self.lesson.as_ref().filter(|playing| playing.writing.is_none()).and_then(Playing::now);
+        let Some(Task::Question(entry)) = step.and_then(|step| step.task.as_ref()) else { return false };
+        let right = self.exercises.right();
+        let asks = entry.exercise(0, &Default::default()).asks;
+        let waits = |ask: &Ask| self.exercises.guess_at(ask).is_some() && !right.contains(ask.name.as_str());
+        asks.iter().any(|ask| !ask.places && waits(ask))
     }
 
     /// Shows the figure that answers the question of the step, with a move to it. False where there is none.

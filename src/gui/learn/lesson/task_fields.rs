@@ -1,10 +1,11 @@
 //! The fields of a step's task: a question with choices, a number, a goal, or an exercise.
 
-use eframe::egui::{Button, ComboBox, Id, Ui};
+use eframe::egui::{Button, ComboBox, Id, RadioButton, Ui, vec2};
 
 use super::quantity_menu::quantity_menu;
 use crate::exercises::entries;
 use crate::figure::{Bilingual, Figure};
+use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::Lang;
@@ -99,7 +100,9 @@ impl Fields<'_> {
         let (id, width) = (Id::unique(("text of a task", self.lang)), ui.available_width());
         let field = TextField::lines(self.in_lang(text), MAX_TYPED);
         let field = field.with(|edit| edit.id(id).desired_width(width).desired_rows(ROWS));
-        self.is_left |= field.show(ui, self.t.lang).labelled_by(label.id).lost_focus();
+        let response = field.show(ui, self.t.lang).labelled_by(label.id);
+        number_field::answer_call(ui, &response, name);
+        self.is_left |= response.lost_focus();
     }
 
     /// A line that says in itself what it holds.
@@ -117,9 +120,12 @@ impl Fields<'_> {
     fn choices(&mut self, ui: &mut Ui, task: &mut TaskText) {
         let (t, mut gone) = (self.t, None);
         let can_go = task.choices.len() > 2;
+        let mut marks = Vec::new();
         for (place, letter) in (0..task.choices.len()).zip('A'..) {
             ui.horizontal(|ui| {
-                ui.radio_value(&mut task.right, place, letter.to_string()).explained(t.right_hint);
+                let size =
+                    vec2(ui.spacing().icon_width + 1.5 * ui.spacing().interact_size.y, ui.spacing().interact_size.y);
+                marks.push((letter, ui.allocate_space(size).1));
                 let width = width_of_fields(ui);
                 let choice = &mut task.choices[place];
                 self.line(ui, 0.38 * width, (t.choice_field, place), self.in_lang(&mut choice.text));
@@ -134,6 +140,14 @@ impl Fields<'_> {
                     gone = Some(place);
                 }
             });
+        }
+        // After the fields, so that Tab goes from one text to the next.
+        for (place, (letter, mark)) in marks.into_iter().enumerate() {
+            let is_right = task.right == place;
+            let chosen = ui.put(mark, RadioButton::new(is_right, letter.to_string())).explained(t.right_hint);
+            if chosen.accessible_name(format!("{} {letter}", t.right_field)).clicked() {
+                task.right = place;
+            }
         }
         gone.into_iter().for_each(|place| task.remove_choice(place));
         if ui.add_enabled(task.choices.len() < MAX_CHOICES, Button::new(t.add_choice)).clicked() {

@@ -337,7 +337,7 @@ impl State {
         let figure = super::recording::as_shown(self);
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
-        let draft = crate::i18n::learn::lessons::draft(playing.lesson.steps.len() + 1);
+        let draft = self.draft_of_step(Some(&playing.lesson));
         let step = playing.step;
         match with_step(&writing.text, &playing.lesson.id, &draft, &figure) {
             Ok((text, lesson)) => {
@@ -355,7 +355,6 @@ impl State {
             return;
         }
         let figure = super::recording::as_shown(self);
-        let draft = crate::i18n::learn::lessons::draft;
         let Some(playing) = &self.lesson else { return };
         let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());
@@ -364,9 +363,15 @@ impl State {
                 (edited(&writing.text, &Edit::Move(step, step.saturating_sub(1))), step.saturating_sub(1))
             }
             StepChange::Later => (edited(&writing.text, &Edit::Move(step, step + 1)), step + 1),
-            StepChange::Screen => (edited(&writing.text, &Edit::Show(step, Box::new(figure))), step),
+            StepChange::Screen => {
+                let title = self.title_to_record(Some(&playing.lesson));
+                let title = title.map(|title| Words::OfStep(step, StepText::Title, title));
+                let shown = edited(&writing.text, &Edit::Show(step, Box::new(figure)));
+                (shown.and_then(|(text, _)| reworded(&text, title.as_slice())), step)
+            }
             StepChange::Another => {
-                let added = with_step(&writing.text, &playing.lesson.id, &draft(count + 1), &figure);
+                let draft = self.draft_of_step(Some(&playing.lesson));
+                let added = with_step(&writing.text, &playing.lesson.id, &draft, &figure);
                 (added.and_then(|(text, _)| edited(&text, &Edit::Move(count, step + 1))), step + 1)
             }
             StepChange::Remove => (edited(&writing.text, &Edit::Remove(step)), step.saturating_sub(1)),
@@ -471,8 +476,12 @@ impl State {
     /// Goes on after a change of the steps. The work in each goes where the step goes. That in a removed step is kept.
     fn go_on_changed(&mut self, lesson: Lesson, change: StepChange, step: usize, then: usize) {
         self.end_move();
+        // A step has no caption.
+        let has_caption = self.document.figure().caption != self.document.saved().caption;
         if change == StepChange::Remove {
             self.leave_step();
+        } else if has_caption && matches!(change, StepChange::Screen | StepChange::Another) {
+            self.keep(vec![self.document.clone()]);
         }
         let Some(playing) = &mut self.lesson else { return };
         let new_place = |place: usize| match change {

@@ -32,7 +32,7 @@ pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, p
     drawn(builder, request, palette, |p| Some(eye + (p - eye) * 1.0005))
 }
 
-/// Draws them, each point where `place` puts it, and names them in the legend.
+/// Draws them, each point where `place` puts it. Those without an arc to be named at are named in the legend.
 fn drawn(
     builder: &mut GearBuilder,
     request: &Request,
@@ -40,6 +40,7 @@ fn drawn(
     place: impl Fn(DVec3) -> Option<DVec3>,
 ) -> Vec<LegendRow> {
     let led = request.operations();
+    let mut rows = Vec::new();
     for (k, (ghost, after)) in led.iter().enumerate() {
         let text = request.operation_text(k, led.len(), ghost.operation);
         let before = &ghost.before;
@@ -48,7 +49,11 @@ fn drawn(
         for run in seen(&request.camera, &divided(&window), &place) {
             builder.line(run, palette.ghost, 1.4, Dash::Dotted);
         }
-        let Some(turn) = Turn::of(ghost, after) else { continue };
+        let in_legend = |text| LegendRow::Title(LegendText::new("operation", text), palette.probe);
+        let Some(turn) = Turn::of(ghost, after) else {
+            rows.push(in_legend(text));
+            continue;
+        };
         for run in seen(&request.camera, &divided(&turn.axis), &place) {
             builder.arrow(run, palette.ghost, 1.4, Dash::DashDot);
         }
@@ -58,6 +63,8 @@ fn drawn(
         {
             let toward = builder.screen.heading(middle, middle - longest[0]);
             builder.named(ghost.operation.name(), middle, &text, toward, SMALL_TYPE, palette.probe);
+        } else {
+            rows.push(in_legend(text));
         }
         for run in arcs {
             builder.arrows(Some(run), palette.probe);
@@ -66,15 +73,7 @@ fn drawn(
             builder.mark(pivot, MarkShape::Ring, 5.0, palette.ghost);
         }
     }
-    rows(request, palette)
-}
-
-/// The operations in the legend: not all of them leave something that a picture shows, or has room to name.
-pub(in crate::views) fn rows(request: &Request, palette: Palette) -> Vec<LegendRow> {
-    let led = request.operations();
-    let text = |k: usize, ghost: &Ghost| request.operation_text(k, led.len(), ghost.operation);
-    let named = led.iter().enumerate().map(|(k, (ghost, _))| LegendText::new("operation", text(k, ghost)));
-    named.map(|text| LegendRow::Title(text, palette.probe)).collect()
+    rows
 }
 
 /// A rotation as it's seen from the camera after it.

@@ -31,7 +31,7 @@ use super::{Handle, Palette, Request};
 use crate::views::image::{light_view, vanishing};
 use crate::views::interact::{handles, hits, transform_gizmo};
 use crate::views::reveal::revealed_scene::PipelineReveal;
-use crate::views::reveal::{operation_path, probe, revealed_scene, triangle_overlay};
+use crate::views::reveal::{probe, revealed_scene, triangle_overlay};
 use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
@@ -103,7 +103,6 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         .in_shadows_of(request.scene.alone())
         .lit_by(&lights);
     let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
-    revealed.rows.extend(operation_path::rows(request, palette));
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
