@@ -34,10 +34,10 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let told = pictures::told_of(written, &subject.opened.figure, &film.stills(), text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &told, progress)));
-    let PictureFile { bytes, beside, too_much, .. } =
+    let PictureFile { bytes, beside, over_budget, .. } =
         made.map_err(|error| no_picture(lang, &name, error, subject.pixels()))?;
-    if let Some(too_much) = too_much {
-        say(&format!("{name}: {}", messages::too_much(lang, &too_much)));
+    if let Some(over_budget) = over_budget {
+        say(&format!("{name}: {}", messages::over_budget(lang, &over_budget)));
     }
     save(&args.output, &bytes, beside, lang)
 }

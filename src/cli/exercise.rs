@@ -22,7 +22,7 @@ use crate::i18n::why::notes;
 use crate::i18n::{Lang, messages};
 use crate::inspect::json_text;
 use crate::lessons::lesson_of;
-use crate::picture::{self, Composite, FileOptions, Told};
+use crate::picture::{self, Composite, FileOptions, Metadata};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::no_files;
@@ -260,7 +260,7 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
     let name = sanitize::path(path);
     let sheet = to_match(figure, (written, SIZE), &name, lang)?;
     let png = FileOptions { dpi: Some(200.0), ..FileOptions::of(PictureFormat::Png) };
-    let file = at_once(picture::file(&sheet, png, &Told::default(), &Progress::default()));
+    let file = at_once(picture::file(&sheet, png, &Metadata::default(), &Progress::default()));
     let file = file.map_err(|error| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from)))?;
     files::save(path, &file.bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))

@@ -10,13 +10,13 @@ use crate::i18n::window::progress as words;
 use crate::progress::Progress;
 
 /// Delay before the first message.
-const PATIENCE: Duration = Duration::from_millis(500);
+const MAX_WAIT: Duration = Duration::from_millis(500);
 /// Interval between messages.
 const STEP: Duration = Duration::from_millis(100);
 
 /// Does `work`. On a terminal, a line of standard error shows its progress, from half a second on until it is done.
 pub(super) fn watched<T>(lang: Lang, work: impl FnOnce(&Progress) -> T) -> T {
-    if io::stderr().is_terminal() { told(lang, &mut io::stderr(), PATIENCE, work) } else { work(&Progress::default()) }
+    if io::stderr().is_terminal() { told(lang, &mut io::stderr(), MAX_WAIT, work) } else { work(&Progress::default()) }
 }
 
 fn told<T>(lang: Lang, out: &mut (impl Write + Send), patience: Duration, work: impl FnOnce(&Progress) -> T) -> T {

@@ -74,8 +74,8 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
 
 /// Says what falls short in a picture; `names`: of the figure, and of the picture.
 pub(super) fn report(file: &PictureFile, sheet: &Composite, dpi: Option<f64>, [figure, name]: [&str; 2], lang: Lang) {
-    if let Some(too_much) = &file.too_much {
-        say(&format!("{figure}: {}", messages::too_much(lang, too_much)));
+    if let Some(over_budget) = &file.over_budget {
+        say(&format!("{figure}: {}", messages::over_budget(lang, over_budget)));
     }
     if let Some(points) = dpi.and_then(|dpi| sheet.tiny_letters(dpi)) {
         say(&format!("{name}: {}", pictures::tiny_letters(lang, points)));
@@ -132,7 +132,9 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
         }
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
-        PictureError::Strokes => Failure::Failed(format!("{name}: {}", messages::too_much(lang, &OverBudget::Strokes))),
+        PictureError::Strokes => {
+            Failure::Failed(format!("{name}: {}", messages::over_budget(lang, &OverBudget::Strokes)))
+        }
         PictureError::Font => Failure::Failed(format!("{name}: {error}")),
         PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
         PictureError::Encode { format, why } => encoder(format.name(), &why),

@@ -4,7 +4,7 @@ use super::{Lang, messages, told, window};
 use crate::figure::{Bilingual, Figure};
 use crate::i18n::why::pipeline;
 use crate::i18n::window::{canvas, scenes};
-use crate::picture::{Composite, Crowded, NoAreas, Told};
+use crate::picture::{Composite, Crowded, Metadata, NoAreas};
 use crate::stage::Stage;
 use crate::views::Labels;
 
@@ -266,7 +266,7 @@ const fn of(t: &Texts) -> Labels {
 /// The words that go with pictures into their file: the title of the figure, or the names of the pictures; its caption,
 /// and each picture in words.
 #[must_use]
-pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> Told {
+pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> Metadata {
     let own =
         |text: &Option<Bilingual>| text.as_ref().map(|text| told(lang, text).to_owned()).filter(|t| !t.is_empty());
     let names = sheet.requests.iter().map(|request| canvas::texts(lang).view(request.view));
@@ -275,7 +275,7 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
         sheet.requests.iter().map(|request| canvas::describe(lang, request.view, &request.camera, figure.image));
     let description = own(&figure.caption).into_iter().chain(words.map(|words| format!("{words}.")));
     let description = description.collect::<Vec<_>>().join(" ");
-    Told { figure: text, title, description, language: lang.tag(), stem: String::new() }
+    Metadata { figure: text, title, description, language: lang.tag(), stem: String::new() }
 }
 
 /// Why the faces of a page of vectors are a picture, although areas were asked for.
@@ -289,6 +289,6 @@ pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
             "the faces are an image: the first of them are shown in the order of the depth buffer; allowed for areas: visibility = \"painter\" or \"bsp\", or without show.painted",
             "as faces são uma imagem: as primeiras delas aparecem na ordem do z-buffer; permitido para áreas: visibility = \"painter\" ou \"bsp\", ou sem show.painted"),
         NoAreas::OverBudget(over) => both!(lang; "the faces are an image: {}",
-            "as faces são uma imagem: {}"; messages::too_much(lang, over)),
+            "as faces são uma imagem: {}"; messages::over_budget(lang, over)),
     }
 }

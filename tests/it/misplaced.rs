@@ -54,7 +54,7 @@ fn a_vertex_that_is_drawn_beside_its_place_is_named() {
     // The place by whole numbers, and where it was drawn: the one corner that is not cut.
     let aside = whole(1.1) - whole(1.0) - whole(0.1);
     let exact = 250.0 + 250.0 * (aside as f64 / 2_f64.powi(60)) / 5e-15;
-    let OverBudget::Rounding { vertices } = frame.too_much.unwrap() else { panic!("rounding") };
+    let OverBudget::Rounding { vertices } = frame.over_budget.unwrap() else { panic!("rounding") };
     let [vertex] = &vertices[..] else { panic!("{vertices:?}") };
     let [x, y, _] = frame.drawing.surfaces[0].positions[vertex.vertex];
     let off = (f64::from(x) - exact).hypot(f64::from(y) - 250.0);
@@ -63,7 +63,7 @@ fn a_vertex_that_is_drawn_beside_its_place_is_named() {
 
     let said = OverBudget::Rounding { vertices };
     for (lang, words) in [(Lang::En, "is drawn 4.2 px off"), (Lang::PtBr, "é desenhado com desvio de 4,2 px")] {
-        let text = messages::too_much(lang, &said);
+        let text = messages::over_budget(lang, &said);
         assert!(text.contains(words) && text.contains("\"box\""), "{text}");
     }
 }
@@ -71,17 +71,17 @@ fn a_vertex_that_is_drawn_beside_its_place_is_named() {
 #[test]
 fn a_window_so_wide_that_nothing_is_lost_says_nothing() {
     // What are 4.2 pixels in a window of 1e-14 is a fifth of a pixel in this one: looked at, and allowed.
-    assert!(drawn(&figure(2e-13), View::Image).too_much.is_none());
-    assert!(drawn(&figure(1e-11), View::Image).too_much.is_none());
+    assert!(drawn(&figure(2e-13), View::Image).over_budget.is_none());
+    assert!(drawn(&figure(1e-11), View::Image).over_budget.is_none());
     // The other pictures are seen by other cameras.
-    assert!(drawn(&figure(1e-14), View::World).too_much.is_none());
+    assert!(drawn(&figure(1e-14), View::World).over_budget.is_none());
 }
 
 #[test]
 fn the_figures_that_come_with_the_program_lose_nothing() {
     for figure in SHIPPED_FIGURES {
         for view in View::ALL {
-            assert_eq!(drawn(&figure.text(), view).too_much, None, "{} {view:?}", figure.name);
+            assert_eq!(drawn(&figure.text(), view).over_budget, None, "{} {view:?}", figure.name);
         }
     }
 }

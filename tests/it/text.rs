@@ -80,7 +80,7 @@ fn is_vague(doc: &str) -> bool {
 }
 
 #[test]
-fn docs_begin_with_a_thing_or_a_deed() {
+fn docs_start_with_a_noun_or_a_verb() {
     let vague: Vec<String> = sources(&["src", "crates"])
         .iter()
         .flat_map(|(path, text)| {

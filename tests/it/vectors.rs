@@ -15,7 +15,7 @@ use camera_lab::figure::read::parse;
 use camera_lab::figure::{Figure, update};
 use camera_lab::files::{FigureFiles, FileAccess, SHIPPED_FIGURES, figure_from};
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::picture::{Composite, Faces, FileOptions, PictureFile, Renderer, Told, file};
+use camera_lab::picture::{Composite, Faces, FileOptions, Metadata, PictureFile, Renderer, file};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
 use rayon::prelude::*;
@@ -311,7 +311,7 @@ fn words_about_the_picture_are_in_the_file() {
     let figure = parse(text).unwrap();
     let sheet = sheet(&figure, Views::One(View::Image), &request(&figure, SIZE));
     let told = pictures::told_of(Lang::PtBr, &figure, &sheet, String::new());
-    let Told { title, description, language, .. } = &told;
+    let Metadata { title, description, language, .. } = &told;
     assert_eq!((title.as_str(), *language), ("Um título", "pt-BR"));
     assert!(description.contains("o que a câmera vê"), "{description}");
     let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);

@@ -9,7 +9,7 @@ use camera_lab_engine::appearance::{
     Dash, DepthFormat, Filter, HiddenLines, LineStyle, Rgba, Sampler, Texture, TextureReveal, Wrap,
 };
 use camera_lab_engine::drawing::{
-    Base, Drawing, Lighting, PixelLight, Rays, Shadow, ShadowMap, StrokeSet, Surface, SurfaceLight, TakenLight,
+    Base, BlockedLight, Drawing, Lighting, PixelLight, Rays, Shadow, ShadowMap, StrokeSet, Surface, SurfaceLight,
     ViewLight,
 };
 use camera_lab_engine::raster::{Rasterizer, textbook};
@@ -176,7 +176,7 @@ fn texture(random: &mut Random, levels: bool, opaque: bool) -> Arc<Texture> {
     Arc::new(if levels { texture.with_levels() } else { texture })
 }
 
-fn shadow(random: &mut Random, recipe: ShadowRecipe, counts: [usize; 2], taken: TakenLight) -> Shadow {
+fn shadow(random: &mut Random, recipe: ShadowRecipe, counts: [usize; 2], taken: BlockedLight) -> Shadow {
     let size = 8 + random.next() as u32 % 40;
     let mut view = |_| {
         let (positions, triangles) = (0..4_u32)
@@ -253,9 +253,9 @@ fn surface(recipe: &Recipe, size: [u32; 2]) -> Surface {
         let mut some =
             |count: usize| (0..count).map(|_| [random.within(-0.2, 0.5), random.within(-0.1, 0.2)]).collect();
         let taken = match recipe.light {
-            LightKind::InBase | LightKind::Faces => TakenLight::Faces(some(faces)),
-            LightKind::Vertices => TakenLight::Vertices(some(vertices)),
-            LightKind::PerPixel { .. } => TakenLight::Light(number),
+            LightKind::InBase | LightKind::Faces => BlockedLight::Faces(some(faces)),
+            LightKind::Vertices => BlockedLight::Vertices(some(vertices)),
+            LightKind::PerPixel { .. } => BlockedLight::Light(number),
         };
         shadow(random, of_lamp, [vertices, faces], taken)
     });

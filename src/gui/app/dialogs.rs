@@ -13,7 +13,7 @@ use super::command::{Command, MENUS};
 use super::menu;
 use super::search;
 use crate::gui::export::{export_dialog, handout_dialog};
-use crate::gui::files::comparison::{Comparison, Whose};
+use crate::gui::files::comparison::{Comparison, LineOrigin};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
 use crate::gui::files::link_dialog;
@@ -314,10 +314,10 @@ fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
     area.show_rows(ui, line, comparison.lines.len(), |ui, rows| {
         for (whose, text) in comparison.lines.get(rows).unwrap_or_default() {
             let (sign, color) = match whose {
-                Whose::Both => (" ", visuals.text_color()),
-                Whose::Theirs => ("−", visuals.error_fg_color),
-                Whose::Mine => ("+", visuals.hyperlink_color),
-                Whose::Gap => ("⋯", visuals.weak_text_color()),
+                LineOrigin::Both => (" ", visuals.text_color()),
+                LineOrigin::Theirs => ("−", visuals.error_fg_color),
+                LineOrigin::Mine => ("+", visuals.hyperlink_color),
+                LineOrigin::Gap => ("⋯", visuals.weak_text_color()),
             };
             let line = RichText::new(format!("{sign} {text}")).monospace().color(color);
             ui.add(egui::Label::new(line).extend());

@@ -188,7 +188,7 @@ impl App {
         if let Some(command) = self.canvas.take_wanted() {
             self.perform(&ctx, command);
         }
-        self.state.consult(&ctx);
+        self.state.check_camera(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
         let presenting = self.state.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
@@ -255,7 +255,7 @@ impl App {
             let left = sessions.restore(slot);
             self.go_on_with(left);
         }
-        self.tell_news();
+        self.show_notices();
     }
 }
 

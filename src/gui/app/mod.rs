@@ -111,7 +111,7 @@ impl App {
         let (sessions, left) = Sessions::begin(folder, restore);
         self.sessions = Some(sessions);
         self.go_on_with(left);
-        self.tell_news();
+        self.show_notices();
     }
 
     /// Continues with a restored document.
@@ -129,7 +129,7 @@ impl App {
 
     /// Collects notices about sessions and preferences. Each stays until dismissed, write failures as long as they
     /// last.
-    fn tell_news(&mut self) {
+    fn show_notices(&mut self) {
         let said = &mut self.state.file_flow.news;
         if let Some(preferences) = &mut self.preferences {
             preferences.news().into_iter().for_each(|news| said.tell(news));

@@ -9,7 +9,7 @@ use crate::clock;
 use crate::progress::Progress;
 
 /// Time that a frame waits for an answer without which it can do.
-pub(in crate::gui) const PATIENCE: Duration = Duration::from_millis(4);
+pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_millis(4);
 
 /// A value, with what it was made from. It is made anew only from something else.
 #[derive(Clone, Debug)]

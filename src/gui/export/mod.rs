@@ -31,8 +31,8 @@ use crate::i18n::{Lang, families, messages, pictures, window};
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError,
-    PictureFile, SheetSize, Told,
+    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, Metadata, NoComposite, OnPaper,
+    PictureError, PictureFile, SheetSize,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -255,7 +255,7 @@ impl ExportError {
             Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
                 format!("{count} {}", t.picture_no_room)
             }
-            Self::Picture(PictureError::Strokes) => messages::too_much(lang, &OverBudget::Strokes),
+            Self::Picture(PictureError::Strokes) => messages::over_budget(lang, &OverBudget::Strokes),
             Self::Picture(error @ PictureError::Font) => error.to_string(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
@@ -344,7 +344,7 @@ impl ExportSource {
     }
 
     /// The words that go with its pictures into their file.
-    pub(super) fn told(&self, sheet: &Composite, figure: String) -> Told {
+    pub(super) fn told(&self, sheet: &Composite, figure: String) -> Metadata {
         pictures::told_of(self.lang, &self.figure, sheet, figure)
     }
 
@@ -473,12 +473,13 @@ impl Task {
     }
 
     async fn run(self, progress: &Progress) -> Exported {
-        let PictureFile { bytes, beside, too_much, .. } = self.file(progress).await.map_err(|error| match error {
-            _ if progress.is_cancelled() => ExportError::Cancelled,
-            error => error,
-        })?;
+        let PictureFile { bytes, beside, over_budget, .. } =
+            self.file(progress).await.map_err(|error| match error {
+                _ if progress.is_cancelled() => ExportError::Cancelled,
+                error => error,
+            })?;
         save_both(&self.path, &bytes, beside, self.overwrite)?;
-        Ok(too_much)
+        Ok(over_budget)
     }
 
     /// The file, with the figure file in it.
@@ -488,7 +489,7 @@ impl Task {
             ExportKind::Pictures(export) => export,
             ExportKind::Handout(job) => {
                 let bytes = job.pdf(progress).await?;
-                return Ok(PictureFile { bytes, beside: None, too_much: None, no_areas: None });
+                return Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None });
             }
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };

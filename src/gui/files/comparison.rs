@@ -13,11 +13,11 @@ use crate::sanitize;
 const AROUND: usize = 2;
 
 /// For texts with little in common a rough comparison does: the window waits for it.
-const PATIENCE: Duration = Duration::from_millis(300);
+const MAX_WAIT: Duration = Duration::from_millis(300);
 
 /// Whose line it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Whose {
+pub enum LineOrigin {
     /// In both texts.
     Both,
     /// In the file alone.
@@ -32,7 +32,7 @@ pub enum Whose {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comparison {
     /// Each line without its end.
-    pub lines: Vec<(Whose, String)>,
+    pub lines: Vec<(LineOrigin, String)>,
 }
 
 impl Comparison {
@@ -41,24 +41,24 @@ impl Comparison {
     pub fn new(theirs: &str, mine: &str) -> Self {
         let [theirs, mine] = [theirs, mine].map(|text| text.split_inclusive('\n').collect::<Vec<_>>());
         let mut found = Compact::new(Replace::new(Capture::new()), &theirs[..], &mine[..]);
-        let deadline = Some(Instant::now() + PATIENCE);
+        let deadline = Some(Instant::now() + MAX_WAIT);
         let Ok(()) = myers::diff_deadline(&mut found, &theirs[..], 0..theirs.len(), &mine[..], 0..mine.len(), deadline);
         let mut lines = Vec::new();
         for (number, group) in found.into_inner().into_inner().into_grouped_ops(AROUND).iter().enumerate() {
             if number > 0 {
-                lines.push((Whose::Gap, String::new()));
+                lines.push((LineOrigin::Gap, String::new()));
             }
             for operation in group {
                 let (tag, in_theirs, in_mine) = operation.as_tag_tuple();
-                let all: &[(Whose, &[&str])] = match tag {
-                    DiffTag::Equal => &[(Whose::Both, &mine[in_mine])],
+                let all: &[(LineOrigin, &[&str])] = match tag {
+                    DiffTag::Equal => &[(LineOrigin::Both, &mine[in_mine])],
                     DiffTag::Delete | DiffTag::Insert | DiffTag::Replace => {
-                        &[(Whose::Theirs, &theirs[in_theirs]), (Whose::Mine, &mine[in_mine])]
+                        &[(LineOrigin::Theirs, &theirs[in_theirs]), (LineOrigin::Mine, &mine[in_mine])]
                     }
                 };
                 for (whose, line) in all.iter().flat_map(|(whose, lines)| lines.iter().map(|line| (*whose, *line))) {
                     if lines.len() >= MAX_COMPARED_LINES {
-                        lines.push((Whose::Gap, String::new()));
+                        lines.push((LineOrigin::Gap, String::new()));
                         return Self { lines };
                     }
                     lines.push((whose, shown(line)));
@@ -86,10 +86,10 @@ mod tests {
         let signs: Vec<String> = lines
             .iter()
             .map(|(whose, line)| match whose {
-                Whose::Both => format!("={line}"),
-                Whose::Theirs => format!("-{line}"),
-                Whose::Mine => format!("+{line}"),
-                Whose::Gap => "…".to_owned(),
+                LineOrigin::Both => format!("={line}"),
+                LineOrigin::Theirs => format!("-{line}"),
+                LineOrigin::Mine => format!("+{line}"),
+                LineOrigin::Gap => "…".to_owned(),
             })
             .collect();
         assert_eq!(signs, ["=c", "=d", "-near = 1", "+near = 2", "=e", "=f", "…", "=j", "=k", "+l"]);
@@ -102,6 +102,6 @@ mod tests {
         let lines = Comparison::new(&many, "x\n").lines;
         assert_eq!(lines.len(), MAX_COMPARED_LINES + 1);
         let lines = Comparison::new("a\u{1b}[31m\tb\r\n", "").lines;
-        assert_eq!(lines, [(Whose::Theirs, r"a\u{1b}[31m    b".to_owned())]);
+        assert_eq!(lines, [(LineOrigin::Theirs, r"a\u{1b}[31m    b".to_owned())]);
     }
 }

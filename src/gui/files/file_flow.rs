@@ -548,7 +548,7 @@ fn take_exports(ctx: &egui::Context, state: &mut State) {
                 say_saved(state, path);
                 continue;
             }
-            Ok(Some(too_much)) => Message::SavedOtherwise(path, too_much),
+            Ok(Some(over_budget)) => Message::SavedOtherwise(path, over_budget),
             Err(error) => {
                 failed |= !matches!(error, ExportError::Cancelled);
                 Message::NotExported(path, NotExported(error))

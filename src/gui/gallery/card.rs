@@ -64,14 +64,14 @@ pub(super) enum CardOutcome {
     /// These files, those that are there first, and those that are gone.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),
     /// The titles of figures, and their sentences: empty where there is none, or the figure cannot be read.
-    Read(Vec<(Source, Told)>),
+    Read(Vec<(Source, CardText)>),
     /// A small picture of a figure, or why there is none.
     Drawn(Source, Drawn),
 }
 
 /// The words of a figure about itself.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Told {
+pub(super) struct CardText {
     pub(super) title: String,
     pub(super) sentence: String,
 }
@@ -96,7 +96,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
         }
         CardJob::Read(sources, lang) => {
             let of = |source: Source| {
-                let told = if progress.is_cancelled() { Told::default() } else { said_by(&source, lang) };
+                let told = if progress.is_cancelled() { CardText::default() } else { said_by(&source, lang) };
                 (source, told)
             };
             CardOutcome::Read(sources.into_iter().map(of).collect())
@@ -177,13 +177,13 @@ fn draw(
 
 /// Reads the words of a figure about itself, also of one that cannot be drawn. A file without a title has its name, a
 /// file without a caption its first comment.
-fn said_by(source: &Source, lang: Lang) -> Told {
+fn said_by(source: &Source, lang: Lang) -> CardText {
     let in_lang = |text: &Bilingual| told(lang, text).to_owned();
     match source {
         Source::Shipped(name) => {
             let texts = ShippedFigure::named(name).map(ShippedFigure::told).unwrap_or_default();
             let [title, sentence] = texts.map(|text| in_lang(&text));
-            Told { title, sentence }
+            CardText { title, sentence }
         }
         Source::File(_) => {
             let bytes = read(source).unwrap_or_default();
@@ -194,7 +194,7 @@ fn said_by(source: &Source, lang: Lang) -> Told {
                 None => source.name().into_owned(),
             };
             let comment = || first_comment(&String::from_utf8_lossy(&text));
-            Told { title, sentence: figure.caption.as_ref().map_or_else(comment, in_lang) }
+            CardText { title, sentence: figure.caption.as_ref().map_or_else(comment, in_lang) }
         }
     }
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 
-use self::card::{CardJob, CardOutcome, Told, work};
+use self::card::{CardJob, CardOutcome, CardText, work};
 use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
@@ -72,7 +72,7 @@ pub struct Gallery {
 struct Card {
     texture: Option<TextureHandle>,
     /// Its words about itself; `None` means not read yet.
-    told: Option<Told>,
+    told: Option<CardText>,
     /// Why it cannot be drawn. Empty where it can, or has not been tried.
     fault: String,
     /// False: it may have changed since, and is looked at again.

@@ -189,10 +189,10 @@ impl Message {
             Self::Camera(error) => (Error, faults::camera_error(lang, error)),
             Self::Scene(error) => (Error, messages::scene(lang, error)),
             Self::NoPhotograph(notice) => (Error, messages::mesh_notice(lang, notice)),
-            Self::OverBudget(too_much) => (Error, messages::too_much(lang, too_much)),
+            Self::OverBudget(over_budget) => (Error, messages::over_budget(lang, over_budget)),
             Self::Exporting => (Lasting, t.exporting.to_owned()),
-            Self::SavedOtherwise(path, too_much) => {
-                (Error, format!("{}; {}", about(t.saved, path), messages::too_much(lang, too_much)))
+            Self::SavedOtherwise(path, over_budget) => {
+                (Error, format!("{}; {}", about(t.saved, path), messages::over_budget(lang, over_budget)))
             }
             Self::NotExported(path, NotExported(error)) => {
                 let tone = if matches!(error, ExportError::Cancelled) { News } else { Error };

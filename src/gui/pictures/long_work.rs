@@ -13,7 +13,7 @@ use crate::i18n::window::{progress, scenes};
 use crate::sanitize;
 
 /// Work shorter than this is not reported.
-const PATIENCE: Duration = Duration::from_millis(500);
+const MAX_WAIT: Duration = Duration::from_millis(500);
 
 /// Work that takes long.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +40,7 @@ impl LongWork {
             .file_flow
             .running()
             .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, sanitize::path(path)), running));
-        let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= PATIENCE);
+        let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= MAX_WAIT);
         let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
         // The name, which may be long, comes last, where it may be elided.
         let doing = now.map(|(doing, share)| format!("{} · ", progress::progress(lang, doing, share)));
@@ -57,7 +57,7 @@ impl Canvas {
             return;
         }
         if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-            let is_long = |running: Running| running.time >= PATIENCE;
+            let is_long = |running: Running| running.time >= MAX_WAIT;
             if self.rendering.running().is_some_and(is_long) {
                 self.rendering.cancel();
             }
@@ -118,7 +118,7 @@ mod tests {
         };
         // Too early: nothing is reported, and Escape means something else.
         press(&mut state);
-        std::thread::sleep(PATIENCE + Duration::from_millis(100));
+        std::thread::sleep(MAX_WAIT + Duration::from_millis(100));
         let told = LongWork::of(&Canvas::default(), &state).expect("told");
         assert_eq!(told.share, Some(0.75));
         assert!(told.text.contains("a.png") && told.text.contains("painting… 75 %"), "{}", told.text);

@@ -65,7 +65,7 @@ use crate::views::image_frame;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
 /// Time that a frame waits for its pictures. Slower ones are shown when they are done.
-const PATIENCE: Duration = Duration::from_millis(30);
+const MAX_WAIT: Duration = Duration::from_millis(30);
 /// In a room that is narrower, in points of a presentation, one picture is large instead of three being small.
 const ROOM_FOR_SEVERAL: f32 = 560.0;
 /// Interval between reports of long work.
@@ -121,7 +121,7 @@ struct ScreenPicture {
     /// Why there is none.
     missing: Option<Missing>,
     /// A budget that it exceeded.
-    too_much: Option<OverBudget>,
+    over_budget: Option<OverBudget>,
     /// From where it is seen where the figure does not say.
     auto: Auto,
     /// The observer that a button or a key framed last, with the size of the picture.
@@ -135,7 +135,7 @@ struct ScreenPicture {
 impl Default for Canvas {
     fn default() -> Self {
         Self {
-            patience: PATIENCE,
+            patience: MAX_WAIT,
             rendering: Rendering::default(),
             pictures: Vec::new(),
             shares: Shares::default(),
@@ -462,17 +462,17 @@ impl Canvas {
         for (i, done) in self.rendering.collect(self.patience).into_iter().enumerate() {
             let (Some(rendered), Some(shown)) = (done, self.shot.pictures.get(i)) else { continue };
             let missing = rendered.as_ref().err().copied();
-            let (tiles, account, too_much, labels) =
-                rendered.map_or((None, None, None, Vec::new()), |r| (Some(r.tiles), r.account, r.too_much, r.labels));
+            let (tiles, account, over_budget, labels) = rendered
+                .map_or((None, None, None, Vec::new()), |r| (Some(r.tiles), r.account, r.over_budget, r.labels));
             // Reported when it comes up; as long as it holds, a note is in the picture.
             let is_known =
-                |new: &OverBudget| self.pictures.iter().any(|picture| picture.too_much.as_ref() == Some(new));
-            if let Some(too_much) = too_much.as_ref().filter(|new| !is_known(new)) {
-                state.say(Message::OverBudget(too_much.clone()));
+                |new: &OverBudget| self.pictures.iter().any(|picture| picture.over_budget.as_ref() == Some(new));
+            if let Some(over_budget) = over_budget.as_ref().filter(|new| !is_known(new)) {
+                state.say(Message::OverBudget(over_budget.clone()));
             }
             let picture = &mut self.pictures[i];
             picture.texture.set(ctx, words::texts(state.settings.lang).view(shown.kind), tiles);
-            (picture.missing, picture.account, picture.too_much) = (missing, account, too_much);
+            (picture.missing, picture.account, picture.over_budget) = (missing, account, over_budget);
             picture.labels = labels;
         }
         self.report(ctx, state);

@@ -34,7 +34,7 @@ pub(super) struct Rendered {
     /// Its render report, where it was requested.
     pub(super) account: Option<RenderReport>,
     /// A shortfall of the picture.
-    pub(super) too_much: Option<OverBudget>,
+    pub(super) over_budget: Option<OverBudget>,
     /// Where its labels are.
     pub(super) labels: Vec<LabelPlace>,
 }
@@ -113,9 +113,9 @@ struct Turn {
 }
 
 /// One of them, until it is dropped.
-struct UnderWay<'a>(&'a Turn);
+struct RunningJob<'a>(&'a Turn);
 
-impl Drop for UnderWay<'_> {
+impl Drop for RunningJob<'_> {
     fn drop(&mut self) {
         self.0.drawing.fetch_sub(1, Ordering::Relaxed);
     }
@@ -133,7 +133,7 @@ fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome
         let _beside = (!job.accounted).then(|| turn.lock.read().unwrap_or_else(PoisonError::into_inner));
         let waited = clock::now().saturating_sub(asked);
         let before = turn.drawing.fetch_add(1, Ordering::Relaxed) + 1;
-        let _under_way = UnderWay(&turn);
+        let _under_way = RunningJob(&turn);
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = 1);
@@ -153,7 +153,7 @@ fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome
             last[picture] = tiles.images();
             Rendered {
                 tiles,
-                too_much: account.too_much.clone(),
+                over_budget: account.over_budget.clone(),
                 labels: account.labels.clone(),
                 account: accounted.then_some(account),
             }

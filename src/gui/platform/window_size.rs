@@ -7,7 +7,7 @@ use crate::gui::model::layout::WindowPlace;
 /// Screens up to this size, in points, have the window in the size that suits them.
 const SMALL: [f32; 2] = [1280.0, 720.0];
 /// Time for which a window manager is waited for, in seconds.
-const PATIENCE: f32 = 1.0;
+const MAX_WAIT: f32 = 1.0;
 
 /// Time for which a size or a place stays before it is remembered, in seconds: not every one on the way to it is.
 const SETTLED: f64 = 1.0;
@@ -40,11 +40,11 @@ impl Opening {
             }
             (Self::Begins, Some(screen)) if screen.x > SMALL[0] || screen.y > SMALL[1] => {
                 ctx.send_viewport_cmd(ViewportCommand::Maximized(true));
-                ctx.request_repaint_after_secs(PATIENCE + 0.1);
+                ctx.request_repaint_after_secs(MAX_WAIT + 0.1);
                 *self = Self::Asked(now);
             }
             (Self::Begins, Some(_)) => *self = Self::Done,
-            (Self::Asked(since), Some(screen)) if now - since > f64::from(PATIENCE) => {
+            (Self::Asked(since), Some(screen)) if now - since > f64::from(MAX_WAIT) => {
                 let is_large = inner.is_some_and(|inner| inner.width() > 0.9 * screen.x);
                 if maximized != Some(true) && !is_large {
                     // There is no window manager, and so nothing else on the screen.

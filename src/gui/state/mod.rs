@@ -350,7 +350,7 @@ impl State {
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
         self.operations.motion = None;
-        self.let_lesson_go();
+        self.close_lesson();
         self.document = document;
         self.file_flow.theirs = None;
         self.file_flow.decided = None;

@@ -5,7 +5,7 @@ use std::hash::Hash;
 
 use eframe::egui::{self, CollapsingHeader, RichText, TextStyle, text::LayoutJob};
 
-use crate::camera::WayBack;
+use crate::camera::Unprojected;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
 use crate::gui::kit::mathematics;
 use crate::gui::kit::tooltip::Explained;
@@ -75,7 +75,7 @@ pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digit
 }
 
 /// From the centre of the point's pixel with its Z; `None` for a point that has no pixel.
-fn way_back(setting: &Setting<'_>) -> Option<Result<WayBack, crate::camera::NotProjectable>> {
+fn way_back(setting: &Setting<'_>) -> Option<Result<Unprojected, crate::camera::NotProjectable>> {
     /// Whole numbers up to here are exact.
     const LARGEST: f64 = 9e15;
     let point = setting.point()?;

@@ -18,4 +18,4 @@ pub use crate::i18n::messages::files::{encoder, file, link, opened, png};
 pub use crate::i18n::messages::meshes::notice as mesh_notice;
 pub use crate::i18n::messages::scene_errors::scene;
 pub use crate::i18n::messages::unreadable::without_colors;
-pub use crate::i18n::window::progress::too_much;
+pub use crate::i18n::window::progress::over_budget;

@@ -35,9 +35,9 @@ pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
 
 /// The exceeded budget. In English, the error's own words.
 #[must_use]
-pub fn too_much(lang: Lang, too_much: &OverBudget) -> String {
-    match (lang, too_much) {
-        (Lang::En, too_much) => too_much.to_string(),
+pub fn over_budget(lang: Lang, over_budget: &OverBudget) -> String {
+    match (lang, over_budget) {
+        (Lang::En, over_budget) => over_budget.to_string(),
         (Lang::PtBr, OverBudget::Pieces { objects }) => format!(
             "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o z-buffer decide; permitido: menos faces, ou visibility = \"depth-buffer\"",
             names(objects, "e outros")

@@ -1,7 +1,7 @@
 //! The words of the scene: its tree, its objects and lights.
 
 use crate::i18n::Lang;
-use crate::scene::{Beyond, LightKind, Preset, Shape};
+use crate::scene::{LightKind, LostFeature, Preset, Shape};
 
 texts! {
     drawing: "Drawing", "Desenho";
@@ -249,17 +249,17 @@ pub fn lost(lang: Lang, preset: Preset) -> String {
 
 /// The features that a list of objects cannot express, as a list.
 #[must_use]
-pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
-    let word = |what: &Beyond| match what {
-        Beyond::NumberedFaces => pick!(lang; "the colours of single faces and the numbers on them",
+pub fn beyond(lang: Lang, lost: &[LostFeature]) -> String {
+    let word = |what: &LostFeature| match what {
+        LostFeature::NumberedFaces => pick!(lang; "the colours of single faces and the numbers on them",
             "as cores de cada face e os números nelas"),
-        Beyond::TiledFloor => pick!(lang; "the tiled floor", "o piso ladrilhado"),
-        Beyond::InnerSides => pick!(lang; "the inner sides of faces", "os lados de dentro das faces"),
-        Beyond::CornerNames => pick!(lang; "the coordinates beside the corners",
+        LostFeature::TiledFloor => pick!(lang; "the tiled floor", "o piso ladrilhado"),
+        LostFeature::InnerSides => pick!(lang; "the inner sides of faces", "os lados de dentro das faces"),
+        LostFeature::CornerNames => pick!(lang; "the coordinates beside the corners",
             "as coordenadas junto aos vértices"),
-        Beyond::WireCube => pick!(lang; "that the cube has no faces", "que o cubo não tem faces"),
-        Beyond::LetterF => pick!(lang; "the letter F", "a letra F"),
-        Beyond::Rays => pick!(lang; "the arrows of the construction", "as setas da construção"),
+        LostFeature::WireCube => pick!(lang; "that the cube has no faces", "que o cubo não tem faces"),
+        LostFeature::LetterF => pick!(lang; "the letter F", "a letra F"),
+        LostFeature::Rays => pick!(lang; "the arrows of the construction", "as setas da construção"),
     };
     lost.iter().map(word).collect::<Vec<_>>().join("; ")
 }

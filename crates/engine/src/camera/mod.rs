@@ -58,7 +58,7 @@ pub use recovery::{
 };
 pub use stations::{Projected, Stations};
 pub use stereo::Convergence;
-pub use unproject::{NotProjectable, WayBack};
+pub use unproject::{NotProjectable, Unprojected};
 
 use glam::DVec3;
 

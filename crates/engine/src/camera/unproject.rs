@@ -8,7 +8,7 @@ use crate::geometry::double_double::{Dd, Dd3};
 
 /// The centre of a pixel at a depth, in every space on its way back.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WayBack {
+pub struct Unprojected {
     /// (i, j)
     pub pixel: [i64; 2],
     /// Z of (5.25)
@@ -85,7 +85,7 @@ impl ClipSpace<'_> {
         viewport: &Viewport,
         pixel: [i64; 2],
         depth: f64,
-    ) -> Result<WayBack, NotProjectable> {
+    ) -> Result<Unprojected, NotProjectable> {
         let camera = self.camera();
         let Viewport { depth_near, depth_far, .. } = *viewport;
         if depth_near == depth_far {
@@ -112,7 +112,7 @@ impl ClipSpace<'_> {
         };
         let clip = self.lens.clip(camera.projection(), view);
         let ndc = [0, 1, 2].map(|k| (clip[k] / clip[3]).value() + 0.0);
-        let way = WayBack {
+        let way = Unprojected {
             pixel,
             depth,
             window: DVec2::new(x.value() + 0.0, y.value() + 0.0),

@@ -26,7 +26,7 @@ mod surface;
 use std::ops::Range;
 
 use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba};
-pub use shadow::{Rays, Shadow, ShadowMap, TakenLight};
+pub use shadow::{BlockedLight, Rays, Shadow, ShadowMap};
 pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
 /// A picture, ready for an output.

@@ -18,12 +18,12 @@ pub struct Shadow {
     /// The plane of each triangle for the light, as [`Rays`] has it.
     pub planes: Vec<[f32; 3]>,
     /// The light that is missing in the shadow.
-    pub taken: TakenLight,
+    pub taken: BlockedLight,
 }
 
 /// The light that a shadow takes away: that of one lamp.
 #[derive(Clone, Debug, PartialEq)]
-pub enum TakenLight {
+pub enum BlockedLight {
     /// From each triangle, of its light by [`SurfaceLight::Faces`](super::SurfaceLight::Faces).
     Faces(Vec<LightShare>),
     /// From each vertex, of its light by [`SurfaceLight::Vertices`](super::SurfaceLight::Vertices).
@@ -112,9 +112,9 @@ impl Shadow {
     #[must_use]
     pub fn bare(&self) -> Self {
         let taken = match &self.taken {
-            TakenLight::Faces(_) => TakenLight::Faces(Vec::new()),
-            TakenLight::Vertices(_) => TakenLight::Vertices(Vec::new()),
-            TakenLight::Light(light) => TakenLight::Light(*light),
+            BlockedLight::Faces(_) => BlockedLight::Faces(Vec::new()),
+            BlockedLight::Vertices(_) => BlockedLight::Vertices(Vec::new()),
+            BlockedLight::Light(light) => BlockedLight::Light(*light),
         };
         Self { map: Arc::clone(&self.map), bias: self.bias, places: Vec::new(), planes: Vec::new(), taken }
     }
@@ -122,7 +122,7 @@ impl Shadow {
     /// Keeps only what belongs to the first triangles.
     pub(super) fn truncate(&mut self, count: usize) {
         self.planes.truncate(count);
-        if let TakenLight::Faces(shares) = &mut self.taken {
+        if let BlockedLight::Faces(shares) = &mut self.taken {
             shares.truncate(count);
         }
     }

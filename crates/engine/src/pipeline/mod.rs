@@ -228,7 +228,7 @@ impl Pipeline {
         let mut frame = recorder.frame(drawing, scenes);
         if let Some((pieces, over_budget)) = ordered.given_up {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
-            frame.too_much = Some(over_budget);
+            frame.over_budget = Some(over_budget);
         }
         frame
     }

@@ -248,14 +248,14 @@ impl Occluders<'_> {
         }
     }
 
-    /// [`before`](Self::before) for some points, [`EACH`] at most.
+    /// [`before`](Self::before) for some points, [`MAX_POINTS`] at most.
     pub(super) fn before_each(&self, points: &[[f32; 3]], before: &mut [Occlusion]) {
-        let mut shown = [[true; EACH]; 2];
+        let mut shown = [[true; MAX_POINTS]; 2];
         self.opaque.shows_each(points, &mut shown[0]);
         if let Some(tints) = self.tints {
             tints.shows_each(points, &mut shown[1]);
         }
-        for (k, before) in before.iter_mut().enumerate().take(EACH) {
+        for (k, before) in before.iter_mut().enumerate().take(MAX_POINTS) {
             *before = match [shown[0][k], shown[1][k]] {
                 [false, _] => Occlusion::Opaque,
                 [_, false] => Occlusion::Translucent,
@@ -266,7 +266,7 @@ impl Occluders<'_> {
 }
 
 /// Points that are compared with the faces before them together.
-pub(super) const EACH: usize = 32;
+pub(super) const MAX_POINTS: usize = 32;
 
 /// The whole number below. The library's function is slow on processors for which no instruction may be assumed.
 #[expect(clippy::cast_possible_truncation, reason = "`as` saturates, short of the last number")]
@@ -312,7 +312,7 @@ mod tests {
         fn four_pixels_at_once_show_what_each_shows(
             values in prop::collection::vec(prop_oneof![Just(f32::NEG_INFINITY), 0.0..1.0_f32], 7 * 6),
             slopes in prop::collection::vec([-0.3..0.3_f32, -0.3..0.3], 7 * 6),
-            points in prop::collection::vec([-2.0..8.0_f32, -2.0..9.0, 0.0..1.0], 1..EACH),
+            points in prop::collection::vec([-2.0..8.0_f32, -2.0..9.0, 0.0..1.0], 1..MAX_POINTS),
             (with_slopes, columns, step) in (any::<bool>(), [0..5_usize, 0..6], prop_oneof![Just(0.0_f32), Just(0.01)]),
         ) {
             let slopes: Vec<u32> = slopes.into_iter().map(|[dx, dy]| pack_slope(dx, dy)).collect();
@@ -331,7 +331,7 @@ mod tests {
                 bands: vec![band(0, 0..5), band(7, columns[0]..columns[1])],
                 step,
             };
-            let mut shown = [false; EACH];
+            let mut shown = [false; MAX_POINTS];
             buffer.shows_each(&points, &mut shown);
             for (&point, shown) in points.iter().zip(shown) {
                 prop_assert_eq!(shown, is_shown(&buffer, point), "{:?}", point);

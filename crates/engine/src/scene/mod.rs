@@ -30,7 +30,7 @@ pub use revision::SceneRevision;
 pub use shadows::Shadows;
 pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
 pub use texture::{CornerUv, TextureError, TextureFault};
-pub use tree::presets::{Beyond, objects as preset_objects};
+pub use tree::presets::{LostFeature, objects as preset_objects};
 pub use tree::resolve::{DEFAULT_LIGHT, check};
 pub use tree::{edit, transform};
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{Setting, Step, back, forward};
-use crate::camera::{NotProjectable, WayBack};
+use crate::camera::{NotProjectable, Unprojected};
 use crate::inspect::{Report, json_text};
 
 /// A pixel with a depth, followed back to the world.
@@ -35,7 +35,7 @@ impl DepthPixelReport {
     pub fn new(setting: &Setting<'_>, pixel: [i64; 2], depth: f64) -> Result<Self, NotProjectable> {
         let way = setting.space().way_back(setting.image(), &setting.viewport(), pixel, depth)?;
         let trace = back(setting, &way);
-        let WayBack { pixel, depth, window, ndc, clip, view, world } = way;
+        let Unprojected { pixel, depth, window, ndc, clip, view, world } = way;
         Ok(Self {
             pixel,
             depth,

@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec2, DVec3};
 
 use super::{Axis, Component, Matrix, Symbol};
-use crate::camera::{ClipSpace, ImageSize, Ndc, Projected, Stations, Viewport, WayBack};
+use crate::camera::{ClipSpace, ImageSize, Ndc, Projected, Stations, Unprojected, Viewport};
 use crate::geometry::Angle;
 
 /// The placement of an object in the world.
@@ -55,7 +55,7 @@ impl<'a> Setting<'a> {
     /// With the point to which a pixel with a depth leads back, as it is on that way: before anything is rounded to
     /// whole pixels.
     #[must_use]
-    pub fn with_way_back(self, way: &WayBack) -> Self {
+    pub fn with_way_back(self, way: &Unprojected) -> Self {
         let setting = self.with_point(way.world);
         #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
         let pixel = DVec2::from_array(way.pixel.map(|x| x as f64));

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::formula::{minus, over, plus, times};
 use super::matrices::projection_equation;
 use super::{Axis, Component, Formula, Function, Matrix, Setting, Symbol};
-use crate::camera::{Ndc, Projection, WayBack};
+use crate::camera::{Ndc, Projection, Unprojected};
 
 /// One step of a point's way. The sum of each row of `terms` is the number of `output` in that row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -258,7 +258,7 @@ fn to_viewport(setting: &Setting<'_>) -> Step {
 /// The formulas have their numbers in [`Step::setting`] of the setting [with the way](Setting::with_way_back). Without
 /// a far plane the convention with one is used, as Z of (5.25) has one.
 #[must_use]
-pub fn back(setting: &Setting<'_>, way: &WayBack) -> Vec<Step> {
+pub fn back(setting: &Setting<'_>, way: &Unprojected) -> Vec<Step> {
     if setting.space().ndc().infinite {
         let finite = setting.with_far_plane();
         let again = finite.space().way_back(finite.image(), &finite.viewport(), way.pixel, way.depth);

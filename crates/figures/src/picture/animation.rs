@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Composite, FileOptions, PictureError, PictureFile, Renderer, Told, file, gap};
+use super::{Composite, FileOptions, Metadata, PictureError, PictureFile, Renderer, file, gap};
 use crate::camera::Decomposition;
 use crate::export::animation::{AnimationError, AnimationFormat, TICK, animation};
 use crate::export::format::PictureFormat;
@@ -72,13 +72,13 @@ impl Animation {
         &self,
         format: FilmFormat,
         seconds: f64,
-        told: &Told,
+        told: &Metadata,
         progress: &Progress,
     ) -> Result<PictureFile, PictureError> {
         match format {
             FilmFormat::Animation(format) => {
                 let bytes = self.animation(format, seconds, progress).await?;
-                Ok(PictureFile { bytes, beside: None, too_much: None, no_areas: None })
+                Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None })
             }
             FilmFormat::Strip(format) => file(&self.stills(), FileOptions::of(format), told, progress).await,
         }

@@ -22,14 +22,14 @@ pub struct PictureFile {
     /// The file that belongs beside it.
     pub beside: Option<Beside>,
     /// A shortfall of the picture.
-    pub too_much: Option<OverBudget>,
+    pub over_budget: Option<OverBudget>,
     /// Why faces of a page of vectors are a picture, where areas were asked for.
     pub no_areas: Option<NoAreas>,
 }
 
 /// The words that go with a picture into its file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Told {
+pub struct Metadata {
     /// The figure file. Empty means none.
     pub figure: String,
     /// Becomes the title of the file; empty if there is none.
@@ -42,7 +42,7 @@ pub struct Told {
     pub stem: String,
 }
 
-impl Told {
+impl Metadata {
     /// The same for a file with this name.
     #[must_use]
     pub fn for_file(self, path: &Path) -> Self {
@@ -116,7 +116,7 @@ pub async fn assembled(
 pub async fn file(
     sheet: &Composite,
     form: FileOptions,
-    told: &Told,
+    told: &Metadata,
     progress: &Progress,
 ) -> Result<PictureFile, PictureError> {
     let FileOptions { format, crop, dpi, letters, .. } = form;
@@ -125,36 +125,41 @@ pub async fn file(
     let pixels = async || assembled(sheet, crop, progress).await;
     let pixmap = |picture: &mut Pixels| picture.take_pixmap().ok_or(PictureError::TooLarge);
     let mut beside = None;
-    let (bytes, too_much, no_areas) = match format {
+    let (bytes, over_budget, no_areas) = match format {
         PictureFormat::Png => {
-            let (picture, too_much) = pixels().await?;
+            let (picture, over_budget) = pixels().await?;
             let bytes = picture.into_png(&told.figure, convention(sheet).as_deref(), dpi, progress).await;
-            (bytes.map_err(|error| or_cancelled(error.into()))?, too_much, None)
+            (bytes.map_err(|error| or_cancelled(error.into()))?, over_budget, None)
         }
         PictureFormat::WebP => {
-            let (mut picture, too_much) = pixels().await?;
-            (encode(web::webp(pixmap(&mut picture)?))?, too_much, None)
+            let (mut picture, over_budget) = pixels().await?;
+            (encode(web::webp(pixmap(&mut picture)?))?, over_budget, None)
         }
         PictureFormat::Jpeg => {
-            let (mut picture, too_much) = pixels().await?;
-            (encode(web::jpeg(&pixmap(&mut picture)?, dpi))?, too_much, None)
+            let (mut picture, over_budget) = pixels().await?;
+            (encode(web::jpeg(&pixmap(&mut picture)?, dpi))?, over_budget, None)
         }
         PictureFormat::Svg | PictureFormat::Pdf | PictureFormat::Tex => {
-            let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
+            let Drawn { page, over_budget, no_areas } = drawn(sheet, form, told, progress).await?;
             let (bytes, pdf) =
                 vector::file(&page, format, letters, &told.figure, &told.stem).ok_or(PictureError::Font)?;
             beside = pdf;
-            (bytes, too_much, no_areas)
+            (bytes, over_budget, no_areas)
         }
     };
-    Ok(PictureFile { bytes, beside, too_much, no_areas })
+    Ok(PictureFile { bytes, beside, over_budget, no_areas })
 }
 
 /// The page of vectors with its words.
-async fn drawn(sheet: &Composite, form: FileOptions, told: &Told, progress: &Progress) -> Result<Drawn, PictureError> {
+async fn drawn(
+    sheet: &Composite,
+    form: FileOptions,
+    told: &Metadata,
+    progress: &Progress,
+) -> Result<Drawn, PictureError> {
     let resolution = [form.dpi.unwrap_or(PER_INCH), form.dpi.unwrap_or(FINE)];
     let drawn = page(sheet, form.faces, resolution, form.crop, progress).await?;
-    let Told { title, description, language, .. } = told.clone();
+    let Metadata { title, description, language, .. } = told.clone();
     Ok(Drawn { page: Page { title, description, language, ..drawn.page }, ..drawn })
 }
 

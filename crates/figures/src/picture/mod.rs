@@ -33,7 +33,7 @@ pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
 pub use error::PictureError;
 pub use exact_width::fitted;
 pub use family::{Family, SheetSize};
-pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file, file_beside};
+pub use file::{Beside, FileOptions, Metadata, PER_INCH, PictureFile, assembled, file, file_beside};
 pub use handout::{Handout, HandoutEntry, Paragraph};
 pub use handout_formula::FormulaPart;
 pub use render_report::RenderReport;

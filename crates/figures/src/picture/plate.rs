@@ -18,7 +18,7 @@ pub(super) struct Plates {
     /// The whole picture, then the half before a stage, if one is shown.
     pub(super) plates: Vec<Plate>,
     /// The shortfall of the picture.
-    pub(super) too_much: Option<OverBudget>,
+    pub(super) over_budget: Option<OverBudget>,
 }
 
 impl From<Frame> for Plates {
@@ -28,6 +28,6 @@ impl From<Frame> for Plates {
         let width = frame.drawing.width;
         let whole = Plate { drawing: frame.drawing, columns: 0..width };
         let before = frame.before.map(|drawing| Plate { drawing, columns: 0..width / 2 });
-        Self { plates: std::iter::once(whole).chain(before).collect(), too_much: frame.too_much }
+        Self { plates: std::iter::once(whole).chain(before).collect(), over_budget: frame.over_budget }
     }
 }

@@ -18,7 +18,7 @@ pub struct RenderReport {
     /// From the scene to the last pixel.
     pub total: Duration,
     /// The shortfall. Also without a clock.
-    pub too_much: Option<OverBudget>,
+    pub over_budget: Option<OverBudget>,
     /// Where its labels are. Also without a clock. Of a picture that is compared, those of both sides that are seen.
     pub labels: Vec<LabelPlace>,
 }
@@ -39,7 +39,7 @@ impl RenderReport {
             traversal.time = Some(traversal.time.unwrap_or_default() + total.saturating_sub(known));
         }
         let labels = LabelPlace::all(&frame.drawing);
-        Self { stages, objects: frame.objects.clone(), total, too_much: frame.too_much.clone(), labels }
+        Self { stages, objects: frame.objects.clone(), total, over_budget: frame.over_budget.clone(), labels }
     }
 }
 

@@ -117,7 +117,7 @@ impl Renderer {
         let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];
         let of_other = self.one_into(&sides[1].request, &mut pictures[1], [0, 2]).await?;
         let mut account = self.one_into(&sides[0].request, &mut pictures[0], [1, 2]).await?;
-        account.too_much = account.too_much.or(of_other.too_much);
+        account.over_budget = account.over_budget.or(of_other.over_budget);
         account.labels = labels_of([account.labels, of_other.labels], &sides);
         let Size { width, height, .. } = request.size;
         let mut whole = Pixels::from(Pixmap::new(width, height)?);
@@ -177,7 +177,7 @@ impl Renderer {
             Some(_) => RenderReport::of(&frame, work, on_window, total),
             None => {
                 let labels = LabelPlace::all(&frame.drawing);
-                RenderReport { too_much: frame.too_much.take(), labels, ..RenderReport::default() }
+                RenderReport { over_budget: frame.over_budget.take(), labels, ..RenderReport::default() }
             }
         };
         let mut plates = Plates::from(frame).plates.into_iter();
@@ -260,12 +260,12 @@ impl Renderer {
     pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
         let mut pictures = vec![Pixels::default(); sheet.requests.len()];
         let reports = self.all_into(&sheet.requests, &mut pictures).await?;
-        let too_much = reports.into_iter().find_map(|report| report.too_much);
+        let over_budget = reports.into_iter().find_map(|report| report.over_budget);
         if crop {
             pictures = cropped(pictures, sheet)?;
         }
         if pictures.len() == 1 && sheet.grid.is_none() {
-            return Some((pictures.pop()?, too_much));
+            return Some((pictures.pop()?, over_budget));
         }
         let sizes: Vec<[u32; 2]> = pictures.iter().map(Pixels::size).collect();
         let layout = sheet.layout(&sizes, crop)?;
@@ -276,7 +276,7 @@ impl Renderer {
             let (left, top) = (i32::try_from(left).ok()?, i32::try_from(top).ok()?);
             pixmap.draw_pixmap(left, top, texts.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
         }
-        Some((pixmap.into(), too_much))
+        Some((pixmap.into(), over_budget))
     }
 
     /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: the drawing that
@@ -488,7 +488,7 @@ mod tests {
             renderer.measure(Some(since_start));
             let mut picture = Pixels::default();
             let account = at_once(renderer.pixels_into(&split, &mut picture)).unwrap();
-            let OverBudget::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
+            let OverBudget::Pieces { objects } = account.over_budget.unwrap() else { panic!("pieces") };
             let mut names = objects.clone();
             names.sort();
             assert_eq!(names, ["one", "three", "two"]);
@@ -500,7 +500,7 @@ mod tests {
 
             let mut picture = Pixels::default();
             let account = at_once(Renderer::default().pixels_into(&split, &mut picture)).unwrap();
-            assert_eq!(account.too_much, None);
+            assert_eq!(account.over_budget, None);
         }
     }
 
@@ -526,7 +526,7 @@ mod tests {
             let mut picture = Pixels::default();
             assert!(request.sides().is_some());
             let account = at_once(with_few_pieces().pixels_into(&request, &mut picture)).unwrap();
-            assert!(account.too_much.is_some());
+            assert!(account.over_budget.is_some());
         }
     }
 
@@ -614,10 +614,10 @@ mod tests {
     fn a_drawing_for_vectors_that_is_not_in_order_says_so() {
         let request = Request { output: Output::Vectors, ..request(View::Image, "depth-buffer") };
         let mut pipeline = TimedPipeline::default();
-        assert!(views::frame(&request, None, &mut pipeline).too_much.is_none());
+        assert!(views::frame(&request, None, &mut pipeline).over_budget.is_none());
         pipeline.stages.max_pieces = 40;
         let frame = views::frame(&request, None, &mut pipeline);
-        assert!(frame.too_much.is_some() && !frame.drawing.painted_in_order);
+        assert!(frame.over_budget.is_some() && !frame.drawing.painted_in_order);
     }
 
     #[test]

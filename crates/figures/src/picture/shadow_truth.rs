@@ -7,7 +7,7 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::{DepthFormat, HiddenLines, Rgba, Shading, Style, Theme, Visibility};
 use crate::camera::{Camera, ImageSize};
-use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
+use crate::drawing::{Base, BlockedLight, Drawing, SurfaceLight};
 use crate::figure::{Depth, ShadowReveal};
 use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
 use crate::pipeline::shadow_rays::{Solids, to_light};
@@ -77,7 +77,7 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
             continue;
         }
         let all = vec![ALL; surface.triangles.len()];
-        surface.shadows.iter_mut().for_each(|shadow| shadow.taken = TakenLight::Faces(all.clone()));
+        surface.shadows.iter_mut().for_each(|shadow| shadow.taken = BlockedLight::Faces(all.clone()));
         surface.light = SurfaceLight::Faces(all);
     }
     drawing

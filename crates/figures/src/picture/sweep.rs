@@ -2,7 +2,7 @@
 //! stills.
 
 use super::animation::{filmed, row};
-use super::{Composite, FileOptions, FilmFormat, PictureError, PictureFile, Told, file};
+use super::{Composite, FileOptions, FilmFormat, Metadata, PictureError, PictureFile, file};
 use crate::export::animation::AnimationFormat;
 use crate::progress::Progress;
 use crate::views::Request;
@@ -36,13 +36,13 @@ impl Sweep {
     pub async fn file(
         &self,
         format: FilmFormat,
-        told: &Told,
+        told: &Metadata,
         progress: &Progress,
     ) -> Result<PictureFile, PictureError> {
         match format {
             FilmFormat::Animation(format) => {
                 let bytes = self.animation(format, progress).await?;
-                Ok(PictureFile { bytes, beside: None, too_much: None, no_areas: None })
+                Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None })
             }
             FilmFormat::Strip(format) => file(&self.stills()?, FileOptions::of(format), told, progress).await,
         }

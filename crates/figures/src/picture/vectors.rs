@@ -71,7 +71,7 @@ pub(super) struct Drawn {
     /// The page, without title and description.
     pub page: Page,
     /// A shortfall of a picture.
-    pub too_much: Option<OverBudget>,
+    pub over_budget: Option<OverBudget>,
     /// Why some faces are a picture.
     pub no_areas: Option<NoAreas>,
 }
@@ -124,7 +124,7 @@ pub(super) async fn page(
     #[expect(clippy::cast_possible_truncation, reason = "points of a page")]
     let points = (72.0 / per_inch) as f32;
     let page = Page { size, points, title: String::new(), description: String::new(), language: "en", items };
-    Ok(Drawn { page, too_much: painter.too_much, no_areas: painter.no_areas })
+    Ok(Drawn { page, over_budget: painter.over_budget, no_areas: painter.no_areas })
 }
 
 /// A whole number of times as many pixels as the sheet has, as far as a picture may have them.
@@ -145,7 +145,7 @@ struct Painter {
     finer: u32,
     renderer: Renderer,
     rasterizer: Rasterizer,
-    too_much: Option<OverBudget>,
+    over_budget: Option<OverBudget>,
     no_areas: Option<NoAreas>,
 }
 
@@ -187,8 +187,8 @@ impl Painter {
 
     /// The things of a picture in which nothing is compared.
     fn one(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
-        let Plates { plates, too_much } = self.renderer.plates(request).ok_or(PictureError::TooLarge)?;
-        self.too_much = self.too_much.take().or(too_much);
+        let Plates { plates, over_budget } = self.renderer.plates(request).ok_or(PictureError::TooLarge)?;
+        self.over_budget = self.over_budget.take().or(over_budget);
         let finer = if shows_pixels(request) { 1 } else { self.finer };
         let mut others = OtherVersions { request, finer, sorted: None, larger: None };
         let mut items = Vec::new();
@@ -259,7 +259,7 @@ impl Painter {
             }
             let sorted = others.sorted(&mut self.renderer)?;
             ordered = &sorted.plates.get(place)?.drawing;
-            if let Some(over_budget) = sorted.too_much.clone().filter(|_| !ordered.painted_in_order) {
+            if let Some(over_budget) = sorted.over_budget.clone().filter(|_| !ordered.painted_in_order) {
                 say(NoAreas::OverBudget(over_budget), &mut self.no_areas);
                 return None;
             }

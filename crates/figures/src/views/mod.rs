@@ -85,9 +85,9 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     if let Some(factor) = request.finish.stroke_factor {
         frame.drawing.strokes.iter_mut().for_each(|stroke| stroke.style.width *= factor);
     }
-    if let Some(too_much) = frame.too_much.take() {
+    if let Some(over_budget) = frame.over_budget.take() {
         let of_scene: BTreeSet<&str> = request.scene.objects.iter().map(|object| object.name.as_str()).collect();
-        frame.too_much = too_much.about(|name| of_scene.contains(name));
+        frame.over_budget = over_budget.about(|name| of_scene.contains(name));
     }
     frame
 }

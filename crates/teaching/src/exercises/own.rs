@@ -124,7 +124,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     let id = name(&mut root, "id");
     let title = told(&mut root, "title");
     let statement = told(&mut root, "statement");
-    let assumptions = told_list(&mut root, "assumptions");
+    let assumptions = bilingual_list(&mut root, "assumptions");
     let figure_section = root.section("figure", "[figure]");
     let has_figure = figure_section.is_table();
     let figure = read::figure(figure_section, faults);
@@ -205,8 +205,8 @@ pub(crate) fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
 }
 
 /// A list of texts, which may be missing.
-pub(crate) fn told_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
-    let all = section.told_list(key);
+pub(crate) fn bilingual_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
+    let all = section.bilingual_list(key);
     all.into_iter().filter_map(|texts| harmless(section, key, texts)).collect()
 }
 
@@ -264,7 +264,7 @@ fn choices(section: &mut Section<'_>) -> (Vec<String>, BTreeMap<String, Bilingua
         let word = |text: &str| (!text.trim().is_empty()).then(|| text.to_owned());
         return (section.list("choices", Allowed::Texts, word), BTreeMap::new());
     }
-    let told = section.told_table("choices");
+    let told = section.bilingual_table("choices");
     let names = told.iter().map(|(name, _)| name.clone()).collect();
     let texts = told.into_iter().filter_map(|(name, text)| Some((name, harmless(section, "choices", text)?)));
     (names, texts.collect())
@@ -393,7 +393,7 @@ fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> 
     }
     let message = told(&mut section, "message");
     let hints = if section.is_list("hint") {
-        told_list(&mut section, "hint")
+        bilingual_list(&mut section, "hint")
     } else {
         let hint = section.told("hint");
         hint.and_then(|texts| harmless(&mut section, "hint", texts)).into_iter().collect()

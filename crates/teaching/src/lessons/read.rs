@@ -7,7 +7,7 @@ use super::condition::{Condition, Goal, Range, angle as angle_between};
 use super::lesson::{Lesson, Link, Question, See, Step, Task};
 use super::numbers_in_texts::{filled, numbers_of, pixels_of};
 use crate::camera::Camera;
-use crate::exercises::own::{harmless, name, question, told, told_list};
+use crate::exercises::own::{bilingual_list, harmless, name, question, told};
 use crate::exercises::{self, Entry, Kind, Subject};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{Fault, Section, Stacked, parse_with, text_of};
@@ -52,7 +52,7 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     let title = line(&mut root, "title");
     let sentence = optional(&mut root, "sentence");
     let minutes = root.is_present("minutes").then(|| root.number_in("minutes", 0.5, MOST_MINUTES, 5.0));
-    let aims = told_list(&mut root, "aims");
+    let aims = bilingual_list(&mut root, "aims");
     let plan = optional(&mut root, "plan");
     let [pretest, posttest] = ["pretest", "posttest"].map(|key| questions(&mut root, key, faults));
     let before = root.list("before", Allowed::Texts, |text| (!text.trim().is_empty()).then(|| text.to_owned()));
@@ -109,7 +109,7 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
     let title = line(&mut section, "title");
     let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
     let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
-    if let Some(unknown) = without.iter().find(|path| !stacked.take_away(path)) {
+    if let Some(unknown) = without.iter().find(|path| !stacked.remove(path)) {
         let problem = Problem::Value { found: unknown.clone(), allowed: Allowed::KeyOfSteps };
         section.fault("without", problem);
     }

@@ -24,7 +24,7 @@ pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
     /// The context of the next frame.
     ctx: egui::Context,
     shares: Shares<SLOTS>,
-    under_way: Option<UnderWay<Outcome>>,
+    under_way: Option<RunningJob<Outcome>>,
     /// When the last slice ended, where another follows in the next frame.
     ended: Option<Duration>,
     /// The longest slice of the last job of each slot.
@@ -34,7 +34,7 @@ pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
 }
 
 /// A job that has been begun.
-struct UnderWay<Outcome> {
+struct RunningJob<Outcome> {
     slot: usize,
     slices: Slices<Outcome>,
     /// The total time of its slices.
@@ -74,7 +74,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
             match self.slice(&mut job, make, clock) {
                 Poll::Pending => self.under_way = Some(job),
                 Poll::Ready(outcome) => {
-                    let UnderWay { slot, time, longest, .. } = job;
+                    let RunningJob { slot, time, longest, .. } = job;
                     self.shares.book(slot, time);
                     self.longest[slot] = longest;
                     shared.mailbox().end(slot, Done { outcome, time });
@@ -91,7 +91,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
     }
 
     /// The next job; `None` where none waits, or it has to be announced first.
-    fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<UnderWay<Outcome>> {
+    fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<RunningJob<Outcome>> {
         let slot = self.shares.next(shared.mailbox().waiting())?;
         let is_told = self.announced.take() == Some(slot);
         if self.longest[slot] >= LONG && !is_told {
@@ -101,13 +101,13 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         let progress = &shared.progress[slot];
         let job = shared.mailbox().begin(slot, progress, clock)?;
         let slices = (self.work)(job, progress.clone());
-        Some(UnderWay { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
+        Some(RunningJob { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
     }
 
     /// Does a slice of a job. A job that has panicked has no outcome, and its half-done parts are made anew.
     fn slice(
         &mut self,
-        job: &mut UnderWay<Outcome>,
+        job: &mut RunningJob<Outcome>,
         make: &Make<Job, Outcome>,
         clock: fn() -> Duration,
     ) -> Poll<Option<Outcome>> {

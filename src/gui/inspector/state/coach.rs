@@ -90,7 +90,7 @@ impl Coach {
 
 impl State {
     /// Has the coach look at the figure, where it has changed. Not while the hand moves.
-    pub(in crate::gui) fn consult(&mut self, ctx: &egui::Context) {
+    pub(in crate::gui) fn check_camera(&mut self, ctx: &egui::Context) {
         self.coach.take(Duration::ZERO);
         if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {
             return;

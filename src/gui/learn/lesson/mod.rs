@@ -72,7 +72,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     }
     typed_step(ctx, state, now);
     hands::count(ctx, state);
-    state.look_at_goal();
+    state.check_goal();
 }
 
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a

@@ -319,11 +319,11 @@ impl State {
     /// Ends the lesson. The figure of its step stays.
     pub(in crate::gui) fn leave_lesson(&mut self) {
         self.end_move();
-        self.let_lesson_go();
+        self.close_lesson();
     }
 
     /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
-    pub(in crate::gui) fn let_lesson_go(&mut self) {
+    pub(in crate::gui) fn close_lesson(&mut self) {
         if let Some(playing) = self.lesson.take() {
             self.settings.panels.wanted = playing.panels_before.wanted;
             self.keep(playing.worked_on.into_values().collect());
@@ -397,7 +397,7 @@ impl State {
     }
 
     /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
-    pub(in crate::gui) fn go_the_way(&mut self, goal: &Goal) {
+    pub(in crate::gui) fn show_solution(&mut self, goal: &Goal) {
         let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else { return };
         let Ok(camera) = Camera::new(&figure.camera) else { return };
         // A lesson that was read has tried it.
@@ -558,7 +558,7 @@ impl State {
     }
 
     /// Notes what is reached in the step.
-    pub(in crate::gui) fn look_at_goal(&mut self) {
+    pub(in crate::gui) fn check_goal(&mut self) {
         let Some(mut playing) = self.lesson.take() else { return };
         let step = playing.step;
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {

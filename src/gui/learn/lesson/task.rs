@@ -58,7 +58,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
                 if !is_done {
                     ui.label(RichText::new(t.not_yet).weak());
                     if !goal.way.is_empty() && ui.button(t.show_way).explained(t.show_way_hint).clicked() {
-                        state.go_the_way(goal);
+                        state.show_solution(goal);
                     }
                 }
                 said(ui, t, is_done);

@@ -8,7 +8,7 @@ use super::keyboard_probe::ProbeStep;
 use super::pixel::{center_of, pixel_of};
 
 use crate::figure::Depth;
-use crate::gui::background::memo::{Latest, PATIENCE};
+use crate::gui::background::memo::{Latest, MAX_WAIT};
 use crate::gui::model::scene_cache::is_heavy;
 use crate::progress::{Progress, at_once, pause};
 use crate::views::depth::{self, DepthReading};
@@ -147,7 +147,7 @@ impl Picker {
             return Some(at_once(pick.find()));
         }
         self.found.ask(ctx, pick.clone());
-        self.found.poll(PATIENCE);
+        self.found.poll(MAX_WAIT);
         self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| found.clone())
     }
 }

@@ -3,7 +3,7 @@
 use eframe::egui;
 use glam::DVec3;
 
-use crate::gui::background::memo::{Latest, Memo, PATIENCE};
+use crate::gui::background::memo::{Latest, MAX_WAIT, Memo};
 use crate::gui::model::scene_cache::is_heavy;
 use crate::gui::state::{Selected, preset_objects};
 use crate::progress::Progress;
@@ -65,7 +65,7 @@ impl VertexNames {
         let mut searched = None;
         if is_heavy(scene) {
             self.search.ask(ctx, place.clone());
-            self.search.poll(PATIENCE);
+            self.search.poll(MAX_WAIT);
             searched = Some(self.search.answer()?.clone());
         }
         let name = |(scene, p): &Place| {

@@ -10,7 +10,7 @@ use eframe::egui;
 use toml_edit::{DocumentMut, Value};
 
 use super::answers::{self, NOTHING};
-use super::shared_file::{Change, PATIENCE, SharedFile};
+use super::shared_file::{Change, MAX_WAIT, SharedFile};
 use crate::exercises::Progress;
 use crate::gui::state::{Chosen, Done, Message, State, Typed};
 use crate::gui::storage::session::{Keeping, News};
@@ -99,7 +99,7 @@ impl KeptProgress {
 
     /// Saves the rest, before the window closes.
     pub(super) fn finish(&mut self, state: &mut State) {
-        self.take(state, PATIENCE);
+        self.take(state, MAX_WAIT);
         let job = self.job(state);
         if let Some(progress) = self.file.finish(&job) {
             self.took(state, job, progress);
@@ -148,7 +148,7 @@ impl KeptProgress {
 
     /// Forgets all of it. The file stays under another name, until that is done once more.
     fn forget(&mut self, state: &mut State) {
-        self.take(state, PATIENCE);
+        self.take(state, MAX_WAIT);
         let aside = self.file.path.with_extension("bak");
         match self.file.put_aside(&aside) {
             Err(error) => return state.say(Message::File(self.file.path.clone(), error)),

@@ -16,7 +16,7 @@ use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 
 /// The longest wait for a running write before the window closes.
-pub(super) const PATIENCE: Duration = Duration::from_secs(5);
+pub(super) const MAX_WAIT: Duration = Duration::from_secs(5);
 
 /// A change of a window, to be merged into the present content of the file.
 pub(super) trait Change: Clone + Send + 'static {

@@ -9,7 +9,7 @@ use toml_edit::{Array, DocumentMut, Value};
 
 use super::plain::Plain;
 use super::progress::KeptProgress;
-use super::shared_file::{Change, PATIENCE, SharedFile};
+use super::shared_file::{Change, MAX_WAIT, SharedFile};
 use super::{LESSONS, LESSONS_DONE, RECENT, answers, apply, merged_done, merged_lessons, recent, values};
 use crate::files;
 use crate::gui::app::launch_options::LaunchOptions;
@@ -130,7 +130,7 @@ impl Preferences {
     /// Saves the rest, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
         self.progress.finish(state);
-        self.take(state, PATIENCE);
+        self.take(state, MAX_WAIT);
         let job = self.job(state);
         self.file.finish(&job);
     }

@@ -18,7 +18,7 @@ use crate::gui::model::history::Revision;
 use crate::progress::Progress;
 
 /// The longest wait for a running write before the window closes.
-const PATIENCE: Duration = Duration::from_secs(10);
+const MAX_WAIT: Duration = Duration::from_secs(10);
 
 /// The content of a session file.
 #[derive(Debug)]
@@ -176,7 +176,7 @@ impl Writer {
 
     /// Waits for a running write, and deletes the session. It has been saved, or discarded.
     pub(super) fn forget(mut self) {
-        self.worker.take(PATIENCE);
+        self.worker.take(MAX_WAIT);
         // The window closes, or goes on with another slot: nothing more can be done.
         let _ = disk::remove(&self.file);
     }

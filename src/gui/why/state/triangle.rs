@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui;
 
 use crate::figure::{ShownTriangle, TriangleStep};
-use crate::gui::background::memo::{Latest, PATIENCE};
+use crate::gui::background::memo::{Latest, MAX_WAIT};
 use crate::gui::model::scene_cache::is_heavy;
 use crate::picture::{FollowedTriangle, TrianglePixels};
 use crate::pipeline::one_triangle::TriangleSteps;
@@ -54,7 +54,7 @@ impl TriangleNumbers {
         // The same for each step that needs them.
         let triangle = ShownTriangle { step: TriangleStep::Pixels, pixel: None, ..triangle.clone() };
         self.search.ask(ctx, request.clone().with_shot(|shot| shot.show.triangle = Some(triangle.clone())));
-        self.search.poll(PATIENCE);
+        self.search.poll(MAX_WAIT);
         let covered = match self.search.answer() {
             Some(pixels) => Covered::Found(pixels.clone()),
             None if self.is_searched() => Covered::Searched,

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::appearance::Rgba;
-use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight};
+use crate::drawing::{Base, BlockedLight, PixelLight, Shadow, Surface, SurfaceLight};
 use crate::geometry::try_unit;
 use crate::scene::{Adjacency, FoundLight, InWorld, Mesh, Object, ObjectPaint, Pictured, SharedEdge};
 
@@ -360,11 +360,11 @@ pub(crate) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrig
         add(&mut shadow.places, origins, |i| at(&old.places, i));
         shadow.planes.extend(std::iter::repeat_n(at(&old.planes, source), faces));
         match (&mut shadow.taken, &old.taken) {
-            (TakenLight::Faces(shares), TakenLight::Faces(old)) => {
+            (BlockedLight::Faces(shares), BlockedLight::Faces(old)) => {
                 shares.extend(std::iter::repeat_n(at(old, source), faces));
             }
-            (TakenLight::Vertices(shares), TakenLight::Vertices(old)) => add(shares, origins, |i| at(old, i)),
-            (TakenLight::Faces(_) | TakenLight::Vertices(_) | TakenLight::Light(_), _) => {}
+            (BlockedLight::Vertices(shares), BlockedLight::Vertices(old)) => add(shares, origins, |i| at(old, i)),
+            (BlockedLight::Faces(_) | BlockedLight::Vertices(_) | BlockedLight::Light(_), _) => {}
         }
     }
 }

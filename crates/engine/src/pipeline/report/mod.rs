@@ -34,7 +34,7 @@ pub struct Frame {
     pub objects: Vec<ObjectReport>,
     /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
     /// requested. It is reported in preference to rounding.
-    pub too_much: Option<OverBudget>,
+    pub over_budget: Option<OverBudget>,
     /// The scale of the depths of the drawing.
     pub depths: DepthScale,
     /// Input and output of the stage to show; `None` if it did not run.

@@ -92,7 +92,7 @@ impl<'a> Recorder<'a> {
             plan: plan.clone(),
             lamps: scenes.lights().len(),
             objects: self.objects,
-            too_much: OverBudget::rounding(self.misplaced.found()),
+            over_budget: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,
             dropped_faces: Vec::new(),
             before: None,

@@ -19,7 +19,7 @@ use crate::pipeline::stage::transform::view_point;
 use crate::scene::{Line, Mesh, Object, PointMark, Scene};
 
 /// Farther than this a point divided by a w near 0 is nowhere.
-const NOWHERE: f64 = 1e100;
+const MAX_DIVIDED: f64 = 1e100;
 
 /// A scene, divided before it is clipped.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,7 +87,7 @@ impl Divide {
     /// The point after the divide, whatever the sign of w.
     fn display(&self, p: ClipPoint) -> Option<DVec3> {
         let shown = displayed(&self.projector, p);
-        (p.w != 0.0 && shown.is_finite() && shown.abs().max_element() < NOWHERE).then_some(shown)
+        (p.w != 0.0 && shown.is_finite() && shown.abs().max_element() < MAX_DIVIDED).then_some(shown)
     }
 
     /// The part of a triangle, or of a segment, in the cube.

@@ -16,7 +16,7 @@ use super::reflection::{Lights, ObjectLight};
 use super::shadow_maps::{SeenByLight, ShadowLight};
 use super::vertices::Vertices;
 use crate::appearance::{LightShare, Rgba};
-use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight, single};
+use crate::drawing::{Base, BlockedLight, PixelLight, Shadow, Surface, SurfaceLight, single};
 use crate::pipeline::mesh::chunks::each_chunk;
 use crate::pipeline::mesh::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
 use crate::pipeline::order::pieces::Layer;
@@ -86,7 +86,7 @@ impl Shaded<'_> {
             _ => self.own_base(faces, pool).0,
         };
         let shares = match self.of_only_lamp(shadows) {
-            Some(TakenLight::Faces(taken)) => with_ambient(pool.shares(), taken, light),
+            Some(BlockedLight::Faces(taken)) => with_ambient(pool.shares(), taken, light),
             _ => self.face_shares(faces, light, pool.shares()),
         };
         (base, SurfaceLight::Faces(shares))
@@ -102,7 +102,7 @@ impl Shaded<'_> {
     ) -> (Base, SurfaceLight) {
         let base = self.own_base(faces, pool).0;
         let shares = match self.of_only_lamp(shadows) {
-            Some(TakenLight::Vertices(taken)) => {
+            Some(BlockedLight::Vertices(taken)) => {
                 let own = taken.get(..self.vertices.len()).unwrap_or_default();
                 Self::at_cuts(faces, with_ambient(pool.shares(), own, light))
             }
@@ -214,7 +214,7 @@ impl Shaded<'_> {
     }
 
     /// The light of the only lamp of the scene, if its shadow falls here: with the ambient share it is all there is.
-    fn of_only_lamp<'s>(&self, shadows: &'s [Shadow]) -> Option<&'s TakenLight> {
+    fn of_only_lamp<'s>(&self, shadows: &'s [Shadow]) -> Option<&'s BlockedLight> {
         match shadows {
             [only] if self.lights.is_one() => Some(&only.taken),
             _ => None,
@@ -270,12 +270,12 @@ impl Shaded<'_> {
         };
         let origins = (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
         let taken = match (found.map(|found| found_light(found, origins, &faces.source)), self.lit) {
-            (Some(SurfaceLight::Faces(shares)), _) => TakenLight::Faces(shares),
-            (Some(SurfaceLight::Vertices(shares)), _) => TakenLight::Vertices(shares),
-            (_, LitAt::Faces) => TakenLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
-            (_, LitAt::Vertices) => TakenLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
+            (Some(SurfaceLight::Faces(shares)), _) => BlockedLight::Faces(shares),
+            (Some(SurfaceLight::Vertices(shares)), _) => BlockedLight::Vertices(shares),
+            (_, LitAt::Faces) => BlockedLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
+            (_, LitAt::Vertices) => BlockedLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
             // Without light there is no shadow.
-            (_, LitAt::Pixels | LitAt::Nowhere) => TakenLight::Light(self.lights.place_of(shadow.light)),
+            (_, LitAt::Pixels | LitAt::Nowhere) => BlockedLight::Light(self.lights.place_of(shadow.light)),
         };
         Some(Shadow { map: std::sync::Arc::clone(&shadow.map), bias: shadow.bias, places, planes, taken })
     }

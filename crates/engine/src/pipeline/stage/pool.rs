@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::appearance::{LightShare, Rgba};
-use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
+use crate::drawing::{Base, BlockedLight, Drawing, SurfaceLight};
 
 use super::faces::Faces;
 use super::vertices::OnImage;
@@ -57,8 +57,8 @@ impl Pool {
             for shadow in surface.shadows.into_iter().rev() {
                 self.vectors.extend([shadow.planes, shadow.places]);
                 match shadow.taken {
-                    TakenLight::Faces(shares) | TakenLight::Vertices(shares) => self.shares.push(shares),
-                    TakenLight::Light(_) => {}
+                    BlockedLight::Faces(shares) | BlockedLight::Vertices(shares) => self.shares.push(shares),
+                    BlockedLight::Light(_) => {}
                 }
             }
             self.vectors.push(surface.positions);

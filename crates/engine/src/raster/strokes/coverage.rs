@@ -13,7 +13,7 @@ use crate::appearance::Rgba;
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
-use super::eights::{Eights, next_column};
+use super::eights::{TouchedColumns, next_column};
 use super::fragments::{Fragments, Rank};
 use super::segment::{Columns, Point, Segment, Segments, TOGETHER, center, length, pixels};
 use crate::raster::pixel::{LANES, Pixel, over, premultiply, scale};
@@ -33,7 +33,7 @@ pub(super) struct Coverage {
     depths: Vec<f32>,
     reaches: Vec<f32>,
     /// The eights of columns that the layer may cover.
-    touched: Eights,
+    touched: TouchedColumns,
     color: Pixel,
     rank: Option<Rank>,
     /// The layers with a rank.

@@ -7,13 +7,13 @@ use crate::raster::pixel::LANES;
 
 /// A set of eights of columns: a bit for each in each row.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Eights {
+pub(super) struct TouchedColumns {
     /// For one row.
     pub(super) words: usize,
     bits: Vec<u64>,
 }
 
-impl Eights {
+impl TouchedColumns {
     pub(super) fn fit(&mut self, width: usize, rows: usize) {
         self.words = width.div_ceil(LANES).div_ceil(64);
         self.bits.clear();
@@ -60,7 +60,7 @@ mod tests {
 
     #[test]
     fn each_eight_that_was_added_comes_once_in_its_row() {
-        let mut set = Eights::default();
+        let mut set = TouchedColumns::default();
         set.fit(1100, 2);
         assert_eq!(set.words, 3);
         for (row, first, last) in [(0, 7, 7), (0, 3, 8), (1, 500, 530), (1, 1099, 1099), (0, 0, 0)] {
@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn a_whole_row_is_added_at_once() {
-        let mut set = Eights::default();
+        let mut set = TouchedColumns::default();
         set.fit(1024, 1);
         set.add(0, 0, 1023);
         assert_eq!(set.bits, [!0, !0]);

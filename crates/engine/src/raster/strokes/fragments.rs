@@ -6,7 +6,7 @@
 
 use crate::drawing::order::{StrokePoint, later_is_over};
 
-use super::eights::{Eights, next_column};
+use super::eights::{TouchedColumns, next_column};
 use crate::raster::pixel::{LANES, Pixel, over, scale};
 
 /// The pixels of some rows of a picture with all that layers of strokes cover of them. Empty once it is painted.
@@ -18,7 +18,7 @@ pub(super) struct Fragments {
     fragments: Vec<Fragment>,
     /// For each pixel the fragment that came last, counted from 1; 0 where there is none.
     last: Vec<u32>,
-    touched: Eights,
+    touched: TouchedColumns,
     /// The fragments of the pixel at hand, from back to front.
     order: Vec<Fragment>,
 }

@@ -13,7 +13,7 @@ use crate::drawing::StrokeSet;
 
 use super::pieces::{Head, Pieces};
 use super::segment::{Point, length};
-use crate::raster::depth::{EACH, Occluders};
+use crate::raster::depth::{MAX_POINTS, Occluders};
 
 /// Distance of the points of a stroke that are compared with the depth buffer, in pixels.
 const STEP: f32 = 0.5;
@@ -127,9 +127,9 @@ impl Polyline {
             let mut from = start;
             let mut step = 1.0;
             while step <= steps {
-                let (mut tried, mut found) = ([[0.0; 3]; EACH], [Occlusion::None; EACH]);
+                let (mut tried, mut found) = ([[0.0; 3]; MAX_POINTS], [Occlusion::None; MAX_POINTS]);
                 let mut count = 0;
-                while count < EACH && step + count as f32 <= steps {
+                while count < MAX_POINTS && step + count as f32 <= steps {
                     tried[count] = point((step + count as f32) / steps);
                     count += 1;
                 }

@@ -38,15 +38,15 @@ pub(super) struct Batch<K: Simd> {
     pub(super) one: mask32x8<K>,
 }
 
-/// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that aren't there.
+/// The indices of the vertices of up to eight triangles; [`INVALID`] for those that aren't there.
 pub(super) type Corners = [[u32; BATCH]; 3];
 
 /// An index beyond the vertices of any surface.
-const NOWHERE: u32 = u32::MAX;
+const INVALID: u32 = u32::MAX;
 
 #[inline(always)]
 pub(super) fn corners(surface: &Surface, triangles: &[u32]) -> Corners {
-    let mut corners = [[NOWHERE; BATCH]; 3];
+    let mut corners = [[INVALID; BATCH]; 3];
     for (l, &triangle) in triangles.iter().take(BATCH).enumerate() {
         if let Some(triangle) = surface.triangles.get(triangle as usize) {
             for k in 0..3 {
@@ -60,7 +60,7 @@ pub(super) fn corners(surface: &Surface, triangles: &[u32]) -> Corners {
 /// The corners of eight triangles that follow one another.
 #[inline(always)]
 pub(super) fn corners_of(triangles: &[[u32; 3]]) -> Corners {
-    let mut corners = [[NOWHERE; BATCH]; 3];
+    let mut corners = [[INVALID; BATCH]; 3];
     for (l, triangle) in triangles.iter().take(BATCH).enumerate() {
         for k in 0..3 {
             corners[k][l] = triangle[k];

@@ -27,7 +27,7 @@ const MOST: usize = (FEW_COSTLY * FEW_COSTLY) as usize;
 /// The pixels of tiny triangles, eight at a time. Kept for the next eight, since to clear them would cost as much as to
 /// find them.
 #[derive(Clone, Debug)]
-pub(super) struct Few {
+pub(super) struct TinyBatch {
     /// How many pixels each triangle owns.
     owned: [usize; BATCH],
     /// Which of its box they are, row by row.
@@ -37,14 +37,14 @@ pub(super) struct Few {
     colors: [[Pixel; BATCH]; MOST],
 }
 
-impl Default for Few {
+impl Default for TinyBatch {
     fn default() -> Self {
         let (owned, places) = ([0; BATCH], [[0; BATCH]; MOST]);
         Self { owned, places, depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] }
     }
 }
 
-impl Few {
+impl TinyBatch {
     /// The pixels that a triangle owns: where they lie from the first of its box, in a band with this many values from
     /// row to row, their depths and colours.
     #[inline(always)]

@@ -11,7 +11,7 @@
 //!
 //! | surface | colours | tiny, 1 sample | small | any other |
 //! | --- | --- | --- | --- | --- |
-//! | one colour for a face, light in it | [`FlatColors`] | ≤ 4 × 4 pixels: [`Few`] | ≤ 32 × 128 pixels: [`Painter::small`] | [`Painter::wide`] |
+//! | one colour for a face, light in it | [`FlatColors`] | ≤ 4 × 4 pixels: [`TinyBatch`] | ≤ 32 × 128 pixels: [`Painter::small`] | [`Painter::wide`] |
 //! | opaque colours of vertices, light in them | [`GouraudColors`] | ≤ 4 × 4, if simple | if simple | and if not simple |
 //! | textures, light apart, translucent vertices | [`PerPixel`] | ≤ 11 × 11, if simple | if simple | and if not simple |
 //!
@@ -44,7 +44,7 @@ use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
 use super::band::{Band, TileStart};
 use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
 use super::counts::Kind;
-use super::few::{FEW, FEW_COSTLY, Few};
+use super::few::{FEW, FEW_COSTLY, TinyBatch};
 use super::per_pixel::PerPixel;
 use super::setup::{AffineValue, Borders, ROWS, any, stored};
 use super::shade::{Colors, FlatColors, GouraudColors, Shader};
@@ -57,7 +57,7 @@ use crate::raster::pixel::{LANES, over};
 pub(super) fn fill<K: Simd, const S: usize>(
     simd: K,
     band: &mut Band,
-    few: &mut Few,
+    few: &mut TinyBatch,
     surface: &Surface,
     triangles: &[u32],
 ) {
@@ -83,7 +83,7 @@ pub(super) fn fill<K: Simd, const S: usize>(
 fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
-    few: &mut Few,
+    few: &mut TinyBatch,
     surface: &'a Surface,
     triangles: &[u32],
 ) {
@@ -103,7 +103,7 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
 fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
-    few: &mut Few,
+    few: &mut TinyBatch,
     surface: &'a Surface,
     triangles: &[u32],
 ) {

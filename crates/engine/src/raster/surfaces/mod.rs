@@ -35,7 +35,7 @@ use crate::raster::pixel::{LANES, Pixel, mean, premultiply};
 use band::Band;
 use bins::Bins;
 use counts::Counts;
-use few::Few;
+use few::TinyBatch;
 use fill::fill;
 use setup::Size;
 
@@ -58,7 +58,7 @@ struct Scratch {
     colors: Vec<Pixel>,
     /// Depths of the samples, with more than one sample in a pixel, else they go straight to the depth buffer.
     depths: Vec<f32>,
-    few: Few,
+    few: TinyBatch,
     counts: Counts,
 }
 

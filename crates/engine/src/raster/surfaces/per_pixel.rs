@@ -7,7 +7,7 @@
 //! took the instructions for eight textured pixels from 1490 to 806.
 
 use crate::appearance::{LightShare, TextureReveal};
-use crate::drawing::{Base, Lighting, Shadow, Surface, SurfaceLight, TakenLight};
+use crate::drawing::{Base, BlockedLight, Lighting, Shadow, Surface, SurfaceLight};
 use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
@@ -253,7 +253,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
     #[inline(always)]
     fn arriving_of(&self, light: usize, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
         for (number, shadow) in self.surface.shadows.iter().enumerate() {
-            if shadow.taken == TakenLight::Light(light) {
+            if shadow.taken == BlockedLight::Light(light) {
                 let on = self.on(wanted.witness(), number, shadow);
                 return arriving(shadow, wanted, mix(w, &on.places), on.planes);
             }
@@ -404,9 +404,9 @@ impl<K: Simd> ShadowOn<K> {
     #[inline(always)]
     fn new(simd: K, shadow: &Shadow, triangles: &[u32; BATCH], corners: &Corners) -> Self {
         let taken = match &shadow.taken {
-            TakenLight::Faces(shares) => Some(of_faces(simd, shares, triangles)),
-            TakenLight::Vertices(shares) => Some(gather_pairs(simd, shares, corners)),
-            TakenLight::Light(_) => None,
+            BlockedLight::Faces(shares) => Some(of_faces(simd, shares, triangles)),
+            BlockedLight::Vertices(shares) => Some(gather_pairs(simd, shares, corners)),
+            BlockedLight::Light(_) => None,
         };
         let [x, y, z] = gather_points(simd, &shadow.planes, &[*triangles; 3]);
         Self { places: gather_points(simd, &shadow.places, corners), planes: [x[0], y[0], z[0]], taken }

@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::triangle::{has_face_colors, is_flat, perspective_matters, spread, vertex_colors};
 use super::{Color, Triangle, interpolate, mix, shadow, texture};
 use crate::appearance::{LightShare, Rgba};
-use crate::drawing::{Base, Lighting, SurfaceLight, TakenLight};
+use crate::drawing::{Base, BlockedLight, Lighting, SurfaceLight};
 use crate::raster::pixel::premultiply;
 
 /// The colour of a triangle at a point relative to its first vertex. `None` if an attribute is missing.
@@ -62,7 +62,7 @@ fn per_pixel(triangle: &Triangle, center: [f32; 2]) -> Option<Color> {
         SurfaceLight::PerPixel(light) => {
             let (normals, positions) = (triangle.of(&light.normals)?, triangle.of(&light.positions)?);
             let arriving = |k| {
-                let of_lamp = surface.shadows.iter().find(|shadow| shadow.taken == TakenLight::Light(k));
+                let of_lamp = surface.shadows.iter().find(|shadow| shadow.taken == BlockedLight::Light(k));
                 of_lamp.map_or(1.0, |of_lamp| shadow(triangle, of_lamp, shares))
             };
             Some(reflected(&light.lighting, mix(shares, normals).into(), mix(shares, positions).into(), arriving))
@@ -81,9 +81,9 @@ fn shadowed(triangle: &Triangle, shares: [f32; 3], lights: [LightShare; 3]) -> L
     let mut light = mix(shares, lights);
     for of_lamp in &triangle.surface.shadows {
         let taken = match &of_lamp.taken {
-            TakenLight::Faces(lights) => lights.get(triangle.number).map(|&light| [light; 3]),
-            TakenLight::Vertices(lights) => triangle.of(lights),
-            TakenLight::Light(_) => None,
+            BlockedLight::Faces(lights) => lights.get(triangle.number).map(|&light| [light; 3]),
+            BlockedLight::Vertices(lights) => triangle.of(lights),
+            BlockedLight::Light(_) => None,
         };
         if let Some(taken) = taken.map(|taken| mix(shares, taken))
             && (taken[0] > 0.0 || taken[1] > 0.0)

@@ -12,7 +12,7 @@ use crate::scene::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, S
 
 /// A feature of a preset that a list of objects cannot express.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beyond {
+pub enum LostFeature {
     /// A colour for each face, and a number on it.
     NumberedFaces,
     /// Tiles on the ground.
@@ -32,14 +32,14 @@ pub enum Beyond {
 impl Preset {
     /// The features lost when the objects of this preset are expanded into a list.
     #[must_use]
-    pub const fn beyond_objects(self) -> &'static [Beyond] {
+    pub const fn beyond_objects(self) -> &'static [LostFeature] {
         match self {
-            Self::Cube => &[Beyond::NumberedFaces],
-            Self::Corridor => &[Beyond::TiledFloor],
-            Self::Pyramid => &[Beyond::InnerSides, Beyond::CornerNames],
-            Self::NdcCube => &[Beyond::WireCube, Beyond::LetterF],
-            Self::Exercise51 => &[Beyond::Rays],
-            Self::Exercise53 => &[Beyond::WireCube, Beyond::CornerNames],
+            Self::Cube => &[LostFeature::NumberedFaces],
+            Self::Corridor => &[LostFeature::TiledFloor],
+            Self::Pyramid => &[LostFeature::InnerSides, LostFeature::CornerNames],
+            Self::NdcCube => &[LostFeature::WireCube, LostFeature::LetterF],
+            Self::Exercise51 => &[LostFeature::Rays],
+            Self::Exercise53 => &[LostFeature::WireCube, LostFeature::CornerNames],
             Self::Empty | Self::Primitives | Self::House | Self::Exercise52 => &[],
         }
     }

@@ -300,7 +300,7 @@ impl<'a> Section<'a> {
     pub fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
         // `text.en = "…"` is a table, `text = { en = "…" }` a value.
         let found = self.ask(key).map(|item| match item.as_table_like() {
-            Some(table) => told_in(table),
+            Some(table) => bilingual_in(table),
             None => item.as_value().and_then(told),
         })?;
         if found.is_none() {
@@ -310,10 +310,10 @@ impl<'a> Section<'a> {
     }
 
     /// A table of such texts, in the order of the file.
-    pub fn told_table(&mut self, key: &'static str) -> Vec<(String, [String; 2])> {
+    pub fn bilingual_table(&mut self, key: &'static str) -> Vec<(String, [String; 2])> {
         let Some(table) = self.ask(key).and_then(Item::as_table_like) else { return Vec::new() };
         let of = |item: &Item| match item.as_table_like() {
-            Some(table) => told_in(table),
+            Some(table) => bilingual_in(table),
             None => item.as_value().and_then(told),
         };
         let texts: Option<Vec<_>> = table.iter().map(|(name, item)| Some((name.to_owned(), of(item)?))).collect();
@@ -324,7 +324,7 @@ impl<'a> Section<'a> {
     }
 
     /// A list of such texts.
-    pub fn told_list(&mut self, key: &'static str) -> Vec<[String; 2]> {
+    pub fn bilingual_list(&mut self, key: &'static str) -> Vec<[String; 2]> {
         self.read(key, Vec::new(), Allowed::ToldList, |value| value.as_array()?.iter().map(told).collect())
     }
 
@@ -559,7 +559,7 @@ fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
 /// A text for both languages. One that is missing is the other.
 fn told(value: &Value) -> Option<[String; 2]> {
     match value.as_inline_table() {
-        Some(table) => told_in(table),
+        Some(table) => bilingual_in(table),
         None => words_of(value).map(|text| [text.clone(), text]),
     }
 }
@@ -568,7 +568,7 @@ fn words_of(value: &Value) -> Option<String> {
     value.as_str().filter(|text| !text.trim().is_empty()).map(str::to_owned)
 }
 
-fn told_in(table: &dyn TableLike) -> Option<[String; 2]> {
+fn bilingual_in(table: &dyn TableLike) -> Option<[String; 2]> {
     let of = |key: &str| table.get(key).map(|item| item.as_value().and_then(words_of));
     let [en, pt_br] = ["en", "pt-BR"].map(of);
     let known = usize::from(en.is_some()) + usize::from(pt_br.is_some());

@@ -54,7 +54,7 @@ impl Stacked {
     }
 
     /// Takes away a key, `show.stage`, or a whole section, `labels`. False where there is none.
-    pub fn take_away(&mut self, path: &str) -> bool {
+    pub fn remove(&mut self, path: &str) -> bool {
         match path.split_once('.') {
             None => SECTIONS.contains(&path) && self.table.remove(path).is_some(),
             Some((section, key)) => {

@@ -30,7 +30,7 @@ use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::legend::LegendRow;
 use crate::views::world::gizmos;
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -115,7 +115,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let (change, style) = gizmos::wired(style);
     let of = clipped.as_ref().unwrap_or(&request.scene);
     let scene = pipeline.scene(of, std::mem::take(&mut revealed.scene), change);
-    let mut builder = GearBuilder::new(&screen);
+    let mut builder = AnnotationBuilder::new(&screen);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);
     revealed.mark(&mut builder, palette);
@@ -138,7 +138,7 @@ pub(super) fn shown(request: &Request, canonical: &CanonicalBox, p: DVec3) -> Op
     Some(canonical.place(ndc.clamp(DVec3::NEG_ONE, DVec3::ONE)))
 }
 
-fn axes(builder: &mut GearBuilder, canonical: &CanonicalBox, palette: Palette) {
+fn axes(builder: &mut AnnotationBuilder, canonical: &CanonicalBox, palette: Palette) {
     for ((axis, name), color) in canonical.axes().into_iter().zip(["x_n", "y_n", "z_n"]).zip(palette.axes) {
         builder.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
     }
@@ -146,7 +146,7 @@ fn axes(builder: &mut GearBuilder, canonical: &CanonicalBox, palette: Palette) {
 
 /// The box: its front face (z_n = −1 in the notes) is emphasised as the window is in the world, its back face has
 /// dashed edges as there.
-fn cube(builder: &mut GearBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
+fn cube(builder: &mut AnnotationBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
     let bounds = canonical.bounds();
     let [near, far] = canonical.faces();
     box_between(builder, near, far, palette);
@@ -168,7 +168,7 @@ fn cube(builder: &mut GearBuilder, canonical: &CanonicalBox, labels: &Labels, pa
 }
 
 /// A volume between its near and its far face, each counter-clockwise as the camera sees it.
-pub(super) fn box_between(builder: &mut GearBuilder, near: [DVec3; 4], far: [DVec3; 4], palette: Palette) {
+pub(super) fn box_between(builder: &mut AnnotationBuilder, near: [DVec3; 4], far: [DVec3; 4], palette: Palette) {
     let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
     builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
     builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
@@ -254,7 +254,7 @@ fn coordinate(a: f64, b: f64) -> &'static str {
 }
 
 /// Short strokes along the inner side of the near face's border, as draughtsmen mark a plane.
-fn hatch(builder: &mut GearBuilder, depth: f64, palette: Palette) {
+fn hatch(builder: &mut AnnotationBuilder, depth: f64, palette: Palette) {
     const STROKES: i32 = 12;
     const LENGTH: f64 = 0.07;
     let hidden = std::mem::replace(&mut builder.hidden, HiddenLines::Hidden);

@@ -24,7 +24,7 @@ use crate::views::screen::Screen;
 use crate::views::timed_pipeline::TimedPipeline;
 use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::gizmos;
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use crate::views::{Normalizing, Palette, Request, canonical};
 
 /// The steps of a camera, and where on them a picture is.
@@ -180,7 +180,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     scene.project(&matrix);
     let (change, style) = gizmos::wired(&request.shot.look.style);
     let scene = pipeline.scene(&request.scene, Cow::Owned(scene), change);
-    let mut builder = GearBuilder::new(&screen);
+    let mut builder = AnnotationBuilder::new(&screen);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;
     let after = if last { the_box.bounds().radius() } else { radius(way, &request.camera, way.step + 1)? };
@@ -201,7 +201,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }
 
-fn axes(builder: &mut GearBuilder, way: &Way, reach: f64, palette: Palette) {
+fn axes(builder: &mut AnnotationBuilder, way: &Way, reach: f64, palette: Palette) {
     let z = way.z_axis();
     for ((axis, name), color) in [DVec3::X, DVec3::Y, DVec3::Z * z].into_iter().zip(["x", "y", "z"]).zip(palette.axes) {
         if axis.length() > 0.1 {
@@ -211,7 +211,7 @@ fn axes(builder: &mut GearBuilder, way: &Way, reach: f64, palette: Palette) {
 }
 
 /// C, until it has gone too far: a division sends it to infinity.
-fn eye(builder: &mut GearBuilder, request: &Request, way: &Way, bounds: Aabb, palette: Palette) {
+fn eye(builder: &mut AnnotationBuilder, request: &Request, way: &Way, bounds: Aabb, palette: Palette) {
     let Some(p) = mapped(&way.now(), request.camera.position()) else { return };
     if p.distance(bounds.center()) <= FARTHEST * bounds.radius() {
         builder.mark(p, MarkShape::Disc, 4.0, palette.body_edge);

@@ -14,7 +14,7 @@ use crate::views::interact::hits::first_crossing;
 use crate::views::pixels::PixelRect;
 use crate::views::reveal::triangle_overlay::pixel_run;
 use crate::views::words::legend::{LegendRow, LegendText};
-use crate::views::world::gizmos::GearBuilder;
+use crate::views::world::gizmos::AnnotationBuilder;
 use crate::views::{Palette, Request, ShadowTruth};
 
 /// The image as the first light that casts shadows sees it, where the figure reveals that; `None` otherwise.
@@ -92,7 +92,7 @@ pub(in crate::views) fn mark_wrong(drawing: &mut Drawing, frame: PixelRect, requ
 }
 
 /// The volume of the light whose shadows the figure reveals, and the lamp, faint.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     if request.shot.look.reveal.shadows.is_none() {
         return;
     }

@@ -14,7 +14,7 @@ use crate::geometry::Aabb;
 
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{LegendRow, LegendText};
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE, stroke};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, stroke};
 use crate::views::{Palette, Request};
 
 /// The directions, and how their vanishing points are called.
@@ -32,7 +32,7 @@ pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Op
 }
 
 /// In the world: the parallels through C, each up to the view plane.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     /// Farthest vanishing point to include, in windows from the middle of the window. A farther one would pull the eye
     /// away from the scene.
     const FARTHEST: f64 = 2.5;

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::views::world::camera_gizmo::Gear;
+use crate::views::world::camera_gizmo::GizmoSizes;
 use crate::views::world::world_framing;
 use crate::views::{OtherCamera, Request};
 
@@ -18,7 +18,7 @@ pub fn camera_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize>
     let screen = world_framing::screen(request)?;
     let distance = |other: &OtherCamera| {
         let camera = &other.camera;
-        let body = Gear::new(&screen, camera, &request.shot.look.world).body;
+        let body = GizmoSizes::new(&screen, camera, &request.shot.look.world).body;
         let places = ALONG.map(|along| screen.place_inside(camera.position() + camera.basis().n * (along * body)));
         let nearest = places.into_iter().flatten().map(|place| place.distance(pointer)).min_by(f64::total_cmp)?;
         let radius = HALF * body / screen.units_per_pixel(camera.position());

@@ -7,7 +7,7 @@ use crate::figure::{Observer, WorldPart};
 use crate::geometry::{Ray, try_unit};
 
 use crate::views::screen::Screen;
-use crate::views::world::camera_gizmo::Gear;
+use crate::views::world::camera_gizmo::GizmoSizes;
 use crate::views::world::framing::Content;
 use crate::views::world::volume::DrawnVolume;
 use crate::views::world::world_framing;
@@ -42,7 +42,7 @@ pub(in crate::views) fn on_screen(request: &Request, screen: &Screen, volume: &D
         all.push((Handle::FocalPoint, camera.focal_point()));
     }
     if parts.has(WorldPart::ViewUp) {
-        all.push((Handle::ViewUp, Gear::new(screen, camera, &request.shot.look.world).view_up_tip(camera)));
+        all.push((Handle::ViewUp, GizmoSizes::new(screen, camera, &request.shot.look.world).view_up_tip(camera)));
     }
     if parts.has(WorldPart::Volume) {
         all.extend(on_axis(request, screen, volume, 20.0));
@@ -104,7 +104,7 @@ pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical:
             parameters.far = far.max((1.01 * camera.near()).min(camera.far()));
         }
         Handle::ViewUp => {
-            let tip = Gear::new(&screen, camera, &request.shot.look.world).view_up_tip(camera);
+            let tip = GizmoSizes::new(&screen, camera, &request.shot.look.world).view_up_tip(camera);
             let moved = tip + grip.in_picture(tip) - camera.position();
             if let Some(up) = try_unit(moved) {
                 parameters.view_up = up * camera.view_up().length();
@@ -297,7 +297,7 @@ mod tests {
     fn the_tip_of_vup_follows_the_pointer_and_vup_keeps_its_length() {
         with_picture(CORNER, |request, screen| {
             let c = request.camera.position();
-            let tip = Gear::new(screen, &request.camera, &request.shot.look.world).view_up_tip(&request.camera);
+            let tip = GizmoSizes::new(screen, &request.camera, &request.shot.look.world).view_up_tip(&request.camera);
             let [right, ..] = CORNER.axes();
             let goal = tip + right * 0.8;
             let moved = drag(request, Handle::ViewUp, screen.place(tip).unwrap(), screen.place(goal).unwrap(), false);

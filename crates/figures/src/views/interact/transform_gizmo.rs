@@ -8,7 +8,7 @@ use crate::scene::Line;
 
 use super::handles::Grip;
 use crate::views::screen::Screen;
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE, circle};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, circle};
 use crate::views::world::world_framing;
 use crate::views::{GizmoPart, Palette, Request, TransformGizmo, Transforming};
 
@@ -146,7 +146,7 @@ fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> 
 
 /// Adds the gizmo, if there is one. Nothing hides it. Its letters are those of the fields, T, R and S, which tells it
 /// from the axes of the world.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(gizmo) = request.hover.gizmo else { return };
     let letter = match gizmo.does {
         Transforming::Move => "T",

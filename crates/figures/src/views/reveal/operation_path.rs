@@ -10,14 +10,18 @@ use crate::pipeline::project::displayed_ndc;
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::ghost::arc;
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use crate::views::{Ghost, Palette, Request};
 
 /// The reach of an axis and of the arc about it, in terms of D.
 const REACH: f64 = 0.3;
 
 /// The operations in the canonical volume.
-pub(in crate::views) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette: Palette) -> Vec<LegendRow> {
+pub(in crate::views) fn in_canonical(
+    builder: &mut AnnotationBuilder,
+    request: &Request,
+    palette: Palette,
+) -> Vec<LegendRow> {
     let canonical = CanonicalBox::of(request);
     drawn(builder, request, palette, |p| {
         let ndc = displayed_ndc(&request.camera, p)?;
@@ -26,7 +30,11 @@ pub(in crate::views) fn in_canonical(builder: &mut GearBuilder, request: &Reques
 }
 
 /// The operations in the image.
-pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Palette) -> Vec<LegendRow> {
+pub(in crate::views) fn in_image(
+    builder: &mut AnnotationBuilder,
+    request: &Request,
+    palette: Palette,
+) -> Vec<LegendRow> {
     let eye = request.camera.position();
     // A hair behind the window: a line in the front plane is clipped or not as rounding has it.
     drawn(builder, request, palette, |p| Some(eye + (p - eye) * 1.0005))
@@ -34,7 +42,7 @@ pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, p
 
 /// Draws them, each point where `place` puts it. Those without an arc to be named at are named in the legend.
 fn drawn(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     request: &Request,
     palette: Palette,
     place: impl Fn(DVec3) -> Option<DVec3>,

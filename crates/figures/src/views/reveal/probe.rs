@@ -13,7 +13,7 @@ use crate::scene::Line;
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::interact::hits;
 use crate::views::world::cameras;
-use crate::views::world::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
+use crate::views::world::gizmos::{self, AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::volume::DrawnVolume;
 use crate::views::{Palette, Probe, Projector, Request};
 
@@ -69,7 +69,7 @@ impl<'a> Look<'a> {
     }
 
     /// The mark, and the name beside it.
-    fn mark(self, builder: &mut GearBuilder, p: DVec3) {
+    fn mark(self, builder: &mut AnnotationBuilder, p: DVec3) {
         builder.mark(p, self.mark.0, self.mark.1, self.color);
         if !self.name.is_empty() {
             builder.text(p, &sanitize::escaped(self.name), DVec2::new(0.8, -0.8), TYPE, self.color);
@@ -92,7 +92,7 @@ pub(in crate::views) fn points<'a>(request: &'a Request, palette: Palette) -> im
 
 /// A point with its projector from O_R, on to the window where it lies before it. Behind the eye, the line back to it
 /// is dotted, since nothing of it reaches the window.
-fn point_in_world(builder: &mut GearBuilder, request: &Request, p: DVec3, look: Look<'_>) {
+fn point_in_world(builder: &mut AnnotationBuilder, request: &Request, p: DVec3, look: Look<'_>) {
     let c = request.camera.view_point(p);
     let parallel = request.camera.projection() == Projection::Parallel;
     if c.is_finite() {
@@ -113,7 +113,12 @@ fn point_in_world(builder: &mut GearBuilder, request: &Request, p: DVec3, look: 
 }
 
 /// The rays of points, from O_R to each, or the ray from O_R through the window.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
+pub(in crate::views) fn in_world(
+    builder: &mut AnnotationBuilder,
+    request: &Request,
+    palette: Palette,
+    volume: &DrawnVolume,
+) {
     for (p, look) in points(request, palette) {
         cameras::projectors(builder, request, palette, p);
         point_in_world(builder, request, p, look);
@@ -144,7 +149,7 @@ pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, p
 }
 
 /// Projectors are parallel to z_n in the canonical volume, whatever the projection.
-pub(in crate::views) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_canonical(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let canonical = CanonicalBox::of(request);
     let shown = |p: DVec3| displayed_ndc(&request.camera, p).map(|p| canonical.place(p));
     for (p, look) in points(request, palette) {
@@ -163,7 +168,7 @@ pub(in crate::views) fn in_canonical(builder: &mut GearBuilder, request: &Reques
 
 /// The projector through a place, up to the mark on it, and dotted to the back of the box.
 fn ray_through_box(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     canonical: &CanonicalBox,
     through: DVec3,
     marked: Option<DVec3>,
@@ -184,7 +189,7 @@ fn ray_through_box(
 
 /// The figure's points on the way from the world to the canonical volume, as far as they can be seen with the volume.
 pub(in crate::views) fn on_the_way(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     request: &Request,
     palette: Palette,
     place: impl Fn(DVec3) -> Option<DVec3>,
@@ -197,7 +202,7 @@ pub(in crate::views) fn on_the_way(
 }
 
 /// A cross at the pixel, or a ring around the point. The figure's points with their names.
-pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_image(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     for (p, look) in points(request, palette) {
         // A ring around a corner of the scene hides nothing of it, and needs no name.
         let name = if look.mark.0 == MarkShape::Ring { "" } else { look.name };
@@ -216,7 +221,7 @@ pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, p
 
 /// The projector of the first camera in the image of the second: the epipolar line of the marked pixel. Nothing hides
 /// it, since any of its points may be the one that the pixel shows.
-fn epipolar_line(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+fn epipolar_line(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(Projector { ends, point }) = request.projector.flatten() else { return };
     let line = |points: [DVec3; 2], width: f32, dash: Dash| {
         let style = gizmos::stroke(palette.probe, width, dash, HiddenLines::Shown);

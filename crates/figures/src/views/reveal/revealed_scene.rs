@@ -21,7 +21,7 @@ use crate::views::pixels::PixelRect;
 use crate::views::words::label_layout::Author;
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{Legend, LegendRow, LegendText};
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use crate::views::{Labels, Palette, Request};
 
 /// Range in which parts outside the canonical volume are shown, in its own half sides.
@@ -55,7 +55,7 @@ impl<'a> PipelineReveal<'a> {
     }
 
     /// Draws the additions to the scene.
-    pub(in crate::views) fn mark(&self, builder: &mut GearBuilder, palette: Palette) {
+    pub(in crate::views) fn mark(&self, builder: &mut AnnotationBuilder, palette: Palette) {
         for side in &self.sides {
             builder.line(side.to_vec(), palette.cut, 1.6, Dash::Solid);
         }
@@ -96,7 +96,7 @@ pub(in crate::views) fn legend(
 /// The legend of a stage in a drawing, and its shortfalls.
 pub(in crate::views) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let mut rows = stage_overlay::rows(drawn, request, palette);
-    let (name, what) = match &drawn.too_much {
+    let (name, what) = match &drawn.over_budget {
         None => return rows,
         Some(OverBudget::Pieces { .. } | OverBudget::Strokes) => ("not-split", request.labels.not_split),
         Some(OverBudget::Rounding { .. }) => ("rounded", request.labels.rounded),

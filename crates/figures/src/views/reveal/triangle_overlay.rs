@@ -11,7 +11,7 @@ use crate::scene::Line;
 use crate::figure::TriangleStep;
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::pixels::PixelRect;
-use crate::views::world::gizmos::{GearBuilder, TYPE, stroke};
+use crate::views::world::gizmos::{AnnotationBuilder, TYPE, stroke};
 use crate::views::{Palette, Request, TriangleOverlay};
 
 /// Opacity of a covered pixel.
@@ -33,12 +33,12 @@ fn shown(triangle: &TriangleOverlay) -> Vec<(char, DVec3)> {
 
 /// The sides, the corners and their names, at places of a picture.
 fn draw(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     triangle: &TriangleOverlay,
     palette: Palette,
     place: impl Fn(DVec3) -> Option<DVec3>,
 ) {
-    let line = |builder: &mut GearBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
+    let line = |builder: &mut AnnotationBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
         // Whatever is before it.
         let style = stroke(color, width, dash, HiddenLines::Shown);
         builder.gear.lines.push(Line { points: points.to_vec(), style });
@@ -70,7 +70,7 @@ fn draw(
 }
 
 /// In the world; in its first steps with the way from the eye to each corner.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     draw(builder, triangle, palette, Some);
     if matches!(triangle.step, TriangleStep::View | TriangleStep::Divide) {
@@ -88,7 +88,7 @@ pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, p
 }
 
 /// In the canonical volume: the corners that can be divided.
-pub(in crate::views) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_canonical(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     let canonical = CanonicalBox::of(request);
     let inside = |p: DVec3| displayed_ndc(&request.camera, p).filter(|p| p.abs().max_element() <= 1.0 + 1e-6);
@@ -96,7 +96,7 @@ pub(in crate::views) fn in_canonical(builder: &mut GearBuilder, request: &Reques
 }
 
 /// In the image: its sides and corners as far as they are in it.
-pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_image(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     draw(builder, triangle, palette, Some);
 }

@@ -8,7 +8,7 @@ use crate::views::screen::Screen;
 
 /// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::views) struct Gear {
+pub(in crate::views) struct GizmoSizes {
     /// One unit of [`camera_body`](super::gizmos::camera_body).
     pub(in crate::views) body: f64,
     /// Length of **u**, **v**, **n**.
@@ -17,7 +17,7 @@ pub(in crate::views) struct Gear {
     pub(in crate::views) usual_axis: f64,
 }
 
-impl Gear {
+impl GizmoSizes {
     pub(in crate::views) fn new(screen: &Screen, camera: &Camera, look: &WorldLook) -> Self {
         let pixel = screen.units_per_pixel(camera.position());
         let (side, scale) = (screen.extent().min_element(), screen.scale());

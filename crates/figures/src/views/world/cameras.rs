@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::camera_gizmo::Gear;
-use super::gizmos::{self, GearBuilder, SMALL_TYPE};
+use super::camera_gizmo::GizmoSizes;
+use super::gizmos::{self, AnnotationBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
 use crate::camera::Projection;
@@ -16,7 +16,7 @@ use crate::views::{OtherCamera, Palette, Request};
 
 /// Adds the other cameras with their volumes as they are drawn.
 pub(in crate::views) fn in_world(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     request: &Request,
     palette: Palette,
     volumes: &[DrawnVolume],
@@ -35,7 +35,7 @@ pub(in crate::views) fn in_world(
 
 /// Adds the projectors of a point to the windows of the other cameras: each window shows the point where its projector
 /// meets it.
-pub(in crate::views) fn projectors(builder: &mut GearBuilder, request: &Request, palette: Palette, p: DVec3) {
+pub(in crate::views) fn projectors(builder: &mut AnnotationBuilder, request: &Request, palette: Palette, p: DVec3) {
     for (place, other) in request.shot.cameras.iter().enumerate() {
         let (camera, color) = (&other.camera, OtherCamera::color_at(other.color, place, palette));
         let depth = -camera.view_point(p).z;
@@ -52,7 +52,7 @@ pub(in crate::views) fn projectors(builder: &mut GearBuilder, request: &Request,
 }
 
 /// The volume from the window to the far face.
-fn sides(builder: &mut GearBuilder, volume: &DrawnVolume, color: Rgba) {
+fn sides(builder: &mut AnnotationBuilder, volume: &DrawnVolume, color: Rgba) {
     /// Opacity of a face, of 255. The volumes lie over one another.
     const FACE: u8 = 14;
     let far = volume.far_face();
@@ -74,7 +74,7 @@ fn sides(builder: &mut GearBuilder, volume: &DrawnVolume, color: Rgba) {
 }
 
 /// The window, and in perspective the edges from C to it.
-fn window(builder: &mut GearBuilder, other: &OtherCamera, volume: &DrawnVolume, color: Rgba) {
+fn window(builder: &mut AnnotationBuilder, other: &OtherCamera, volume: &DrawnVolume, color: Rgba) {
     if other.camera.projection() == Projection::Perspective {
         for [from, to] in volume.parts_before() {
             for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
@@ -86,10 +86,10 @@ fn window(builder: &mut GearBuilder, other: &OtherCamera, volume: &DrawnVolume, 
 }
 
 /// The body at C, the axes, and the name.
-fn gear(builder: &mut GearBuilder, request: &Request, other: &OtherCamera, color: Rgba) {
+fn gear(builder: &mut AnnotationBuilder, request: &Request, other: &OtherCamera, color: Rgba) {
     let (camera, screen, parts) = (&other.camera, builder.screen, request.shot.look.world.parts);
     let (c, basis) = (camera.position(), camera.basis());
-    let gear = Gear::new(screen, camera, &request.shot.look.world);
+    let gear = GizmoSizes::new(screen, camera, &request.shot.look.world);
     if parts.has(WorldPart::CameraBody) {
         builder.gear.objects.push(Object {
             lit: false,

@@ -5,9 +5,9 @@ use glam::DVec3;
 
 use crate::appearance::{Dash, MarkShape};
 
-use super::camera_gizmo::Gear;
+use super::camera_gizmo::GizmoSizes;
 use super::dimensions::{Pen, Span, span};
-use super::gizmos::{GearBuilder, SMALL_TYPE};
+use super::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use crate::figure::{Measured, WindowSide};
 use crate::views::{Palette, Request};
@@ -17,11 +17,11 @@ const AXES: [&str; 3] = ["u", "v", "n"];
 
 /// Draws the measures of the panel's hover, but for those with a dimension line, and those of an object.
 pub(in crate::views) fn in_world(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     request: &Request,
     palette: Palette,
     volume: &DrawnVolume,
-    gear: Gear,
+    gear: GizmoSizes,
 ) {
     let pen = Pen { color: palette.probe, width: 2.0 };
     let camera = &request.camera;
@@ -77,7 +77,7 @@ fn along(vector: DVec3, i: usize) -> [DVec3; 2] {
 
 /// A vector, and its component along an axis.
 pub(in crate::views) fn component(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     from: DVec3,
     [vector, along]: [DVec3; 2],
     text: &str,
@@ -89,7 +89,7 @@ pub(in crate::views) fn component(
 }
 
 /// A strong stroke with its text beside its middle.
-pub(in crate::views) fn lettered(builder: &mut GearBuilder, [from, to]: [DVec3; 2], text: &str, pen: Pen) {
+pub(in crate::views) fn lettered(builder: &mut AnnotationBuilder, [from, to]: [DVec3; 2], text: &str, pen: Pen) {
     builder.line(vec![from, to], pen.color, 2.0 * pen.width, Dash::Solid);
     let (middle, across) = (from.lerp(to, 0.5), builder.screen.heading(from, to - from).perp());
     builder.text(middle, text, across, SMALL_TYPE, pen.color);

@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, Rgba};
 use crate::camera::Projection;
 
-use super::camera_gizmo::Gear;
-use super::gizmos::{GearBuilder, SMALL_TYPE};
+use super::camera_gizmo::GizmoSizes;
+use super::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use crate::figure::words::{self, DIMENSIONS};
 use crate::figure::{Measure, MeasureText, Measured};
@@ -31,7 +31,7 @@ pub(in crate::views) struct Pen {
 }
 
 /// Draws the length of a span.
-pub(in crate::views) fn span(builder: &mut GearBuilder, span: &Span<'_>, pen: Pen) {
+pub(in crate::views) fn span(builder: &mut AnnotationBuilder, span: &Span<'_>, pen: Pen) {
     let Span { ends: [a, b], aside, name, text, gap } = *span;
     for p in [a, b] {
         builder.line(vec![p, p + aside * 1.06], pen.color, 0.6 * pen.width, Dash::Solid);
@@ -50,7 +50,7 @@ pub(in crate::views) fn span(builder: &mut GearBuilder, span: &Span<'_>, pen: Pe
 
 /// An angle at `corner` from one direction to another (unit vectors), with an arc of a radius and a side at its end.
 pub(in crate::views) fn angle(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     corner: DVec3,
     [from, to]: [DVec3; 2],
     radius: f64,
@@ -74,11 +74,11 @@ pub(in crate::views) fn angle(
 
 /// The dimension lines of the world: all that the figure asks for, and those that are pointed at in a panel.
 pub(in crate::views) fn in_world(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     request: &Request,
     palette: Palette,
     volume: &DrawnVolume,
-    gear: Gear,
+    gear: GizmoSizes,
 ) {
     let lit: Vec<Measured> = request.measured().collect();
     for measure in Measure::ALL {
@@ -99,7 +99,14 @@ pub(in crate::views) fn in_world(
 /// Distance of the lowest of the dimension lines below the axis, in lengths of the camera's axes.
 pub(in crate::views) const LOWEST: f64 = 1.75;
 
-fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear: Gear, measure: Measure, pen: Pen) {
+fn one(
+    builder: &mut AnnotationBuilder,
+    request: &Request,
+    volume: &DrawnVolume,
+    gear: GizmoSizes,
+    measure: Measure,
+    pen: Pen,
+) {
     let camera = &request.camera;
     let (c, dop, basis) = (camera.position(), camera.direction_of_projection(), camera.basis());
     let [_, rb, rt, lt] = volume.window();

@@ -10,12 +10,17 @@ use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
 use crate::scene::{Object, ObjectPaint};
 
-use super::camera_gizmo::Gear;
-use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
+use super::camera_gizmo::GizmoSizes;
+use super::gizmos::{self, AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::{Ghost, Palette, Request};
 
 /// Adds the operations that the figure shows, the one that is being tried, and the camera that an answer describes.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear) {
+pub(in crate::views) fn in_world(
+    builder: &mut AnnotationBuilder,
+    request: &Request,
+    palette: Palette,
+    gear: GizmoSizes,
+) {
     if let Some(answered) = &request.shot.answered {
         camera_answered(builder, request, palette, gear, answered);
     }
@@ -37,7 +42,7 @@ pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, p
 
 /// The way of an operation to the camera after it: axis, pivot and arc of a rotation, the arrows of a move, the former
 /// window of a zoom. Gives a place in its middle.
-fn path(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, after: &Camera) -> DVec3 {
+fn path(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, ghost: &Ghost, after: &Camera) -> DVec3 {
     let before = &ghost.before;
     if let Some(axis) = ghost.operation.axis(before) {
         return turn(builder, palette, gear, ghost, axis);
@@ -52,9 +57,9 @@ fn path(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, 
 
 /// The camera before, faintly, with its name if it has moved.
 fn camera_before(
-    builder: &mut GearBuilder,
+    builder: &mut AnnotationBuilder,
     palette: Palette,
-    gear: Gear,
+    gear: GizmoSizes,
     (before, after): (&Camera, &Camera),
     name: &str,
 ) {
@@ -68,7 +73,13 @@ fn camera_before(
 }
 
 /// The camera of an answer with its axes and its name, in the colour of errors.
-fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, answered: &Camera) {
+fn camera_answered(
+    builder: &mut AnnotationBuilder,
+    request: &Request,
+    palette: Palette,
+    gear: GizmoSizes,
+    answered: &Camera,
+) {
     let (c, color) = (answered.position(), palette.wrong);
     camera(builder, gear, answered, "camera of the answer", color);
     let basis = answered.basis();
@@ -80,7 +91,7 @@ fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palett
 }
 
 /// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.
-fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
+fn camera(builder: &mut AnnotationBuilder, gear: GizmoSizes, camera: &Camera, name: &str, color: Rgba) {
     let c = camera.position();
     builder.gear.objects.push(Object {
         lit: false,
@@ -98,7 +109,7 @@ fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, co
 }
 
 /// The axis through the pivot, and the arc in the sense of the rotation. Gives its middle.
-fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) -> DVec3 {
+fn turn(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, ghost: &Ghost, axis: Ray) -> DVec3 {
     let (before, pivot) = (&ghost.before, axis.origin);
     let [u, v, n] = palette.axes;
     let (moved, color, name) = match ghost.operation {

@@ -25,13 +25,13 @@ pub(in crate::views) fn stroke(color: Rgba, width: f32, dash: Dash, hidden: Hidd
 
 /// The gear of a picture while it is made.
 #[derive(Debug)]
-pub(in crate::views) struct GearBuilder<'a> {
+pub(in crate::views) struct AnnotationBuilder<'a> {
     pub(in crate::views) gear: Scene,
     pub(in crate::views) screen: &'a Screen,
     pub(in crate::views) hidden: HiddenLines,
 }
 
-impl<'a> GearBuilder<'a> {
+impl<'a> AnnotationBuilder<'a> {
     /// No gear yet. Lines are hidden as those of the scene are.
     pub(in crate::views) fn new(screen: &'a Screen) -> Self {
         Self { gear: Scene::default(), screen, hidden: HiddenLines::OfStyle }

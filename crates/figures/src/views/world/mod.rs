@@ -35,9 +35,9 @@ use crate::views::reveal::{probe, revealed_scene, triangle_overlay};
 use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
-use crate::views::world::camera_gizmo::Gear;
+use crate::views::world::camera_gizmo::GizmoSizes;
 use crate::views::world::framing::Content;
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE, TYPE};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::world_framing::{screen_of, seen_from};
 
 /// Draws the world with `on_window` as the image on the view window. An observer that is not a camera sees nothing.
@@ -56,12 +56,12 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     };
     let (change, style) = gizmos::wired(style);
     let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
-    let builder = GearBuilder::new(&screen);
+    let builder = AnnotationBuilder::new(&screen);
     let mut world = World {
         request,
         palette,
         content,
-        gear: Gear::new(&screen, &request.camera, &request.shot.look.world),
+        gear: GizmoSizes::new(&screen, &request.camera, &request.shot.look.world),
         on_window,
         builder,
     };
@@ -128,8 +128,8 @@ struct World<'a> {
     on_window: Option<&'a Arc<Texture>>,
     palette: Palette,
     content: Content,
-    gear: Gear,
-    builder: GearBuilder<'a>,
+    gear: GizmoSizes,
+    builder: AnnotationBuilder<'a>,
 }
 
 impl World<'_> {

@@ -8,7 +8,7 @@ use crate::geometry::Angle;
 
 use super::components::{component, lettered};
 use super::dimensions::Pen;
-use super::gizmos::{GearBuilder, SMALL_TYPE};
+use super::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use crate::figure::Measured;
 use crate::views::{ObjectTransform, Palette, Request};
 
@@ -16,7 +16,7 @@ use crate::views::{ObjectTransform, Palette, Request};
 const RADIUS: f64 = 46.0;
 
 /// Draws the measures of the explained object in the panel's hover.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(object) = request.measured_object() else { return };
     let pen = Pen { color: palette.probe, width: 2.0 };
     for measured in request.measured() {
@@ -34,7 +34,7 @@ fn written(request: &Request, symbol: char, i: usize, value: f64, unit: &str) ->
 }
 
 /// From the origin of the parent's frame, which is the world's where there is no parent, to that of the object.
-fn translation(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
+fn translation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     let ObjectTransform { world_from_parent, trs } = object;
     let origin = world_from_parent.transform_point3(DVec3::ZERO);
     let of = |v: DVec3| world_from_parent.transform_vector3(v);
@@ -50,7 +50,7 @@ fn axis_of_rotation(rotate: DVec3, i: usize) -> DQuat {
 }
 
 /// About which line through its origin the object is turned, and the arc of the angle, which begins at the next axis.
-fn rotation(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
+fn rotation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     /// Angle between two points of an arc, in degrees.
     const STEP: f64 = 5.0;
     let ObjectTransform { world_from_parent, trs } = object;
@@ -89,7 +89,7 @@ fn share(length: f64, vector: DVec3) -> Option<f64> {
 }
 
 /// A local axis as long as the scale makes it, with a mark where it ended before.
-fn scale(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
+fn scale(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     let ObjectTransform { world_from_parent, trs } = object;
     let frame = world_from_parent * DMat4::from_translation(trs.translate);
     let origin = frame.transform_point3(DVec3::ZERO);

@@ -11,7 +11,7 @@ use crate::sanitize;
 use super::dimensions::{self, Pen, Span};
 use super::framing;
 use super::framing::Content;
-use super::gizmos::{GearBuilder, TYPE};
+use super::gizmos::{AnnotationBuilder, TYPE};
 use super::volume::DrawnVolume;
 use crate::figure::Measure;
 use crate::views::observer::{Direction, Viewpoint, enclosing};
@@ -143,14 +143,14 @@ pub(in crate::views) fn observer(request: &Request) -> Observer {
 }
 
 /// Adds the section: the volume's profile, the construction of a point's image, and the lengths.
-pub(in crate::views) fn draw(builder: &mut GearBuilder, request: &Request, palette: Palette, content: &Content) {
+pub(in crate::views) fn draw(builder: &mut AnnotationBuilder, request: &Request, palette: Palette, content: &Content) {
     let profile = Profile::new(request, content);
     outline(builder, request, palette, &profile);
     construction(builder, palette, &profile);
     lengths(builder, request, palette, &profile);
 }
 
-fn outline(builder: &mut GearBuilder, request: &Request, palette: Palette, profile: &Profile) {
+fn outline(builder: &mut AnnotationBuilder, request: &Request, palette: Palette, profile: &Profile) {
     let (camera, volume) = (profile.camera, &profile.volume);
     for [from, to] in volume.parts() {
         let ([a, b], [c, d]) = (profile.sides(from), profile.sides(to));
@@ -176,7 +176,7 @@ fn outline(builder: &mut GearBuilder, request: &Request, palette: Palette, profi
 }
 
 /// The point, its projector and its image.
-fn construction(builder: &mut GearBuilder, palette: Palette, profile: &Profile) {
+fn construction(builder: &mut AnnotationBuilder, palette: Palette, profile: &Profile) {
     let (camera, color) = (profile.camera, palette.probe);
     let (distance, height) = (profile.distance(), profile.height());
     let (p, image) = (profile.at(distance, height), profile.at(camera.near(), profile.image()));
@@ -195,13 +195,13 @@ fn construction(builder: &mut GearBuilder, palette: Palette, profile: &Profile) 
     }
 }
 
-fn lengths(builder: &mut GearBuilder, request: &Request, palette: Palette, profile: &Profile) {
+fn lengths(builder: &mut AnnotationBuilder, request: &Request, palette: Palette, profile: &Profile) {
     let camera = profile.camera;
     let (step, dop, v) = (profile.step, camera.direction_of_projection(), camera.basis().v);
     let pen = |color| Pen { color, width: 1.2 };
     let (soft, probe) = (pen(palette.soft), pen(palette.probe));
     let lowest = profile.lowest();
-    let along = |builder: &mut GearBuilder, to: f64, row: f64, (name, text): (&str, &str), gap, pen| {
+    let along = |builder: &mut AnnotationBuilder, to: f64, row: f64, (name, text): (&str, &str), gap, pen| {
         let ends = [camera.position(), profile.at(to, 0.0)];
         let aside = v * (lowest - row * step);
         dimensions::span(builder, &Span { ends, aside, name, text, gap }, pen);
@@ -215,7 +215,7 @@ fn lengths(builder: &mut GearBuilder, request: &Request, palette: Palette, profi
     along(builder, profile.distance(), 2.0, ("−z_c", &depth), None, probe);
 
     let window = camera.window();
-    let upright = |builder: &mut GearBuilder, at: f64, to: f64, aside: DVec3, text: &str, pen| {
+    let upright = |builder: &mut AnnotationBuilder, at: f64, to: f64, aside: DVec3, text: &str, pen| {
         if to.abs() > 0.05 * step {
             let ends = [profile.at(at, 0.0), profile.at(at, to)];
             let name = text.split_once(" = ").map_or(text, |(symbol, _)| symbol);

@@ -8,12 +8,12 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
 use crate::geometry::Ray;
 use crate::scene::{Line, Object, ObjectPaint, primitives};
 
-use super::gizmos::{self, GearBuilder, SMALL_TYPE};
+use super::gizmos::{self, AnnotationBuilder, SMALL_TYPE};
 use crate::figure::TransformPreview;
 use crate::views::{Palette, Request};
 
 /// Adds the objects that are shown where they are not.
-pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     for (k, preview) in request.shot.show.moved.iter().enumerate() {
         let color = if preview.wrong { palette.wrong } else { palette.ghost };
         bodies(builder, request, preview, color);
@@ -26,7 +26,7 @@ pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, p
 
 /// The objects as glass, and of those without faces their strokes. Objects scaled to nothing have no faces to be seen.
 /// Where they are in place already, there is nothing to add.
-fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
+fn bodies(builder: &mut AnnotationBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
             return;
@@ -59,7 +59,7 @@ fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPrevi
 }
 
 /// Objects without faces: segments as strokes, points as marks.
-fn bare(builder: &mut GearBuilder, object: &Object, world_from_object: DMat4, color: Rgba) {
+fn bare(builder: &mut AnnotationBuilder, object: &Object, world_from_object: DMat4, color: Rgba) {
     let place = |i: &u32| object.mesh.positions.get(*i as usize).map(|p| world_from_object.transform_point3(*p));
     for ends in &object.mesh.edges {
         builder.line(ends.iter().filter_map(place).collect(), color, 1.6, Dash::Solid);
@@ -72,7 +72,7 @@ fn bare(builder: &mut GearBuilder, object: &Object, world_from_object: DMat4, co
 }
 
 /// The columns of its matrix: where they begin, and as long as they are. Nothing hides them.
-fn axes(builder: &mut GearBuilder, preview: &TransformPreview, number: usize, color: Rgba) {
+fn axes(builder: &mut AnnotationBuilder, preview: &TransformPreview, number: usize, color: Rgba) {
     let origin = preview.world_from_frame.w_axis.truncate();
     let columns = [preview.world_from_frame.x_axis, preview.world_from_frame.y_axis, preview.world_from_frame.z_axis];
     for (column, name) in columns.into_iter().zip(["x", "y", "z"]) {
@@ -86,7 +86,7 @@ fn axes(builder: &mut GearBuilder, preview: &TransformPreview, number: usize, co
 }
 
 /// The axis of the last turn.
-fn about(builder: &mut GearBuilder, axis: Ray, color: Rgba) {
+fn about(builder: &mut AnnotationBuilder, axis: Ray, color: Rgba) {
     let reach = builder.screen.units_per_pixel(axis.origin) * 0.25 * builder.screen.extent().min_element();
     let ends = [-reach, reach].map(|t| axis.origin + axis.direction * t);
     builder.line(ends.to_vec(), color, 1.2, Dash::DashDot);

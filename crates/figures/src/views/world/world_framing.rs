@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::camera_gizmo::Gear;
+use super::camera_gizmo::GizmoSizes;
 use super::framing::{Content, iso_direction};
 use super::{dimensions, section};
 use crate::camera::Camera;
@@ -77,10 +77,10 @@ pub(in crate::views) fn holds(request: &Request, observer: &Observer) -> bool {
 /// The points around the camera's gear, as large as it is for an observer; `None` for one that is not a camera.
 fn gear_points(request: &Request, observer: &Observer, content: &Content) -> Option<Vec<DVec3>> {
     let screen = screen_of(request, observer, content)?;
-    let gear = Gear::new(&screen, &request.camera, &request.shot.look.world);
+    let gear = GizmoSizes::new(&screen, &request.camera, &request.shot.look.world);
     let mut points: Vec<DVec3> = gear.room(&request.camera).into_iter().collect();
     for other in request.shot.cameras.iter() {
-        let gear = Gear::new(&screen, &other.camera, &request.shot.look.world);
+        let gear = GizmoSizes::new(&screen, &other.camera, &request.shot.look.world);
         let (c, basis) = (other.camera.position(), other.camera.basis());
         // The body, and the axes, which are shorter than those of the current camera.
         points.extend([c + basis.n * (2.0 * gear.body), c + basis.n * gear.body + basis.v * (1.5 * gear.body)]);

@@ -93,7 +93,7 @@ impl Counter {
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
         self.pipeline.recycle(frame.drawing);
         pixmap.data().chunks_exact(4).for_each(|pixel| each([pixel[0], pixel[1], pixel[2], pixel[3]]));
-        Some(Painted { objects: frame.objects, too_much: frame.too_much })
+        Some(Painted { objects: frame.objects, over_budget: frame.over_budget })
     }
 }
 
@@ -101,7 +101,7 @@ impl Counter {
 pub(super) struct Painted {
     objects: Vec<ObjectReport>,
     /// The faces that were too many to be put in order.
-    pub(super) too_much: Option<OverBudget>,
+    pub(super) over_budget: Option<OverBudget>,
 }
 
 /// An object whose faces have numbers, 0 … 2²⁴ − 1, for colours, and no strokes.

@@ -443,6 +443,6 @@ impl Counter {
         let mut bytes = Vec::new();
         let style = Style { hidden_lines: HiddenLines::Hidden, ..*style };
         let drawn = self.paint(scene, spec.camera, &style, spec.image, |pixel| bytes.extend(pixel))?;
-        drawn.too_much.is_none().then_some(bytes)
+        drawn.over_budget.is_none().then_some(bytes)
     }
 }
