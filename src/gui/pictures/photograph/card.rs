@@ -1,6 +1,6 @@
 //! The card of the tool: what is drawn, and the camera that follows, step by step.
 
-use eframe::egui::{self, Align2, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
+use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 use super::tool::Drawn;
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
@@ -14,7 +14,7 @@ use crate::i18n::window::photograph as words;
 use crate::i18n::window::photograph::Texts;
 
 /// The width of the card.
-const WIDTH: f32 = 330.0;
+const WIDTH: f32 = 286.0;
 
 impl Canvas {
     /// Shows the card while the tool is open. It can be moved.
@@ -22,15 +22,17 @@ impl Canvas {
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
         let Some(room) = room.filter(|_| state.photograph.on) else { return };
         let t = words::texts(state.settings.lang);
-        let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(room).resizable(false);
-        let card = card.pivot(Align2::LEFT_BOTTOM).default_pos(room.left_bottom() + vec2(8.0, -8.0));
+        let whole = ui.ctx().content_rect();
+        let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(whole).resizable(false);
+        // Beside the pictures, over the panel there: all of the photograph is to be seen.
+        let card = card.default_width(WIDTH).default_pos(room.right_top() + vec2(8.0, 0.0));
         card.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH);
             drawn(ui, state, t);
             ui.separator();
             let given = *state.document.camera().parameters();
             let found = state.photograph.camera(state.document.figure().image, &given);
-            let scroll = ScrollArea::vertical().max_height((room.height() - 220.0).max(80.0));
+            let scroll = ScrollArea::vertical().max_height((room.height() - 230.0).max(80.0));
             scroll.show(ui, |ui| match &found {
                 Ok(found) => account(ui, state, found),
                 Err(error) => {

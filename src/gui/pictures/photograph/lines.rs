@@ -7,7 +7,7 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-use super::tool::{Drawn, Grip, SHORTEST};
+use super::tool::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
 use crate::gui::pictures::image_place::ImagePlace;
@@ -34,8 +34,12 @@ impl Canvas {
         let Some(pane) = panes.iter().find(shows).filter(|_| state.photograph.on) else { return };
         let place = ImagePlace::of(pane);
         draw(ui, state, pane, &place);
+        let mut removed = None;
         for (grip, at) in state.photograph.grips() {
-            drag(ui, state, pane, &place, (grip, at));
+            removed = removed.or(drag(ui, state, pane, &place, (grip, at)));
+        }
+        if let Some(grip) = removed {
+            state.photograph.remove(grip);
         }
         let parameters = *state.document.camera().parameters();
         let found = state.photograph.camera(state.document.figure().image, &parameters).ok();
@@ -49,13 +53,22 @@ fn draw(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace) {
     if response.hovered() {
         ui.set_cursor_icon(CursorIcon::Crosshair);
     }
+    let pressed = ui.input(|input| input.pointer.press_origin()).map(|origin| place.in_image(origin));
     let tool = &mut state.photograph;
-    let pressed = ui.input(|input| input.pointer.press_origin());
-    let pointer = response.interact_pointer_pos();
-    if let Some(origin) = pressed.filter(|_| response.drag_started()) {
-        tool.begin(place.in_image(origin));
+    new_line(tool, &response, place, pressed);
+    // A line needs two ends, a point only a click.
+    let clicked = response.interact_pointer_pos().filter(|_| response.clicked());
+    if let Some(pointer) = clicked.filter(|_| !matches!(tool.drawn, Drawn::Line(_))) {
+        tool.begin(place.in_image(pointer));
     }
-    if let Some(pointer) = pointer.filter(|_| response.dragged()) {
+}
+
+/// Begins what is drawn when a drag of `response` starts, at `from`, and follows the pointer.
+fn new_line(tool: &mut PhotographTool, response: &Response, place: &ImagePlace, from: Option<DVec2>) {
+    if let Some(from) = from.filter(|_| response.drag_started()) {
+        tool.begin(from);
+    }
+    if let Some(pointer) = held_at(response) {
         tool.go_on(place.in_image(pointer));
     }
     if response.drag_stopped() {
@@ -63,14 +76,19 @@ fn draw(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace) {
         let is_long = |[a, b]: [DVec2; 2]| place.on_screen(a).distance(place.on_screen(b)) >= SHORTEST;
         tool.end(ends.is_some_and(is_long));
     }
-    // A line needs two ends, a point only a click.
-    if let Some(pointer) = pointer.filter(|_| response.clicked() && !matches!(tool.drawn, Drawn::Line(_))) {
-        tool.begin(place.in_image(pointer));
-    }
 }
 
-/// A grip follows the pointer and the arrow keys. Delete removes what it belongs to.
-fn drag(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace, (grip, at): (Grip, DVec2)) {
+/// The pointer of a drag. A quick hand lets go in the frame of its last move.
+fn held_at(response: &Response) -> Option<Pos2> {
+    response.interact_pointer_pos().filter(|_| response.dragged() || response.drag_stopped())
+}
+
+/// A grip follows the pointer and the arrow keys. Gives it back if its mark is to be removed.
+fn drag(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace, (grip, at): (Grip, DVec2)) -> Option<Grip> {
+    // A line that was too short has gone in this frame.
+    if matches!(grip, Grip::End(line, _) if line >= state.photograph.marks.lines.len()) {
+        return None;
+    }
     let middle = place.on_screen(at);
     let rect = Rect::from_center_size(middle, Vec2::splat(2.0 * REACH)).intersect(pane.rect.rect);
     let response = ui.interact(rect, Id::unique(("photograph", grip)), Sense::click_and_drag());
@@ -80,12 +98,19 @@ fn drag(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace, (grip, at):
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
-    if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
-        state.photograph.move_to(grip, place.in_image(pointer));
+    match (grip, state.photograph.drawn) {
+        // From a corner where another edge ends, a line along the chosen axis begins.
+        (Grip::End(line, _), Drawn::Line(axis)) if state.photograph.marks.lines[line].axis != axis => {
+            new_line(&mut state.photograph, &response, place, Some(at));
+        }
+        (Grip::End(..), Drawn::Origin | Drawn::Length) if response.clicked() => state.photograph.begin(at),
+        _ => {
+            if let Some(pointer) = held_at(&response) {
+                state.photograph.move_to(grip, place.in_image(pointer));
+            }
+        }
     }
-    if response.has_focus() {
-        keys(ui, state, &response, (grip, at));
-    }
+    (response.has_focus() && is_removed(ui, state, &response, (grip, at))).then_some(grip)
 }
 
 /// The name of a grip for screen readers.
@@ -98,7 +123,8 @@ fn name(state: &State, grip: Grip) -> String {
     }
 }
 
-fn keys(ui: &Ui, state: &mut State, response: &Response, (grip, at): (Grip, DVec2)) {
+/// Moves the grip that has the focus by the arrow keys. True if Delete is pressed.
+fn is_removed(ui: &Ui, state: &mut State, response: &Response, (grip, at): (Grip, DVec2)) -> bool {
     let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let (by, removes) = ui.input(|input| {
@@ -108,14 +134,10 @@ fn keys(ui: &Ui, state: &mut State, response: &Response, (grip, at): (Grip, DVec
         let by: DVec2 = keys.into_iter().map(|key| arrow_of(key) * (step * presses(key))).sum();
         (DVec2::new(by.x, -by.y), input.key_pressed(Key::Delete) || input.key_pressed(Key::Backspace))
     });
-    let marks = &mut state.photograph.marks;
-    match grip {
-        Grip::End(line, _) if removes && line < marks.lines.len() => drop(marks.lines.remove(line)),
-        Grip::Origin if removes => marks.origin = None,
-        Grip::Length if removes => marks.length = None,
-        _ if by != DVec2::ZERO => state.photograph.move_to(grip, at + by),
-        _ => {}
+    if by != DVec2::ZERO {
+        state.photograph.move_to(grip, at + by);
     }
+    removes
 }
 
 const fn color_of(rgba: Rgba) -> Color32 {

@@ -106,6 +106,16 @@ impl PhotographTool {
         }
     }
 
+    /// Removes what a grip belongs to: the whole line of an end.
+    pub(in crate::gui::pictures) fn remove(&mut self, grip: Grip) {
+        match grip {
+            Grip::End(line, _) if line < self.marks.lines.len() => drop(self.marks.lines.remove(line)),
+            Grip::End(..) => {}
+            Grip::Origin => self.marks.origin = None,
+            Grip::Length => self.marks.length = None,
+        }
+    }
+
     /// Begins what is drawn at a place.
     pub(in crate::gui::pictures) fn begin(&mut self, place: DVec2) {
         match self.drawn {
