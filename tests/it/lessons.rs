@@ -7,13 +7,15 @@ use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, WorldPart, read};
 use camera_lab::formula;
+use camera_lab::handout::{self, HandoutOptions};
 use camera_lab::i18n::learn::{exercise_sheet, lessons as words};
 use camera_lab::i18n::pictures::labels;
 use camera_lab::i18n::why::notes;
 use camera_lab::i18n::{Lang, messages, told};
 use camera_lab::lessons::{Link, Seen, Subject, Task, families_of, lesson_of, objects_named, parse, shipped};
+use camera_lab::picture::Paragraph;
 use camera_lab::scene::no_files;
-use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab::views::{Request, SharedScene, Size, View, Views, scene_of};
 
 use crate::common::program::Bench;
 use crate::views::draw;
@@ -464,4 +466,31 @@ fn the_axes_of_the_camera_are_in_the_world_of_every_step() {
         }
     }
     assert!(cut.is_empty(), "{cut:#?}");
+}
+
+/// A step that only shows the answer to the question before it comes after the last question, if that is wanted.
+#[test]
+fn no_page_of_a_handout_answers_a_question_of_the_page_before() {
+    let lesson = &shipped()[0].lesson;
+    let headings = |late: bool| -> Vec<String> {
+        let options = HandoutOptions { lang: Lang::En, columns: 1, answers: false, plan: false, late };
+        let handout = handout::of_lesson(lesson, options, |(_, step), size| {
+            let scene = scene_of(&step.figure, &mut no_files, &Default::default()).unwrap();
+            handout::picture(&step.figure, scene, Views::One(View::Image), size, Lang::En)
+        });
+        let entries = handout.unwrap().entries;
+        let heading = |paragraph: &Paragraph| match paragraph {
+            Paragraph::Heading(text) => Some(text.clone()),
+            _ => None,
+        };
+        entries.iter().filter_map(|entry| entry.paragraphs.first().and_then(heading)).collect()
+    };
+    let [usual, late] = [false, true].map(headings);
+    assert_eq!(usual.len(), late.len());
+    let place = |all: &[String], title: &str| all.iter().position(|heading| heading.ends_with(title)).unwrap();
+    let (question, answer) = ("PF – where it looks", "PF twice as far");
+    assert_eq!(place(&usual, answer), place(&usual, question) + 1);
+    let last = lesson.steps.iter().rposition(|step| step.task.is_some()).unwrap();
+    let last = told(Lang::En, &lesson.steps[last].title).to_owned();
+    assert!(place(&late, answer) > place(&late, &last), "{late:?}");
 }

@@ -491,6 +491,13 @@ fn a_cropped_picture_is_as_wide_as_it_was_asked_to_be() {
         let page = page[page.find('[').unwrap() + 1..page.find(']').unwrap()].to_owned();
         let sides: Vec<f64> = page.split_whitespace().map(|side| side.parse().unwrap()).collect();
         assert!((sides[2] - asked).abs() < 72.0 / 150.0, "{view}: {page}");
+        let tex = String::from_utf8(written("a.tex")).unwrap();
+        let width = |before: &str, after: &str| -> f64 {
+            tex.split_once(before).unwrap().1.split_once(after).unwrap().0.parse().unwrap()
+        };
+        for width in [width("\\begin{picture}(", ","), width("includegraphics[width=", "bp]")] {
+            assert!((width - asked).abs() < 72.0 / 150.0, "{view}: {width}");
+        }
         assert!(letter_sizes(&svg).iter().all(|size| *size > 18.7 * if view == "all" { 0.6 } else { 1.0 }), "{view}");
     }
 }

@@ -10,7 +10,7 @@ texts! {
     language: "language", "idioma";
     answers: "with solutions", "com soluções";
     answers_hint: "Puts the answers and their worked steps on pages of their own at the end", "Põe as respostas e seus passos em páginas próprias no fim";
-    late: "what answers a question at the end", "o que responde a uma pergunta no fim";
+    late: "answering steps at the end", "passos com a resposta no fim";
     late_hint: "A step that only shows the answer to the question before it comes after all questions", "Um passo que só mostra a resposta à pergunta anterior vem depois de todas as perguntas";
     plan: "with the lecturer’s plan", "com o plano de aula";
     plan_hint: "Begins with the lecturer’s 50 minutes: figures to show, questions to ask, answers to expect, sheets to hand out", "Começa com os 50 minutos da aula: figuras a mostrar, perguntas a fazer, respostas a esperar, folhas a distribuir";

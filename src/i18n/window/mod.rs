@@ -253,7 +253,7 @@ texts! {
     opacity_automatic: "automatic", "automática";
     axes_length: "camera axes", "eixos da câmera";
     axes_length_hint: "Length of u, v, n, VUP and DOP in the world, as a multiple of the usual one", "Comprimento de u, v, n, VUP e DOP no mundo, como múltiplo do usual";
-    axes_usual: "usual length", "comprimento usual";
+    axes_usual: "usual length", "o usual";
     dimensions: "Dimensions", "Cotas";
     dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
     dimensions_in_section: "The section along u has its own dimension lines", "O corte ao longo de u tem suas próprias cotas";
