@@ -1,5 +1,7 @@
 //! The photograph under the image: chosen, shown, removed, and its camera found from lines that are drawn on it.
 
+use std::time::Duration;
+
 use camera_lab::camera::{Camera, Viewport, WorldAxis};
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, Photograph, read};
@@ -7,7 +9,7 @@ use camera_lab::gui::state::Tab;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::why::photograph as steps;
-use camera_lab::i18n::window::photograph as words;
+use camera_lab::i18n::window::{coach, photograph as words};
 use camera_lab::views::{Size, View, image_frame};
 use eframe::egui::{Key, Pos2, pos2};
 use egui_kittest::kittest::Queryable as _;
@@ -156,4 +158,19 @@ fn an_image_of_another_aspect_takes_the_size_of_the_photograph() {
     window.click(t.size);
     assert_eq!([figure(&window).image.width, figure(&window).image.height], [640, 480]);
     assert!(!window.says(&words::size(Lang::PtBr, [640, 480])));
+}
+
+#[test]
+fn a_photograph_without_a_scene_is_no_empty_image() {
+    let empty = coach::texts(Lang::En).image_empty;
+    let mut window = window(Lang::En, WRONG);
+    let is_empty = |window: &mut Window| {
+        window.app_mut().state.coach.take(Duration::from_secs(60));
+        window.run();
+        window.says(empty)
+    };
+    window.run();
+    assert!(!is_empty(&mut window));
+    window.click(words::texts(Lang::En).remove);
+    assert!(is_empty(&mut window), "without it, nothing is there");
 }

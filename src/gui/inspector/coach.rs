@@ -13,7 +13,7 @@ use crate::gui::state::{Advice, Dialog, State};
 use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 use crate::i18n::window::coach as words;
-use crate::numerics::diagnosis::{Diagnosis, IN_A_WINDOW, Repair, changes};
+use crate::numerics::diagnosis::{Cause, Diagnosis, IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
 
 /// The width of the dialog.
@@ -41,7 +41,8 @@ impl Brief {
         let findings = diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
         let (text, level) = match diagnosis {
             Some(Diagnosis { camera_error: Some(_), .. }) => (t.one_finding.to_owned(), Level::Poor),
-            Some(Diagnosis { visible: 0, .. }) => (t.image_empty.to_owned(), Level::Poor),
+            Some(diagnosis) if is_empty(state, diagnosis) => (t.image_empty.to_owned(), Level::Poor),
+            Some(Diagnosis { visible: 0, .. }) => (words::camera_is(lang, worst), worst),
             _ if findings == 1 => (t.one_finding.to_owned(), Level::Fair.max(worst)),
             _ if findings > 1 => (format!("{findings} {}", t.many_findings), Level::Fair.max(worst)),
             _ => (words::camera_is(lang, worst), worst),
@@ -85,14 +86,20 @@ fn color(ui: &Ui, level: Level) -> Color32 {
     }
 }
 
+/// Whether nothing is visible although there's something to see. With an impossible camera the last good image stays,
+/// and a photograph without a scene is an image too.
+fn is_empty(state: &State, diagnosis: &Diagnosis) -> bool {
+    let is_photograph = state.document.figure().photograph.is_some()
+        && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);
+    diagnosis.visible == 0 && diagnosis.camera_error.is_none() && !is_photograph
+}
+
 /// Explains an empty image over it, with the button of the repair.
 pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     let lang = state.settings.lang;
     let t = words::texts(lang);
     let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
-    // With an impossible camera the last good image stays.
-    let is_empty = diagnosis.visible == 0 && diagnosis.camera_error.is_none();
-    let Some(finding) = diagnosis.findings.first().filter(|_| is_empty) else { return };
+    let Some(finding) = diagnosis.findings.first().filter(|_| is_empty(state, diagnosis)) else { return };
     let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
     let change = repair.map(|repair| change(state, &repair));
     let room = picture.shrink2(vec2(16.0, 8.0));
