@@ -49,7 +49,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
     let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height.min(SETTINGS_HIGH));
     let area = area.auto_shrink([false, true]);
-    let mut row = |ui: &mut egui::Ui| {
+    let row = |ui: &mut egui::Ui| {
         ui.spacing_mut().item_spacing.x = BETWEEN;
         let width = SETTINGS.min(ui.available_width());
         let column = |ui: &mut egui::Ui| {
@@ -66,7 +66,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
         }
         errors
     };
-    let errors = area.show(ui, |ui| ui.horizontal_top(&mut row).inner).inner;
+    let errors = area.show(ui, |ui| ui.horizontal_top(row).inner).inner;
     ui.add_space(10.0);
     let pressed = match buttons(ui, t.cancel, &[t.export_action], (first && !export.on_paper).then_some(0)) {
         Pressed::Nothing if enter => Pressed::Action(0),

@@ -212,6 +212,7 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
         title.widget_info(|| egui::WidgetInfo::selected(egui::Role::DisclosureTriangle, true, is_open, name));
         if title.clicked() {
             state.operations.open(freedom);
+            state.operations.close_others();
         }
         button(ui, t, state, freedom, false);
         let step = &mut state.operations.steps[freedom as usize];

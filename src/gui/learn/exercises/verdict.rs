@@ -53,8 +53,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
             if let Some(off) = ask.off(&judged.understood) {
                 prose::show(ui, &messages::off(t.lang, off));
             }
-            if let Some([i, j]) = place_of(ask).filter(|_| judged.right) {
-                prose::show(ui, &messages::lands(t.lang, [i, j]));
+            if let Some(place) = place_of(ask).filter(|_| judged.right) {
+                prose::show(ui, &messages::lands(t.lang, place));
             }
             if let Some(why) = why_guess_was_wrong(state, sheet, ask).filter(|_| judged.right) {
                 prose::show(ui, &why);
