@@ -90,8 +90,9 @@ pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     let lang = state.settings.lang;
     let t = words::texts(lang);
     let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
-    // With an impossible camera the last good image stays.
-    let is_empty = diagnosis.visible == 0 && diagnosis.camera_error.is_none();
+    // With an impossible camera the last good image stays, and a photograph is an image too.
+    let shows_photograph = state.scene_cache.scene().photograph.is_some();
+    let is_empty = diagnosis.visible == 0 && diagnosis.camera_error.is_none() && !shows_photograph;
     let Some(finding) = diagnosis.findings.first().filter(|_| is_empty) else { return };
     let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
     let change = repair.map(|repair| change(state, &repair));
