@@ -89,7 +89,7 @@ fn color(ui: &Ui, level: Level) -> Color32 {
 /// Whether nothing is visible although there's something to see. With an impossible camera the last good image stays,
 /// and a photograph without a scene is an image too.
 fn is_empty(state: &State, diagnosis: &Diagnosis) -> bool {
-    let is_photograph = state.document.figure().photograph.is_some()
+    let is_photograph = state.scene_cache.scene().photograph.is_some()
         && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);
     diagnosis.visible == 0 && diagnosis.camera_error.is_none() && !is_photograph
 }

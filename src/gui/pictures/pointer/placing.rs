@@ -60,7 +60,7 @@ impl Canvas {
             let painter = ui.painter().with_clip_rect(pane.rect.rect);
             let [mine, right] = [Color32::from_rgb(0xff, 0xa5, 0x20), Color32::from_rgb(0x4c, 0xd0, 0x6a)];
             if let (Some(guess), Some(place)) = (placing.guess, placing.right) {
-                let ends = [guess, place].map(|at| on_screen(at));
+                let ends = [guess, place].map(on_screen);
                 painter.line_segment(ends, Stroke::new(1.5, mine));
             }
             let rings = [(placing.guess, mine), (placing.right, right)];

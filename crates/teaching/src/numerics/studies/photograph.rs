@@ -38,8 +38,9 @@ struct Input {
     marks: PhotographMarks,
 }
 
-const METHODS: [(&str, fn(&Input) -> Option<Found>); 3] =
-    [("two lines", two_lines), ("mean of intersections", mean), (OWN, own)];
+type Solve = fn(&Input) -> Option<Found>;
+
+const METHODS: [(&str, Solve); 3] = [("two lines", two_lines), ("mean of intersections", mean), (OWN, own)];
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(200, 20);
