@@ -7,7 +7,7 @@ use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::app::command::{Command, MENUS};
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::{cameras, compare, predict, search, texts};
+use camera_lab::i18n::window::{cameras, compare, photograph, predict, search, texts};
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
 use eframe::egui::accesskit::Role;
@@ -532,6 +532,7 @@ fn controls_are_found_by_their_names() {
             (["stereo pair", "par estéreo"], of_cameras.pair, Some(Role::Button)),
             (["keep in the figure", "guardar na figura"], t.keep_operation, None),
             (["compare cameras", "comparar câmeras"], compare.command, None),
+            (["photograph", "fotografia"], photograph::texts(lang).photograph, None),
             (["samples", "amostras"], t.antialias, None),
         ] {
             window.command_key(Key::F);

@@ -23,6 +23,7 @@ use crate::i18n::learn::exercises as exercise_words;
 use crate::i18n::why::{explain as explain_words, notes};
 use crate::i18n::window::cameras;
 use crate::i18n::window::coach as coach_words;
+use crate::i18n::window::photograph;
 use crate::i18n::window::predict;
 use crate::i18n::window::search as words;
 use crate::i18n::window::search::{also_called, folded, has_words};
@@ -195,6 +196,7 @@ fn entries(state: &State) -> Vec<Entry> {
 /// The controls that have names of their own.
 fn controls(lang: Lang) -> Vec<Entry> {
     let (t, of_cameras, of_predict) = (window::texts(lang), cameras::texts(lang), predict::texts(lang));
+    let of_photograph = photograph::texts(lang);
     let shadings = [t.shading_hint, t.shading_wireframe, t.shading_flat, t.shading_gouraud, t.shading_phong];
     let drawing = |name| Target::Parameter(Tab::Drawing, name);
     let among_cameras = |name| Target::Parameter(Tab::Camera, name);
@@ -207,6 +209,7 @@ fn controls(lang: Lang) -> Vec<Entry> {
         (among_cameras(of_cameras.add), of_cameras.add, of_cameras.add_hint.to_owned()),
         (among_cameras(of_cameras.before), of_cameras.before, of_cameras.before_hint.to_owned()),
         (among_cameras(of_cameras.pair), of_cameras.pair, of_cameras.pair_hint.to_owned()),
+        (among_cameras(of_photograph.choose_title), of_photograph.photograph, of_photograph.hint.to_owned()),
         (Target::AmongOperations(of_predict.switch), of_predict.switch, of_predict.switch_hint.to_owned()),
         (Target::AmongOperations(t.keep_operation), t.keep_operation, t.keep_operation_hint.to_owned()),
     ]

@@ -7,7 +7,7 @@ use crate::camera::ImageSize;
 use crate::figure::Photograph;
 use crate::gui::files::file_flow;
 use crate::gui::inspector::scene;
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Purpose, State};
 use crate::i18n::window::photograph::{self as words, Texts};
@@ -28,7 +28,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let name = photograph.as_ref().map_or_else(|| t.choose.to_owned(), |photograph| file_name(&photograph.file));
         let button = egui::Button::new(name).truncate();
         let hint = photograph.as_ref().map_or_else(|| t.hint.to_owned(), |of| sanitize::path_text(&of.file));
-        if ui.add(button).explained(hint).accessible_name(t.choose_title).clicked() {
+        let response = ui.add(button).explained(hint).accessible_name(t.choose_title);
+        number_field::answer_call(ui, &response, t.choose_title);
+        if response.clicked() {
             file_flow::ask(ui.ctx(), state, Purpose::Photograph);
         }
     });
