@@ -290,6 +290,7 @@ fn dimension_lines_are_as_long_as_they_say() {
 fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
     for (name, mut figure, scene) in shipped() {
         figure.world.section = true;
+        figure.show.probe = None;
         // With an observer of its own, which a section does not heed.
         figure.observers.world = world(&figure, &scene, SIZES[0]).observer_from(Viewpoint::Top);
         for size in SIZES {
