@@ -59,7 +59,7 @@ impl Canvas {
     }
 }
 
-/// What the next drag draws, and the coordinate of the known length.
+/// The thing that the next drag draws, and the coordinate of the known length.
 fn drawn(ui: &mut Ui, state: &mut State, t: &Texts) {
     let lang = state.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());

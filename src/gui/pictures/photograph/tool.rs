@@ -7,7 +7,7 @@ use crate::camera::{
     PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis, camera_of_photograph,
 };
 
-/// What a drag on the photograph draws.
+/// The things that a drag on the photograph can draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drawn {
     /// A line along an axis.
@@ -42,7 +42,7 @@ pub struct PhotographTool {
     pub on: bool,
     /// The lines and points, in pixels of the image.
     pub marks: PhotographMarks,
-    /// What the next drag draws.
+    /// The thing that the next drag draws.
     pub drawn: Drawn,
     /// The axis and the coordinate of the point of the length, also before it is there.
     pub length: (WorldAxis, f64),
