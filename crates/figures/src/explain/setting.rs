@@ -104,13 +104,13 @@ impl<'a> Setting<'a> {
         self.image
     }
 
-    /// The rectangle and the range of depths that M_vp maps to.
+    /// The rectangle and the range of depths that `M_vp` maps to.
     #[must_use]
     pub fn viewport(&self) -> Viewport {
         self.viewport
     }
 
-    /// The object whose M_m is explained.
+    /// The object whose `M_m` is explained.
     #[must_use]
     pub fn placement(&self) -> Option<Placement> {
         self.placement

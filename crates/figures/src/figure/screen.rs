@@ -20,7 +20,7 @@ pub struct Screen {
 /// An entry of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScreenEntry {
-    /// The matrix that is open, such as M_p.
+    /// The matrix that is open, such as `M_p`.
     pub matrix: ScreenMatrix,
     /// It is an entry of the inverse.
     pub inverse: bool,
