@@ -172,7 +172,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     window.pick("parent", "base");
     window.enter("translation y", "1.5");
     window.add("Add", "point light");
-    window.enter("lamp y", "4");
+    window.enter(&format!("{} y", en::SCENES.light_position), "4");
     window.command_key(Key::S);
     let saved = std::fs::read_to_string(&path).expect("saved");
     assert!(saved.starts_with("# The arm.\n[scene]\npreset = \"empty\" # nothing else\n\n# It stands.\n"), "{saved}");
