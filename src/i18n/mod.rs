@@ -146,6 +146,7 @@ mod tests {
                 "filter_bilinear",
                 "filter_trilinear",
                 "texture_texels",
+                "shadow_bias",
                 "shape_cone",
             ]
         );
