@@ -38,7 +38,7 @@ texts! {
     divided_first: "divided before clipping", "dividido antes do recorte";
     wrong: "wrong", "errado";
     no_difference: "nothing wrong inside the volume", "nada de errado dentro do volume";
-    not_split: "too many pieces for BSP, so depth buffer instead", "pedaços demais para o BSP, usa o z-buffer";
+    not_split: "too many pieces for BSP, so depth buffer instead", "pedaços demais para a BSP, usa o z-buffer";
     rounded: "vertices are off by rounding", "vértices deslocados pelo arredondamento";
     reversed: "reversed", "invertido";
     right_handed: "right-handed", "mão direita";
@@ -131,7 +131,7 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
 #[must_use]
 pub fn tiny_letters(lang: Lang, points: f64) -> String {
     let points = lang.mark().printed(&format!("{points:.1}"));
-    both!(lang; "its letters are {points} pt high on paper; to be read: at least 6 pt (--letters)",
+    both!(lang; "its letters are {points} pt high on paper; to be legible: at least 6 pt (--letters)",
         "suas letras têm {points} pt de altura no papel; para serem lidas: ao menos 6 pt (--letters)")
 }
 

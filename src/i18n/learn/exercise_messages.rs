@@ -10,7 +10,7 @@ use crate::sanitize::escaped;
 texts! {
     right: "right", "certo";
     wrong: "wrong", "errado";
-    follows: "follows from a wrong answer", "segue de uma resposta errada";
+    follows: "follows from a wrong answer", "decorre de uma resposta errada";
     understood: "understood as", "entendido como";
     hint: "Hint", "Dica";
     asked: "Asked", "Pede-se";
@@ -201,7 +201,7 @@ pub fn why(lang: Lang, why: Why) -> String {
             let ago = if days == 1 { "um dia".to_owned() } else { format!("{days} dias") };
             format!("Você o resolveu há {ago}. Veja se ainda consegue, com números novos.")
         }
-        (_, Why::NotSolved) => both!(lang; "It is the next of the lessons that you have not solved.",
+        (_, Why::NotSolved) => both!(lang; "In the order of the lessons, it's the next one you haven't solved.",
             "É o próximo das lições que você ainda não resolveu."),
         (_, Why::LongestAgo) => both!(lang; "You've solved them all. This is the one you tried longest ago.",
             "Você já resolveu todos. Este é o que você tentou há mais tempo."),

@@ -14,14 +14,14 @@ texts! {
     alone: "answered alone on new numbers", "respondido sem ajuda com números novos";
     many_wrong: "Several wrong answers in a row. The lesson may help more than another try, or other numbers:", "Várias respostas erradas seguidas. A lição pode ajudar mais que outra tentativa, ou outros números:";
     practise_next: "Practise next", "Praticar o próximo";
-    practise_next_hint: "The exercise on your most frequent mistake, else what you began, else what comes back after 1, 3, 7 or 21 days, else the next of the lessons. You see why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições. Você vê por quê";
+    practise_next_hint: "The exercise on your most frequent mistake, or else one you've begun, then one that is due again after 1, 3, 7 or 21 days, then the next one of the lessons. You see why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições. Você vê por quê";
     new_numbers: "New numbers", "Números novos";
     new_numbers_hint: "The same exercise with the numbers of the next seed. Your answers for these are kept", "O mesmo exercício com os números da próxima semente. Suas respostas para estes são mantidas";
     back: "Back to the list", "Voltar à lista";
     seed_hint: "The numbers come from it. The same seed gives the same exercise, here and with `camera-lab exercise show`", "Os números vêm dela. A mesma semente dá o mesmo exercício, aqui e com `camera-lab exercise show`";
     how_it_is_read: "Assumptions", "Hipóteses";
     free_numbers: "Numbers left open", "Números deixados em aberto";
-    free_hint: "Choose your own. Answers may also be formulas in them", "Escolha os seus. Respostas também podem ser fórmulas neles";
+    free_hint: "Choose your own. Answers may also be formulas in them", "Escolha os seus. As respostas também podem ser fórmulas com eles";
     free_wrong: "a number greater than 0", "um número maior que 0";
     show_figure: "Show the figure", "Mostrar a figura";
     show_figure_hint: "Loads the figure of the exercise into the views, with its points and their names. Undo (Ctrl+Z) brings your own figure back. Saving asks for a file name, so yours stays as it is", "Carrega nas vistas a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta. Salvar pede um nome de arquivo, e a sua fica como está";
@@ -49,7 +49,7 @@ texts! {
     place_in_image: "Mark the place here", "Marque o lugar aqui";
     right: "right", "certo";
     wrong: "wrong", "errado";
-    follows: "follows from a wrong answer", "segue de uma resposta errada";
+    follows: "follows from a wrong answer", "decorre de uma resposta errada";
     right_read_as: "right, read as", "certo, entendido como";
     changed_since: "This is the result for your previous answer. Check again.", "Este é o resultado da resposta anterior. Confira de novo.";
     hint: "Hint", "Dica";
@@ -60,7 +60,7 @@ texts! {
     next_step: "The next step", "O próximo passo";
     step_hint: "The solution with every number, step by step", "A resolução com cada número, passo a passo";
     your_step: "Your number for the last line", "Seu número para a última linha";
-    your_step_hint: "You have solved this exercise before: each time one step more is yours. A number or an expression", "Você já resolveu este exercício: a cada vez um passo a mais é seu. Um número ou uma expressão";
+    your_step_hint: "You have solved this exercise before: each time, you do one more step yourself. A number or an expression", "Você já resolveu este exercício: a cada vez um passo a mais é seu. Um número ou uma expressão";
     check_step: "Check this step", "Conferir este passo";
     show_step: "Show it", "Mostrar";
     show_camera: "Show the camera of your answer", "Mostrar a câmera da sua resposta";

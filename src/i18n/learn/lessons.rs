@@ -70,13 +70,13 @@ texts! {
     step_file: "lesson.toml", "licao.toml";
     // Writing a lesson in the window.
     write_command: "Write the lesson", "Escrever a lição";
-    write_hint: "The texts of the step and of the lesson, their preview, and the order of the steps. Of a lesson of the program you edit a copy. Without a lesson, a new one begins with what is on the screen", "Os textos do passo e da lição, a prévia deles e a ordem dos passos. De uma lição do programa você edita uma cópia. Sem lição, uma nova começa com o que está na tela";
+    write_hint: "The texts of the step and of the lesson, their preview, and the order of the steps. You edit a copy of a lesson that belongs to the program. If no lesson is open, a new one begins with what is on the screen", "Os textos do passo e da lição, a prévia deles e a ordem dos passos. De uma lição do programa você edita uma cópia. Sem lição, uma nova começa com o que está na tela";
     copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
     copy_action: "Copy", "Copiar";
     step_earlier: "Move up", "Para cima";
-    step_earlier_hint: "The step comes before the one above it. Its image stays the same", "O passo vem antes do anterior. A imagem continua a mesma";
+    step_earlier_hint: "Moves the step before the previous one. Its image stays the same", "O passo vem antes do anterior. A imagem continua a mesma";
     step_later: "Move down", "Para baixo";
-    step_later_hint: "The step comes after the next one. Its image stays the same", "O passo vem depois do próximo. A imagem continua a mesma";
+    step_later_hint: "Moves the step after the next one. Its image stays the same", "O passo vem depois do próximo. A imagem continua a mesma";
     step_screen: "Use what's on the screen", "Usar o que está na tela";
     step_screen_hint: "From now on the step shows what you see. Its texts stay", "A partir de agora o passo mostra o que você vê. Os textos ficam";
     step_another: "New step after this one", "Novo passo depois deste";
@@ -84,7 +84,7 @@ texts! {
     step_remove: "Remove the step", "Remover o passo";
     step_remove_hint: "Takes the step out of the lesson; “Undo the change” brings it back", "Tira o passo da lição; “Desfazer a mudança” o traz de volta";
     read_again: "Reload", "Recarregar";
-    read_again_hint: "Reads the file as another program has changed it. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo como outro programa o mudou. Você perde o texto que digitou aqui e que ainda não foi salvo";
+    read_again_hint: "Reads the file as another program has changed it. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo com as mudanças feitas por outro programa. Você perde o texto que digitou aqui e que ainda não foi salvo";
     is_kept: "saved", "salvo";
     not_kept: "not saved yet", "ainda não salvo";
     not_written: "Not written into the file", "Não foi escrito no arquivo";

@@ -201,7 +201,7 @@ pub(in crate::i18n) fn warning_wording(lang: Lang, warning: &Warning) -> Wording
     match (lang, warning) {
         (_, Warning::ViewUpNearlyCollinear { degrees }) => pick!(lang;
             english(format!("VUP is only {degrees:.2e}° away from DOP: its last digits decide which way is up")),
-            Wording::new(format!("view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"), format!("VUP está a só {degrees}° de DOP: seus últimos dígitos decidem onde é em cima", degrees = printed(format!("{degrees:.2e}"))))),
+            Wording::new(format!("view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"), format!("VUP está a só {degrees}° de DOP: seus últimos dígitos decidem o que fica para cima", degrees = printed(format!("{degrees:.2e}"))))),
         (_, Warning::DepthPrecision { ratio, step }) => pick!(lang;
             english(format!("B/F is {ratio:.2e}: at the back plane a 24-bit depth buffer cannot tell apart depths that differ by less than {step:.2e}; move F away from the camera")),
             Wording::new(format!("far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano de fundo; afaste near da câmera"), format!("B/F é {ratio}: um z-buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera", ratio = printed(format!("{ratio:.2e}")), step = printed(format!("{step:.2e}"))))),

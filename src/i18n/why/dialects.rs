@@ -22,7 +22,7 @@ texts! {
     axes_hint: "Whose axes", "Os eixos de quem";
     why: "Why", "Por quê";
     instead: "Read it as", "Ler como";
-    instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
+    instead_hint: "Read this way, it gives another camera", "Assim ela dá outra câmera";
     camera: "Camera", "Câmera";
     camera_hint: "The text has several cameras. This is the one you see", "O texto tem várias câmeras. Esta é a que você vê";
     image: "Image of the matrix", "Imagem da matriz";
@@ -151,9 +151,9 @@ pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String 
         said += order(lang, candidate.order);
     }
     said + match (evidence, candidate.certainty) {
-        (Evidence::Level, _) => pick!(lang; ": only so is the camera level and upright.",
+        (Evidence::Level, _) => pick!(lang; ": only then is the camera level and upright.",
             ": só assim a câmera fica nivelada e de pé."),
-        (Evidence::OriginAhead, _) => pick!(lang; ": only so does it have the origin before it.",
+        (Evidence::OriginAhead, _) => pick!(lang; ": only then is the origin in front of it.",
             ": só assim a origem fica diante dela."),
         (_, Certainty::Only) => ".",
         (_, Certainty::Likely) => pick!(lang; ". This is likely, not certain.", ". É provável, não certo."),
@@ -275,13 +275,13 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
             "Os eixos são de mão esquerda, como nas notas do pipeline, e n é invertido."),
         Unknown::Rounded => pick!(lang;
             "Its axes are unit vectors at right angles only to within their digits, so they were orthonormalised.",
-            "Seus eixos só são versores perpendiculares até os seus dígitos, e foram ortonormalizados."),
+            "Seus eixos só são versores perpendiculares até onde vão os dígitos, e foram ortonormalizados."),
         Unknown::Scaled => pick!(lang;
             "Its columns don't have length 1, so the object is scaled. A camera has no scale, so it was divided out.",
             "As colunas não têm comprimento 1, pois o objeto tem escala. Uma câmera não tem, e a escala foi eliminada."),
         Unknown::WorldTurned => pick!(lang;
             "z is up in that world. It was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do.",
-            "Nesse mundo z é para cima. Ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."),
+            "Nesse mundo z é para cima. Ele foi girado, (x, y, z) → (x, z, −y), para que y aponte para cima, como fazem os exportadores de glTF."),
         Unknown::WorldMirrored => pick!(lang;
             "That world is left-handed. Its z was reversed, (x, y, z) → (x, y, −z), so that the image is not mirrored.",
             "Esse mundo é de mão esquerda. Seu z foi invertido, (x, y, z) → (x, y, −z), para que a imagem não fique espelhada."),
@@ -426,7 +426,7 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
 pub fn no_such_camera(lang: Lang, wanted: &str, names: &[String]) -> String {
     let (wanted, names) = (escaped(wanted), escaped(&names.join(", ")).to_string());
     if names.is_empty() {
-        return both!(lang; "there is one camera, so “{wanted}” is none of them", "há uma só câmera, e “{wanted}” não é ela");
+        return both!(lang; "there is only one camera, and it isn't “{wanted}”", "há uma só câmera, e “{wanted}” não é ela");
     }
     both!(lang; "no camera “{wanted}”; there are {names}", "não há câmera “{wanted}”; há {names}")
 }

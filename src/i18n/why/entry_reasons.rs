@@ -88,7 +88,7 @@ const PERSPECTIVE: [[Both; 4]; 4] = [
             "2F/(r − l): F projeta x_c na janela, por semelhança de triângulos, e 2/(r − l) dá à janela a largura 2, de −1 a 1.",
         ],
         [
-            "It's 0 because how high a point is doesn't move its image to the side.",
+            "It's 0 because a point's height doesn't move its image sideways.",
             "É 0, pois a altura de um ponto não move sua imagem para o lado.",
         ],
         [
@@ -102,8 +102,8 @@ const PERSPECTIVE: [[Both; 4]; 4] = [
     ],
     [
         [
-            "It's 0 because how far to the side a point is doesn't move its image up or down.",
-            "É 0, pois quanto um ponto está para o lado não move sua imagem para cima nem para baixo.",
+            "It's 0 because a point's sideways position doesn't move its image up or down.",
+            "É 0, pois o deslocamento lateral de um ponto não move sua imagem para cima nem para baixo.",
         ],
         [
             "2F/(t − b): F projects, as in the first row, and 2/(t − b) makes the window 2 high, from −1 to 1.",
@@ -164,7 +164,7 @@ const PARALLEL: [[Both; 4]; 4] = [
             "2/(r − l) dá à janela a largura 2, de −1 a 1. Não há F, porque a imagem de um ponto tem o próprio x_c.",
         ],
         [
-            "It's 0 because how high a point is doesn't move its image to the side.",
+            "It's 0 because a point's height doesn't move its image sideways.",
             "É 0, pois a altura de um ponto não move sua imagem para o lado.",
         ],
         [
@@ -178,8 +178,8 @@ const PARALLEL: [[Both; 4]; 4] = [
     ],
     [
         [
-            "It's 0 because how far to the side a point is doesn't move its image up or down.",
-            "É 0, pois quanto um ponto está para o lado não move sua imagem para cima nem para baixo.",
+            "It's 0 because a point's sideways position doesn't move its image up or down.",
+            "É 0, pois o deslocamento lateral de um ponto não move sua imagem para cima nem para baixo.",
         ],
         ["2/(t − b) makes the window 2 high, from −1 to 1.", "2/(t − b) dá à janela a altura 2, de −1 a 1."],
         [

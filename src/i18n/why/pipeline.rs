@@ -69,7 +69,7 @@ pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     match stage {
         Stage::Traverse => pick!(lang;
-            "Walks through the tree of the scene, multiplies the transforms, and adds what the view shows besides. [3] §1.1, step 1",
+            "Walks through the tree of the scene, multiplies the transforms, and adds whatever else the view shows. [3] §1.1, step 1",
             "Percorre a árvore da cena, multiplica as transformações e acrescenta o que a vista mostra além dela. [3] §1.1, passo 1"),
         Stage::CullObjects => pick!(lang;
             "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1",

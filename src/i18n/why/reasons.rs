@@ -21,8 +21,8 @@ texts! {
     parallel_projection: "parallel projection: w is 1 everywhere", "projeção paralela: w vale 1 em toda parte";
     perspective_projection: "perspective: w is the distance from the eye", "perspectiva: w é a distância ao olho";
     one_color_a_face: "every face has one colour", "cada face tem uma só cor";
-    convex_alone: "a single closed convex object does not hide itself once its back faces are dropped", "um só objeto convexo e fechado não se esconde depois de descartadas as faces de trás";
-    hides_itself: "depth buffer: an object that is not convex, or open, may hide itself", "z-buffer: um objeto não convexo, ou aberto, pode se esconder";
+    convex_alone: "a single closed convex object does not hide itself once its back faces are dropped", "um só objeto convexo e fechado não esconde partes de si mesmo depois de descartadas as faces de trás";
+    hides_itself: "depth buffer: an object that is not convex, or open, may hide itself", "z-buffer: um objeto não convexo, ou aberto, pode esconder partes de si mesmo";
     lines_ask_for_depth: "depth buffer: hidden parts of lines, marks or texts are drawn differently", "z-buffer: as partes ocultas de linhas, marcas ou textos são desenhadas de outro modo";
     painted_by_centroid: "painter: from back to front by centroid", "pintor: de trás para a frente, pelo centroide";
     painted_by_splitting: "BSP: from back to front, split at faces that cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
@@ -112,7 +112,7 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             "as cores variam sobre as faces de {}"; objects(n)),
         Reason::ConvexAlone => t.convex_alone.to_owned(),
         Reason::SeveralObjects { objects: n } => both!(lang; "depth buffer: faces of {} may hide each other",
-            "z-buffer: faces de {} podem se esconder"; objects(n)),
+            "z-buffer: faces de {} podem esconder umas às outras"; objects(n)),
         Reason::HidesItself => t.hides_itself.to_owned(),
         Reason::LinesAskForDepth => t.lines_ask_for_depth.to_owned(),
         Reason::PaintedByCentroid => t.painted_by_centroid.to_owned(),

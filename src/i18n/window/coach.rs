@@ -35,7 +35,7 @@ texts! {
     looking: "Looking…", "Examinando…";
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
     about_depth: "Depth and z-fighting in a depth buffer →", "Profundidade e z-fighting em um z-buffer →";
-    depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use. The curves are in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso. As curvas são em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
+    depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use. The curves are in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso. As curvas são a da perspectiva, a linear, como na projeção paralela, e a invertida (de 1 a 0). A curva grossa é a desta câmera";
     depth_chart: "Depth against the distance from the eye", "Profundidade em função da distância ao olho";
     distance: "distance from the eye", "distância ao olho";
     perspective: "perspective", "perspectiva";

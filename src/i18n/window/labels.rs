@@ -31,7 +31,7 @@ texts! {
     show_again: "Shows the label again", "Mostra o rótulo de novo";
     add: "Add an annotation", "Adicionar anotação";
     add_hint: "A click puts it at a vertex, an edge, a point, or at any place of the view. Enter in a view puts it at its centre", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da vista. Enter em uma vista a põe no centro dela";
-    adding: "Click to place the annotation, or press Esc for none", "Clique para pôr a anotação, ou aperte Esc para nenhuma";
+    adding: "Click to place the annotation, or press Esc for none", "Clique para pôr a anotação, ou aperte Esc para desistir";
     note: "annotation", "anotação";
     full: "There is no room for more annotations", "Não há lugar para mais anotações";
     measures: "measures:", "medidas:";

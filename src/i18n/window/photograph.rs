@@ -21,7 +21,7 @@ texts! {
     how: "Draw lines on the image along edges that are parallel to an axis of the world, from the smaller coordinate to the larger. Two axes need two lines each.", "Desenhe retas na imagem ao longo de arestas paralelas a um eixo do mundo, da coordenada menor para a maior. Dois eixos precisam de duas retas cada um.";
     draw: "Draw:", "Desenhar:";
     line: "line along", "reta ao longo de";
-    line_hint: "Drag on the image to draw a line. Drag its ends, or move them with the arrow keys. Delete removes it. A line may begin at an end of another axis", "Arraste na imagem para desenhar uma reta. Arraste as pontas, ou mova-as com as setas. Delete a remove. Uma reta pode começar na ponta de outro eixo";
+    line_hint: "Drag on the image to draw a line. Drag its ends, or move them with the arrow keys. Delete removes it. A line may begin at an end of a line along another axis", "Arraste na imagem para desenhar uma reta. Arraste as pontas, ou mova-as com as setas. Delete a remove. Uma reta pode começar na ponta de outro eixo";
     origin: "origin", "origem";
     origin_hint: "Click the origin of the world: the direction to C", "Clique na origem do mundo: a direção até C";
     known: "length", "comprimento";

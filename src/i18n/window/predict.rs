@@ -4,7 +4,7 @@ use crate::i18n::Lang;
 
 texts! {
     switch: "Predict first", "Prever antes";
-    switch_hint: "An operation asks first where a point M will go in the image, or how the objects will change in size. Then it's done, and you compare both. The sliders rest meanwhile", "Uma operação pergunta antes aonde irá um ponto M na imagem, ou como mudará o tamanho dos objetos. Depois é feita, e você compara os dois. Enquanto isso os controles deslizantes descansam";
+    switch_hint: "An operation asks first where a point M will go in the image, or how the objects will change in size. Then it's done, and you compare both. The sliders rest meanwhile", "Uma operação pergunta antes aonde irá um ponto M na imagem, ou como mudará o tamanho dos objetos. Depois é feita, e você compara os dois. Enquanto isso os controles deslizantes ficam inativos";
     mark_here: "Where will M go? Mark it here", "Aonde irá M? Marque aqui";
     click: "Click in *Image*, or drag the cross. By keys: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
     larger: "larger", "maiores";
@@ -15,7 +15,7 @@ texts! {
     cancel: "Cancel", "Cancelar";
     close: "Close", "Fechar";
     as_said: "As you said.", "Como você disse.";
-    otherwise: "Not as you said.", "Não como você disse.";
+    otherwise: "That isn't what you said.", "Não foi como você disse.";
     no_point: "No vertex is in the image both before and after this operation, so it's done at once.", "Nenhum vértice está na imagem antes e depois desta operação, e ela é feita logo.";
 }
 

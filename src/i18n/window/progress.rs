@@ -46,7 +46,7 @@ pub fn over_budget(lang: Lang, over_budget: &OverBudget) -> String {
             "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem z-buffer (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
         ),
         (Lang::PtBr, OverBudget::Rounding { vertices }) => format!(
-            "{}: a imagem amplia mais do que as coordenadas têm dígitos; permitido: uma janela maior, ou cena e câmera mais perto da origem",
+            "{}: a imagem amplia além do que os dígitos das coordenadas permitem; permitido: uma janela maior, ou cena e câmera mais perto da origem",
             beside(vertices)
         ),
     }

@@ -75,12 +75,12 @@ texts! {
     wrap_clamp: "border goes on", "borda continua";
     wrap_mirror: "mirrored", "espelhada";
     filter: "filter", "filtro";
-    filter_hint: "How a pixel gets its colour from texels. It takes the nearest, or one between four, or between four in two levels of detail", "Como um pixel obtém a cor dos texels. Usa o mais próximo, ou uma entre quatro, ou entre quatro em dois níveis de detalhe";
+    filter_hint: "How a pixel gets its colour from texels. It takes the nearest, a blend of four, or a blend of four in each of two levels of detail", "Como um pixel obtém a cor dos texels. Usa o mais próximo, ou uma entre quatro, ou entre quatro em dois níveis de detalhe";
     filter_nearest: "nearest", "vizinho mais próximo";
     filter_bilinear: "bilinear", "bilinear";
     filter_trilinear: "trilinear", "trilinear";
     texture_reveal: "to see", "para ver";
-    texture_reveal_hint: "The inner work of texturing, in all views. Choose u and v without w, levels of detail as colours, or texels", "O trabalho interno da texturização, em todas as vistas. Escolha u e v sem w, níveis de detalhe em cores ou texels";
+    texture_reveal_hint: "The inner workings of texturing, in all views. Choose u and v without w, levels of detail as colours, or texels", "O trabalho interno da texturização, em todas as vistas. Escolha u e v sem w, níveis de detalhe em cores ou texels";
     texture_plain: "the texture", "a textura";
     texture_affine: "without w", "sem w";
     texture_levels: "levels of detail", "níveis de detalhe";
@@ -110,7 +110,7 @@ texts! {
     light: "Light", "Luz";
     light_kind_hint: "Directional light is parallel, as from the sun. A point light shines from one point", "A luz direcional é paralela, como a do sol. A pontual brilha a partir de um ponto";
     direction: "direction", "direção";
-    direction_hint: "The direction in which light travels, in the world. Any length but 0", "A direção em que a luz se propaga, no mundo. Qualquer comprimento menos 0";
+    direction_hint: "The direction in which light travels, in the world. Any length but 0", "A direção em que a luz se propaga, no mundo. Qualquer comprimento, exceto 0";
     light_position: "position", "posição";
     light_position_hint: "The position of the light (world)", "A posição da luz (mundo)";
     shadows: "casts shadows", "projeta sombras";
@@ -118,7 +118,7 @@ texts! {
     shadow_map: "shadow map", "mapa de sombras";
     shadow_map_hint: "Side of the depth image in texels, 64 to 4096. A small one has steps at the edges of shadows", "Lado da imagem de profundidades em texels, de 64 a 4096. Um pequeno mostra degraus nas bordas das sombras";
     shadow_bias: "bias", "bias";
-    shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100. With 0, faces shadow themselves. With too much, shadows come off their objects", "Quão mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100. Com 0, as faces sombreiam a si mesmas. Com um bias grande demais, as sombras se descolam dos objetos";
+    shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100. With 0, faces shadow themselves. With too much, shadows come off their objects", "Quanto mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100. Com 0, as faces sombreiam a si mesmas. Com um bias grande demais, as sombras se descolam dos objetos";
     shadow_reveal: "show", "mostrar";
     shadow_reveal_hint: "A light is a camera too. Choose its image, the shadow map, or the shadows without bias, or the pixels whose rays to the light disagree with the map. The world shows its volume", "Uma luz também é uma câmera. Escolha a imagem dela, o mapa de sombras, ou as sombras sem bias, ou os pixels em que os raios até a luz discordam do mapa. O mundo mostra o volume dela";
     shadow_plain: "shadows", "sombras";

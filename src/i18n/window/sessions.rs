@@ -56,7 +56,7 @@ pub const fn no_home(lang: Lang) -> &'static str {
 /// All slots hold sessions of other windows.
 #[must_use]
 pub fn no_slot(lang: Lang, slots: usize) -> String {
-    both!(lang; "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of the list.",
+    both!(lang; "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of those in the list.",
         "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.")
 }
 
