@@ -164,7 +164,7 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
     for (lang, said, instead, other, take) in [
         (
             Lang::En,
-            "camera → world in the axes of Blender, nerfstudio: only so",
+            "camera → world in the axes of Blender, nerfstudio: only then",
             "Read it as",
             "M_v: view",
             "Take this camera",
