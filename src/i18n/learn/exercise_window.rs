@@ -4,17 +4,17 @@ use crate::i18n::Lang;
 
 texts! {
     search: "Search the exercises", "Pesquisar nos exercícios";
-    search_hint: "Words of the title, the source or the identifier. Enter opens the first", "Palavras do título, da fonte ou do identificador. Enter abre o primeiro";
+    search_hint: "Words from the title, the source or the identifier. Enter opens the first", "Palavras do título, da fonte ou do identificador. Enter abre o primeiro";
     none_found: "No exercise matches.", "Nenhum exercício corresponde.";
     of_the_notes: "From the lecture notes", "Das notas de aula";
     families: "Families, with new numbers as often as you like", "Famílias, com números novos quantas vezes quiser";
     untouched: "not started", "não iniciado";
     begun: "in progress", "em andamento";
     solved: "answered", "respondido";
-    alone: "answered alone on new numbers", "respondido sem ajuda com números novos";
+    alone: "answered without help, on new numbers", "respondido sem ajuda com números novos";
     many_wrong: "Several wrong answers in a row. The lesson may help more than another try, or other numbers:", "Várias respostas erradas seguidas. A lição pode ajudar mais que outra tentativa, ou outros números:";
     practise_next: "Practise next", "Praticar o próximo";
-    practise_next_hint: "The exercise on your most frequent mistake, or else one you've begun, then one that is due again after 1, 3, 7 or 21 days, then the next one of the lessons. You see why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições. Você vê por quê";
+    practise_next_hint: "The exercise on your most frequent mistake, or else one you've begun, then one that is due again after 1, 3, 7 or 21 days, then the next one in the lessons. You see why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições. Você vê por quê";
     new_numbers: "New numbers", "Números novos";
     new_numbers_hint: "The same exercise with the numbers of the next seed. Your answers for these are kept", "O mesmo exercício com os números da próxima semente. Suas respostas para estes são mantidas";
     back: "Back to the list", "Voltar à lista";
@@ -24,7 +24,7 @@ texts! {
     free_hint: "Choose your own. Answers may also be formulas in them", "Escolha os seus. As respostas também podem ser fórmulas com eles";
     free_wrong: "a number greater than 0", "um número maior que 0";
     show_figure: "Show the figure", "Mostrar a figura";
-    show_figure_hint: "Loads the figure of the exercise into the views, with its points and their names. Undo (Ctrl+Z) brings your own figure back. Saving asks for a file name, so yours stays as it is", "Carrega nas vistas a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta. Salvar pede um nome de arquivo, e a sua fica como está";
+    show_figure_hint: "Loads the exercise's figure into the views, with its points and their names. Undo (Ctrl+Z) brings your own figure back. Saving asks for a file name, so yours stays as it is", "Carrega nas vistas a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta. Salvar pede um nome de arquivo, e a sua fica como está";
     figure_later: "The figure is shown once you have answered.", "A figura é mostrada depois que você responder.";
     operations_later: "They're applied once you've answered, because the question is about the camera afterwards.", "São aplicadas depois que você responder, pois a pergunta é sobre a câmera de depois.";
     do_operations: "Apply its operations", "Aplicar as operações";
@@ -45,7 +45,7 @@ texts! {
     and_now: "What do you say now?", "O que você diz agora?";
     where_seen: "Where is it now? Mark it again.", "Onde está agora? Marque de novo.";
     you_guessed: "You said", "Você disse";
-    place_hint: "Click in *Image*, or drag the cross there. By keys: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz até lá. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
+    place_hint: "Click in *Image*, or drag the cross there. With the keyboard: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz até lá. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
     place_in_image: "Mark the place here", "Marque o lugar aqui";
     right: "right", "certo";
     wrong: "wrong", "errado";

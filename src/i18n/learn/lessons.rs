@@ -84,10 +84,10 @@ texts! {
     step_remove: "Remove the step", "Remover o passo";
     step_remove_hint: "Takes the step out of the lesson; “Undo the change” brings it back", "Tira o passo da lição; “Desfazer a mudança” o traz de volta";
     read_again: "Reload", "Recarregar";
-    read_again_hint: "Reads the file as another program has changed it. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo com as mudanças feitas por outro programa. Você perde o texto que digitou aqui e que ainda não foi salvo";
+    read_again_hint: "Reads the file again, with the changes that another program made. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo com as mudanças feitas por outro programa. Você perde o texto que digitou aqui e que ainda não foi salvo";
     is_kept: "saved", "salvo";
     not_kept: "not saved yet", "ainda não salvo";
-    not_written: "Not written into the file", "Não foi escrito no arquivo";
+    not_written: "Not written to the file", "Não foi escrito no arquivo";
     unfinished: "Write the question and its answers. Then it goes into the file.", "Escreva a pergunta e as respostas. Depois ela vai para o arquivo.";
     step_title_field: "Title", "Título";
     step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
@@ -229,7 +229,7 @@ pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
 #[must_use]
 pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
     let again = texts(lang).read_again;
-    both!(lang; "Another program has changed {file}, so nothing was written into it. “{again}” shows the text that is in the file now",
+    both!(lang; "Another program has changed {file}, so nothing was written to it. “{again}” shows the text that is in the file now",
         "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora")
 }
 

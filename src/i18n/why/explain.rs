@@ -42,7 +42,7 @@ texts! {
     dialects: "Other libraries", "Outras bibliotecas";
     dialects_hint: "The camera as gluLookAt, three.js, K [R | t] and others write it. Change their numbers to set it, or paste a matrix", "A câmera como gluLookAt, three.js, K [R | t] e outros a escrevem. Mude os números deles para defini-la, ou cole uma matriz";
     order: "Order of transforms", "Ordem das transformações";
-    order_hint: "In which order translation, rotation and scale act on an object, and what another order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
+    order_hint: "In which order translation, rotation and scaling act on an object, and what a different order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
     code: "Code", "Código";
     code_hint: "The camera as code for a library", "A câmera como código para uma biblioteca";
     notes: "Reference", "Verbetes";

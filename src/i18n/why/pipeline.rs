@@ -103,7 +103,7 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         Stage::Texture => pick!(lang; "Images on surfaces. [3] §1.1, step 9",
             "Imagens sobre superfícies. [3] §1.1, passo 9"),
         Stage::Shadow => pick!(lang;
-            "Takes light away if the light sees something nearer in its depth image, the shadow map. [3] §1.1, step 9",
+            "Removes the light from a point if the light sees something nearer in its depth image, the shadow map. [3] §1.1, step 9",
             "Retira luz se a fonte vê algo mais próximo em sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
         Stage::Blend => pick!(lang; "Blends translucent colours with what is behind them. [3] §1.1, step 9",
             "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9"),

@@ -32,8 +32,8 @@ texts! {
     boxes: "The boxes around the objects. Those that are dropped are dashed.", "As caixas em volta dos objetos. As descartadas são tracejadas.";
     normals: "The normal at each vertex, as it is in the world.", "A normal em cada vértice, como é no mundo.";
     vertices: "The numbers at vertices: before → after.", "Os números nos vértices: antes → depois.";
-    faces: "The dropped faces are tinted. Lines are the triangles that remain.", "As faces descartadas são tingidas. As linhas são os triângulos que restam.";
-    pieces: "Triangles that cross a plane are dashed. Lines are the pieces that remain, with the new vertices marked. Parts outside are tinted in the world.",
+    faces: "The dropped faces are tinted. The lines show the triangles that remain.", "As faces descartadas são tingidas. As linhas são os triângulos que restam.";
+    pieces: "Triangles that cross a plane are dashed. The lines show the pieces that remain, with the new vertices marked. Parts outside are tinted in the world.",
         "Os triângulos que cruzam um plano são tracejados. As linhas são os pedaços que restam, com os vértices novos marcados. As partes de fora são tingidas no mundo.";
     halves: "The left half shows the input, the right half the output.", "A metade esquerda mostra a entrada, a direita a saída.";
     strip: "Also under the views (F10), with counts and times", "Também sob as vistas (F10), com contagens e tempos";

@@ -5,7 +5,7 @@ texts! {
     current: "current", "atual";
     name: "Name of the camera", "Nome da câmera";
     name_hint: "The label in the world. Each camera has a name of its own", "O rótulo no mundo. Cada câmera tem um nome próprio";
-    name_bad: "Another camera has this name, or it is empty", "Outra câmera tem esse nome, ou ele está vazio";
+    name_bad: "Another camera has this name, or the name is empty", "Outra câmera tem esse nome, ou ele está vazio";
     color: "Colour of the camera", "Cor da câmera";
     color_hint: "The colour of its body, axes and volume in the world", "A cor do corpo, dos eixos e do volume no mundo";
     look: "Look", "Olhar";

@@ -44,7 +44,7 @@ texts! {
     format: "format", "formato";
     step_here: "step at this depth", "passo nesta profundidade";
     two_planes: "Two planes, this far apart:", "Dois planos, a esta distância:";
-    two_planes_hint: "In scene units. Think of a tilted plane this far behind another, parallel to it and drawn after it. If a format stores the same value for both, the farther one shows through", "Em unidades da cena. Pense em um plano inclinado a esta distância atrás de outro, paralelo a ele e desenhado depois. Se um formato guarda o mesmo valor para os dois, aparece o mais distante";
+    two_planes_hint: "In scene units. Imagine a tilted plane this far behind another, parallel to it and drawn after it. If a format stores the same value for both, the farther one shows through", "Em unidades da cena. Pense em um plano inclinado a esta distância atrás de outro, paralelo a ele e desenhado depois. Se um formato guarda o mesmo valor para os dois, aparece o mais distante";
     scene_units: "scene units", "unidades da cena";
     nearer: "nearer", "o mais próximo";
     farther: "farther", "o mais distante";
@@ -324,7 +324,7 @@ fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "most of it is " } else { "" };
     match cause {
         Cause::CameraInsideObject => "the camera is inside it, and all its faces are turned away.".to_owned(),
-        Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): it looks the other way."),
+        Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): the camera looks the other way."),
         Cause::BeforeNear => format!("{most}nearer than the front plane, −z_c < F: clipping removes what is there."),
         Cause::BeyondFar => format!("{most}farther than the back plane, −z_c > B: clipping removes what is there."),
         Cause::OutsideLeft => format!("{most}to the left of the view window, x_p < l (5.9)."),

@@ -42,7 +42,7 @@ texts! {
     beside: "two whole views", "duas vistas inteiras";
     beside_hint: "Two halves with a whole view each, without a divider", "Duas metades com uma vista inteira cada, sem divisor";
     swap: "Swap sides", "Trocar os lados";
-    swap_hint: "The figure becomes the other version, and you compare it with the former one", "A figura passa a ser a outra versão, comparada com a anterior";
+    swap_hint: "The figure becomes the other version, and you compare it with the previous one", "A figura passa a ser a outra versão, comparada com a anterior";
     impossible: "The other version is impossible:", "A outra versão é impossível:";
     wiper: "divider between the two versions", "divisor entre as duas versões";
     format: "depth format", "formato de profundidade";

@@ -24,14 +24,14 @@ texts! {
     legend_hint: "Hides all of it. Dragging one of its lines moves all of it", "Oculta-a inteira. Arrastar uma das linhas a move inteira";
     delete: "Delete", "Excluir";
     automatic: "Automatic again", "Automático de novo";
-    automatic_hint: "The label has its own text, place, size and colour again. An annotation keeps its text", "O rótulo volta a ter o próprio texto, lugar, tamanho e cor. Uma anotação conserva o texto";
+    automatic_hint: "The label gets its original text, place, size and colour back. An annotation keeps its text", "O rótulo volta a ter o próprio texto, lugar, tamanho e cor. Uma anotação conserva o texto";
     all_automatic: "All automatic again", "Todos automáticos de novo";
-    all_automatic_hint: "All labels have their own texts and places again. Annotations stay", "Todos os rótulos voltam a ter os próprios textos e lugares. As anotações ficam";
+    all_automatic_hint: "All labels get their original texts and places back. Annotations stay", "Todos os rótulos voltam a ter os próprios textos e lugares. As anotações ficam";
     hidden: "hidden:", "ocultos:";
     show_again: "Shows the label again", "Mostra o rótulo de novo";
     add: "Add an annotation", "Adicionar anotação";
     add_hint: "A click puts it at a vertex, an edge, a point, or at any place of the view. Enter in a view puts it at its centre", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da vista. Enter em uma vista a põe no centro dela";
-    adding: "Click to place the annotation, or press Esc for none", "Clique para pôr a anotação, ou aperte Esc para desistir";
+    adding: "Click to place the annotation, or press Esc to cancel", "Clique para pôr a anotação, ou aperte Esc para desistir";
     note: "annotation", "anotação";
     full: "There is no room for more annotations", "Não há lugar para mais anotações";
     measures: "measures:", "medidas:";

@@ -17,7 +17,7 @@ texts! {
     fit_vertical: "height", "altura";
     fit_vertical_hint: "The height of the sensor spans the height of the image", "A altura do sensor cobre a altura da imagem";
     fit_larger: "larger", "maior";
-    fit_larger_hint: "The width of the sensor spans the larger side of the image, as Auto of Blender", "A largura do sensor cobre o lado maior da imagem, como o Auto do Blender";
+    fit_larger_hint: "The width of the sensor spans the larger side of the image, like Auto in Blender", "A largura do sensor cobre o lado maior da imagem, como o Auto do Blender";
     pixels: "f in pixels (x, y)", "f em pixels (x, y)";
     pixels_hint: "F m/W and F n/H, as in K of OpenCV", "F m/W e F n/H, como em K do OpenCV";
     shift: "lens shift", "deslocamento";

@@ -60,7 +60,7 @@ texts! {
     presentation: "Presentation", "Apresentação";
     presentation_hint: "Large type and thick strokes, full screen, for a projector", "Letras grandes e traços grossos, tela cheia, para um projetor";
     next_figure: "Next figure", "Próxima figura";
-    next_figure_hint: "The next figure of the folder, or the next built-in one. Your changes are kept. In a presentation, press Page ↓ or →", "A próxima figura da pasta, ou a próxima do programa. Suas mudanças são mantidas. Em uma apresentação, aperte Page ↓ ou →";
+    next_figure_hint: "The next figure in the folder, or the next built-in one. Your changes are kept. In a presentation, press Page ↓ or →", "A próxima figura da pasta, ou a próxima do programa. Suas mudanças são mantidas. Em uma apresentação, aperte Page ↓ ou →";
     previous_figure: "Previous figure", "Figura anterior";
     previous_figure_hint: "The previous figure. Your changes are kept. In a presentation, press Page ↑ or ←", "A figura anterior. Suas mudanças são mantidas. Em uma apresentação, aperte Page ↑ ou ←";
     pen: "Pen", "Caneta";
@@ -116,7 +116,7 @@ texts! {
     look_along_u: "Look along u", "Olhar ao longo de u";
     look_along_u_hint: "The camera from its side, with the eye on the left and the back plane on the right, as in the lecture notes", "A câmera vista de lado, com o olho à esquerda e o fundo à direita, como nas notas de aula";
     look_along_v: "Look along v", "Olhar ao longo de v";
-    look_along_v_hint: "The camera from above, the eye on the left, the back plane on the right", "A câmera vista de cima, o olho à esquerda, o fundo à direita";
+    look_along_v_hint: "The camera from above, with the eye on the left and the back plane on the right", "A câmera vista de cima, o olho à esquerda, o fundo à direita";
     look_along_n: "Look along n", "Olhar ao longo de n";
     look_along_n_hint: "In the direction in which the camera looks, in parallel projection", "Na direção em que a câmera olha, em projeção paralela";
     look_fit: "Fit all", "Enquadrar tudo";
@@ -238,7 +238,7 @@ texts! {
     hidden_hidden: "hidden", "ocultas";
     hidden_shown: "shown", "visíveis";
     antialias: "samples", "amostras";
-    antialias_hint: "Samples per pixel. More are smoother and slower", "Amostras por pixel. Com mais, fica mais suave e mais lento";
+    antialias_hint: "Samples per pixel. More samples are smoother and slower", "Amostras por pixel. Com mais, fica mais suave e mais lento";
     theme_name: "theme", "tema";
     file_theme: "file theme", "tema do arquivo";
     file_theme_hint: "The theme in which camera-lab render writes the images of this figure. The window has its own: Window, Dark theme", "O tema em que camera-lab render grava as imagens desta figura. A janela tem o seu: Janela, Tema escuro";
@@ -388,7 +388,7 @@ texts! {
     export_drawing: "The image is being drawn …", "A imagem está sendo desenhada …";
     export_copy: "Copy the image", "Copiar a imagem";
     export_copy_hint: "To the clipboard at full size, without its figure", "Para a área de transferência em tamanho inteiro, sem sua figura";
-    export_copy_svg_hint: "To the clipboard as the text of an SVG file, without its figure, for editors of drawings and of text", "Para a área de transferência como texto de um arquivo SVG, sem a figura, para editores de desenhos e de texto";
+    export_copy_svg_hint: "To the clipboard as the text of an SVG file, without its figure, for drawing programs and text editors", "Para a área de transferência como texto de um arquivo SVG, sem a figura, para editores de desenhos e de texto";
     export_copy_too_large: "Too large for the clipboard, which takes at most 33 million pixels", "Grande demais para a área de transferência, que recebe no máximo 33 milhões de pixels";
     export_action: "Export…", "Exportar…";
     drop_here: "Drop to open", "Solte para abrir";
@@ -426,7 +426,7 @@ texts! {
     kept_operations: "In the figure:", "Na figura:";
     take_out: "Take the operations out of the figure", "Tirar as operações da figura";
     title_command: "Title and caption…", "Título e legenda…";
-    title_hint: "The words above the figure in a presentation and on its card. Exports carry them as their title", "As palavras acima da figura na apresentação e no cartão. As exportações as levam como título do arquivo";
+    title_hint: "The words above the figure in a presentation and on its gallery card. Exports carry them as their title", "As palavras acima da figura na apresentação e no cartão. As exportações as levam como título do arquivo";
     title_heading: "Title and caption", "Título e legenda";
     title_text: "They stand above the figure in a presentation and on its card in the gallery. Exports carry them as the title of the file.", "Aparecem acima da figura na apresentação e no cartão da galeria. As exportações as levam como título do arquivo.";
     title_name: "Title", "Título";

@@ -15,7 +15,7 @@ texts! {
     size: "Take its size", "Usar seu tamanho";
     size_hint: "Makes m × n the size of the photograph, so that it isn't stretched", "Faz de m × n o tamanho da fotografia, para que ela não seja esticada";
     find: "Find its camera…", "Achar sua câmera…";
-    find_hint: "Draw lines on the photograph along the axes of the world. They tell θ, R and, with a known length, C", "Desenhe retas na fotografia ao longo dos eixos do mundo. Elas dizem θ, R e, com um comprimento conhecido, C";
+    find_hint: "Draw lines on the photograph along the axes of the world. They give θ, R and, with a known length, C", "Desenhe retas na fotografia ao longo dos eixos do mundo. Elas dizem θ, R e, com um comprimento conhecido, C";
     find_first: "Choose a photograph first", "Escolha antes uma fotografia";
     title: "The camera of the photograph", "A câmera da fotografia";
     how: "Draw lines on the image along edges that are parallel to an axis of the world, from the smaller coordinate to the larger. Two axes need two lines each.", "Desenhe retas na imagem ao longo de arestas paralelas a um eixo do mundo, da coordenada menor para a maior. Dois eixos precisam de duas retas cada um.";

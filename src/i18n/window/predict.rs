@@ -4,9 +4,9 @@ use crate::i18n::Lang;
 
 texts! {
     switch: "Predict first", "Prever antes";
-    switch_hint: "An operation asks first where a point M will go in the image, or how the objects will change in size. Then it's done, and you compare both. The sliders rest meanwhile", "Uma operação pergunta antes aonde irá um ponto M na imagem, ou como mudará o tamanho dos objetos. Depois é feita, e você compara os dois. Enquanto isso os controles deslizantes ficam inativos";
+    switch_hint: "An operation asks first where a point M will go in the image, or how the objects will change in size. Then it's done, and you compare both. The sliders are inactive meanwhile", "Uma operação pergunta antes aonde irá um ponto M na imagem, ou como mudará o tamanho dos objetos. Depois é feita, e você compara os dois. Enquanto isso os controles deslizantes ficam inativos";
     mark_here: "Where will M go? Mark it here", "Aonde irá M? Marque aqui";
-    click: "Click in *Image*, or drag the cross. By keys: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
+    click: "Click in *Image*, or drag the cross. With the keyboard: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
     larger: "larger", "maiores";
     smaller: "smaller", "menores";
     same: "as large", "do mesmo tamanho";

@@ -34,7 +34,7 @@ texts! {
     no_parent: "none", "nenhum";
     stay: "Keep in place", "Manter no lugar";
     stay_hint: "If on, an object with a new parent gets the numbers that keep it in place in the world. If off, it keeps its numbers and moves with the new parent", "Ligado, o objeto com um novo pai recebe os números que o mantêm no lugar no mundo. Desligado, mantém os números e se move com o novo pai";
-    shear: "It couldn't stay in place. Under this parent that would be a shear, which translation, rotation and scale can't express.", "Não pôde ficar no lugar. Sob este pai isso seria um cisalhamento, que translação, rotação e escala não exprimem.";
+    shear: "It couldn't stay in place. Under this parent, that would need a shear, which translation, rotation and scale can't express.", "Não pôde ficar no lugar. Sob este pai isso seria um cisalhamento, que translação, rotação e escala não exprimem.";
     translate: "translation", "translação";
     translate_hint: "T, scene units along the axes of the parent. The object's matrix is T · R · S, [3]", "T, unidades da cena ao longo dos eixos do pai. A matriz do objeto é T · R · S, [3]";
     rotate: "rotation", "rotação";
@@ -44,7 +44,7 @@ texts! {
     color: "colour", "cor";
     color_hint: "#rrggbb, or #rrggbbaa with an opacity", "#rrggbb, ou #rrggbbaa com opacidade";
     color_auto: "automatic", "automática";
-    color_auto_hint: "The parent's colour, else the next one of the palette", "A cor do pai, ou a próxima da paleta";
+    color_auto_hint: "The parent's colour, or else the next one in the palette", "A cor do pai, ou a próxima da paleta";
     color_bad: "a colour is written #rrggbb or #rrggbbaa", "uma cor se escreve #rrggbb ou #rrggbbaa";
     segments: "segments", "segmentos";
     segments_hint: "The number of sides of a prism, cells of a grid, or meridians of a curved shape", "O número de lados de um prisma, células de uma grade ou meridianos de uma forma curva";
@@ -114,11 +114,11 @@ texts! {
     light_position: "position", "posição";
     light_position_hint: "The position of the light (world)", "A posição da luz (mundo)";
     shadows: "casts shadows", "projeta sombras";
-    shadows_hint: "Faces that this light doesn't see are in the shadow. Its depth image, the shadow map, says which", "As faces que esta luz não vê ficam na sombra. A imagem de profundidades dela, o mapa de sombras, diz quais";
+    shadows_hint: "Faces that this light doesn't see are in shadow. Its depth image, the shadow map, says which", "As faces que esta luz não vê ficam na sombra. A imagem de profundidades dela, o mapa de sombras, diz quais";
     shadow_map: "shadow map", "mapa de sombras";
     shadow_map_hint: "Side of the depth image in texels, 64 to 4096. A small one has steps at the edges of shadows", "Lado da imagem de profundidades em texels, de 64 a 4096. Um pequeno mostra degraus nas bordas das sombras";
     shadow_bias: "bias", "bias";
-    shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100. With 0, faces shadow themselves. With too much, shadows come off their objects", "Quanto mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100. Com 0, as faces sombreiam a si mesmas. Com um bias grande demais, as sombras se descolam dos objetos";
+    shadow_bias_hint: "How much deeper than the map a point must lie to be in shadow, in texels, 0 to 100. With 0, faces shadow themselves. With too much, shadows come off their objects", "Quanto mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100. Com 0, as faces sombreiam a si mesmas. Com um bias grande demais, as sombras se descolam dos objetos";
     shadow_reveal: "show", "mostrar";
     shadow_reveal_hint: "A light is a camera too. Choose its image, the shadow map, or the shadows without bias, or the pixels whose rays to the light disagree with the map. The world shows its volume", "Uma luz também é uma câmera. Escolha a imagem dela, o mapa de sombras, ou as sombras sem bias, ou os pixels em que os raios até a luz discordam do mapa. O mundo mostra o volume dela";
     shadow_plain: "shadows", "sombras";
@@ -137,7 +137,7 @@ texts! {
     drag_lamp: "Drag along this axis", "Arraste ao longo deste eixo";
     drag_parallel_light: "Drag to turn the direction of the light about this axis", "Arraste para girar a direção da luz em torno deste eixo";
     drag_ring: "Drag to turn about this axis of its parent", "Arraste para girar em torno deste eixo do pai";
-    drag_bar: "Drag to scale along its own axis, or at the centre along all", "Arraste para mudar a escala ao longo do próprio eixo, ou no meio em todos";
+    drag_bar: "Drag to scale along its own axis, or at the centre to scale along all of them", "Arraste para mudar a escala ao longo do próprio eixo, ou no meio em todos";
     drag_snaps: "Ctrl: in steps", "Ctrl: em passos";
     sheared: "Some stay as they were, since a turn under their parent would shear them", "Alguns ficam como estavam, pois o giro sob o pai os cisalharia";
     together: "objects together", "objetos juntos";

@@ -2,7 +2,7 @@
 
 texts! {
     code: "QR code", "Código QR";
-    code_hint: "The link as a QR code over the whole window, for the telephones of a class", "O link como código QR na janela inteira, para os telefones da turma";
+    code_hint: "The link as a QR code over the whole window, for a class to scan with their phones", "O link como código QR na janela inteira, para os telefones da turma";
     too_long_for_code: "The link is too long for a QR code: it holds at most 2953 characters", "O link é longo demais para um código QR: cabem no máximo 2953 caracteres";
     whole_lesson: "The whole lesson", "A lição inteira";
     whole_lesson_hint: "All its steps are in the link; without it only the figure of this step is", "Todos os passos estão no link; sem isso, só a figura deste passo";
