@@ -263,7 +263,7 @@ fn questions(lang: Lang, exercise: &Exercise, room: [usize; 2]) -> Vec<Paragraph
     paragraphs
 }
 
-/// The answers to the questions of a step, with their worked steps; `None` where nothing is asked.
+/// The answers to the questions of a step, with their worked steps; `None` if nothing is asked.
 fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
     let exercise = match step.task.as_ref()? {
         Task::Question(entry) => entry.exercise(0, &Default::default()),

@@ -64,7 +64,7 @@ pub fn link(address: &str, held: Held, text: &str) -> Result<String, ShareError>
     if link.len() > MAX_LINK_CHARACTERS { Err(ShareError::TooLong(link.len())) } else { Ok(link) }
 }
 
-/// The text of the figure or lesson that is in a link, or in its part from the `#` on; `None` where there is neither in
+/// The text of the figure or lesson that is in a link, or in its part from the `#` on; `None` if there is neither in
 /// it.
 #[must_use]
 pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
@@ -87,7 +87,7 @@ fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
     })
 }
 
-/// The content that a link says it has; `None` where the text is no such link.
+/// The content that a link says it has; `None` if the text is no such link.
 #[must_use]
 pub fn held_in(link: &str) -> Option<Held> {
     Held::ALL.into_iter().find(|held| link.contains(held.key()))

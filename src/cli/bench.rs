@@ -60,7 +60,7 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), *lang)
 }
 
-/// The times of the frames, shortest first, each made from scratch. `None` where pictures cannot be so large.
+/// The times of the frames, shortest first, each made from scratch. `None` if pictures cannot be so large.
 fn measure(requests: &[Request], frames: usize) -> Option<Vec<Duration>> {
     let mut renderer = Renderer::default();
     let mut pictures = vec![Pixels::default(); requests.len()];

@@ -200,7 +200,7 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
     Ok(scene)
 }
 
-/// Why the triangle that a figure shows is not in its scene; `None` where it is, or none is shown.
+/// Why the triangle that a figure shows is not in its scene; `None` if it is, or none is shown.
 fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String> {
     let triangle = figure.show.triangle.as_ref()?;
     let Some(object) = scene.place_of(&triangle.object).map(|place| &scene.objects[place]) else {

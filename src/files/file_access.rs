@@ -177,7 +177,7 @@ fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
     if path.starts_with(&folder) { Ok(path) } else { Err(Elsewhere::Outside) }
 }
 
-/// True where the words of `path` go on from `folder` and never above it.
+/// True if the words of `path` go on from `folder` and never above it.
 fn lexically_inside(folder: &Path, path: &Path) -> bool {
     let Ok(rest) = path.strip_prefix(folder) else { return false };
     let mut depth = 0_usize;

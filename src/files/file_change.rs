@@ -19,7 +19,7 @@ pub struct Stamp {
 pub enum FileChange {
     /// The same bytes.
     Same(Stamp),
-    /// These bytes; `None` where they cannot be read, or are more than any figure file has.
+    /// These bytes; `None` if they cannot be read, or are more than any figure file has.
     Other(Option<Vec<u8>>),
     /// The file is gone.
     Gone,

@@ -56,7 +56,7 @@ pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     Ok(found)
 }
 
-/// True where there is a file or a link that is meant as a lesson.
+/// True if there is a file or a link that is meant as a lesson.
 #[must_use]
 pub fn is_lesson_file(path: &Path) -> bool {
     if let Some(link) = share::link_of(path) {
@@ -67,7 +67,7 @@ pub fn is_lesson_file(path: &Path) -> bool {
     is_toml && read_start(path, HEAD).is_ok_and(|bytes| is_lesson(&bytes))
 }
 
-/// True where a file is meant as a lesson.
+/// True if a file is meant as a lesson.
 fn is_lesson(bytes: &[u8]) -> bool {
     String::from_utf8_lossy(bytes).lines().any(|line| line.trim_start().starts_with("[[step]]"))
 }

@@ -96,7 +96,7 @@ pub struct Opened {
     pub figure: Figure,
     /// The text of the figure file.
     pub text: String,
-    /// True where the text came out of a picture or a link: saving must not replace the picture by it.
+    /// True if the text came out of a picture or a link: saving must not replace the picture by it.
     pub from_picture: bool,
 }
 
@@ -107,7 +107,7 @@ pub struct SourceFile {
     pub path: PathBuf,
     /// The text of the figure file, so that saving keeps the comments.
     pub text: String,
-    /// True where it is a picture that holds this text: saving must not replace the picture by it.
+    /// True if it is a picture that holds this text: saving must not replace the picture by it.
     pub is_picture: bool,
 }
 

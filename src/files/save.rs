@@ -48,7 +48,7 @@ pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileE
     Ok(())
 }
 
-/// True where [`save`] needs [`Overwrite::ReadOnlyToo`].
+/// True if [`save`] needs [`Overwrite::ReadOnlyToo`].
 #[must_use]
 pub fn is_read_only(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
@@ -182,7 +182,7 @@ impl Temporary {
         Ok(self)
     }
 
-    /// Takes the owner and group of another file over. False where the system does not allow it.
+    /// Takes the owner and group of another file over. False if the system does not allow it.
     #[cfg(unix)]
     fn take_owner(&self, of: &Metadata) -> bool {
         use std::os::unix::fs::{MetadataExt as _, fchown};

@@ -315,7 +315,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// True where a product goes on without a sign: `2pi`, `2(1 + 1)`; but `rad` ends an expression.
+    /// True if a product goes on without a sign: `2pi`, `2(1 + 1)`; but `rad` ends an expression.
     fn starts_factor(&mut self) -> bool {
         matches!(self.peek(), Some(c) if c.is_alphabetic() || matches!(c, '(' | '√' | '\\'))
             && !self.word().eq_ignore_ascii_case("rad")

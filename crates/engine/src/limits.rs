@@ -207,7 +207,7 @@ pub const MAX_SESSIONS: usize = 16;
 /// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.
 pub const MAX_STEPPED_PIXELS: u64 = 1 << 22;
 
-/// In scenes of more triangles shadow maps are not held against rays. The tree over them takes some 250 MB.
+/// In scenes of more triangles shadow maps are not compared with rays. The tree over them takes some 250 MB.
 pub const MAX_RAY_TRIANGLES: usize = 1 << 21;
 
 /// Steps of a lesson: more than fit into an hour.

@@ -198,7 +198,7 @@ pub fn round_to(value: f64, unit: f64) -> f64 {
     if rounded.is_finite() { rounded + 0.0 } else { value }
 }
 
-/// The power of ten at or below `x`; `None` where `x` is not a positive number that has one.
+/// The power of ten at or below `x`; `None` if `x` is not a positive number that has one.
 #[must_use]
 pub fn power_of_ten(x: f64) -> Option<f64> {
     let power = 10f64.powf(x.log10().floor());

@@ -202,7 +202,7 @@ pub fn x_height(size: f32) -> f32 {
 
 /// The outline of `text` at `size` (height of the em in pixels): filled by the non-zero rule it is the text. The origin
 /// is the left end of the baseline, y points down. `_c` and `_{abc}` are set as subscripts. A character that the font
-/// lacks becomes the font's box. Empty where there is nothing to fill (no text, blanks only, or a size that is not
+/// lacks becomes the font's box. Empty if there is nothing to fill (no text, blanks only, or a size that is not
 /// positive).
 #[must_use]
 pub fn outline(text: &str, size: f32, mathematical: bool) -> Vec<Element> {

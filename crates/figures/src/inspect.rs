@@ -107,7 +107,7 @@ pub struct NamedCameraReport {
 }
 
 impl NamedCameraReport {
-    /// The numbers of a camera; `None` where it is impossible, which no camera of a file is.
+    /// The numbers of a camera; `None` if it is impossible, which no camera of a file is.
     fn new(named: &NamedCamera) -> Option<Self> {
         let camera = Camera::new(&named.parameters).ok()?;
         let basis = camera.basis();
@@ -238,7 +238,7 @@ pub struct PointReport {
     pub pixel: Option<[Whole; 2]>,
     /// (X, Y, Z).
     pub viewport: Option<(Whole, Whole, f64)>,
-    /// |X|, |Y|, |Z| ≤ W (or the bounds of the convention for Z) and W > 0; `None` where W = 0 (such a point is not
+    /// |X|, |Y|, |Z| ≤ W (or the bounds of the convention for Z) and W > 0; `None` if W = 0 (such a point is not
     /// inside).
     pub inside: Option<bool>,
 }

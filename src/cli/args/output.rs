@@ -111,7 +111,7 @@ impl OutputArgs {
         Ok([side("--width-cm", &self.width_cm)?, side("--height-cm", &self.height_cm)?])
     }
 
-    /// The arguments in units of paper; `None` where there are none.
+    /// The arguments in units of paper; `None` if there are none.
     pub(in crate::cli) fn on_paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
         let letters = option("--letters", &self.letters, (&PAPER_LETTERS, 9.0), lang)?;
         let lines = option("--lines", &self.lines, (&PAPER_LINES, 0.6), lang)?;
@@ -153,7 +153,7 @@ impl OutputArgs {
         FileOptions { format, crop: self.crop, dpi, faces: self.faces, letters: self.outlines() }
     }
 
-    /// True where the number of pixels per inch is more than a guess. It is given, or a size on paper is.
+    /// True if the number of pixels per inch is more than a guess. It is given, or a size on paper is.
     fn is_for_paper(&self) -> bool {
         self.dpi.is_some() || self.width_cm.is_some() || self.paper.is_some()
     }

@@ -24,7 +24,7 @@ pub struct Page {
     pub keep: fn(&str, Option<&str>) -> io::Result<()>,
     /// Hands a file with this name to the user.
     pub download: fn(&str, &[u8]) -> io::Result<()>,
-    /// True where another page of this origin holds the lock of this name.
+    /// True if another page of this origin holds the lock of this name.
     pub held_elsewhere: fn(&str) -> bool,
     /// Takes the lock of this name, or gives it back.
     pub hold: fn(&str, bool),

@@ -36,7 +36,7 @@ fn open(path: &Path) -> io::Result<File> {
     OpenOptions::new().create(true).truncate(false).write(true).open(path)
 }
 
-/// True where there is something with this name.
+/// True if there is something with this name.
 #[must_use]
 pub fn exists(path: &Path) -> bool {
     path.exists()

@@ -24,7 +24,7 @@ pub struct Annotations {
 }
 
 impl Annotations {
-    /// True where there is something that [`clear`](Self::clear) takes away.
+    /// True if there is something that [`clear`](Self::clear) takes away.
     #[must_use]
     pub fn any(&self) -> bool {
         self.pen || self.spot || self.frozen || self.blank || !self.strokes.is_empty()

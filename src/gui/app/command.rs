@@ -143,7 +143,7 @@ impl Command {
         keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
     }
 
-    /// True where a window of this kind has it.
+    /// True if a window of this kind has it.
     #[must_use]
     pub fn is_there(self, state: &State) -> bool {
         !(state.in_browser && self.row().in_browser == InBrowser::Nothing)

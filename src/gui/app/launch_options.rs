@@ -84,7 +84,7 @@ impl LaunchOptions {
     }
 }
 
-/// True where there is a value.
+/// True if there is a value.
 fn put<T>(place: &mut Option<T>, value: Option<T>) -> bool {
     let is_known = value.is_some();
     *place = value.or(place.take());

@@ -11,7 +11,7 @@ pub(in crate::gui) struct KeyOrder {
 }
 
 impl KeyOrder {
-    /// Leaves of the events of a frame those up to the next Tab, or a Tab alone. True where others wait for the next
+    /// Leaves of the events of a frame those up to the next Tab, or a Tab alone. True if others wait for the next
     /// frame.
     pub(in crate::gui) fn hold(&mut self, events: &mut Vec<Event>) -> bool {
         let mut all = std::mem::take(&mut self.waiting);

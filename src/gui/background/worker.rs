@@ -63,7 +63,7 @@ enum Backend<Job, Outcome, const SLOTS: usize> {
 
 /// A job that has been done.
 pub(in crate::gui) struct Done<Outcome> {
-    /// The result; `None` where the work panicked.
+    /// The result; `None` if the work panicked.
     pub(in crate::gui) outcome: Option<Outcome>,
     /// Its duration.
     pub(in crate::gui) time: Duration,

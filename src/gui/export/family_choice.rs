@@ -43,7 +43,7 @@ impl Subject {
         }
     }
 
-    /// The subject with a word; `None` where none has it.
+    /// The subject with a word; `None` if none has it.
     #[must_use]
     pub fn of_word(word: &str) -> Option<Self> {
         match word {
@@ -148,7 +148,7 @@ impl FamilyChoice {
         Some([Some(first), self.second.variation()].into_iter().flatten().collect())
     }
 
-    /// The captions. Empty where none are typed.
+    /// The captions. Empty if none are typed.
     #[must_use]
     pub fn captions(&self) -> Vec<String> {
         if self.captions.trim().is_empty() {

@@ -175,7 +175,7 @@ impl Export {
         self
     }
 
-    /// True where the picture is going to have no ground.
+    /// True if the picture is going to have no ground.
     #[must_use]
     pub fn is_without_ground(&self) -> bool {
         self.transparent && self.format.has_transparency()

@@ -73,7 +73,7 @@ struct Card {
     texture: Option<TextureHandle>,
     /// Its words about itself; `None` means not read yet.
     told: Option<CardText>,
-    /// Why it cannot be drawn. Empty where it can, or has not been tried.
+    /// Why it cannot be drawn. Empty if it can, or has not been tried.
     fault: String,
     /// False: it may have changed since, and is looked at again.
     fresh: bool,

@@ -102,7 +102,7 @@ impl Document {
         })
     }
 
-    /// A figure of the program; `None` where there is none of this name. Saving asks for a file.
+    /// A figure of the program; `None` if there is none of this name. Saving asks for a file.
     #[must_use]
     pub fn shipped(name: &'static str) -> Option<Self> {
         let text = ShippedFigure::named(name)?.text().into_owned();
@@ -293,13 +293,13 @@ impl Document {
         }
     }
 
-    /// True where there is something to undo.
+    /// True if there is something to undo.
     #[must_use]
     pub fn can_undo(&self) -> bool {
         self.history.can_undo() || self.behind.is_some()
     }
 
-    /// True where there is something to redo.
+    /// True if there is something to redo.
     #[must_use]
     pub fn can_redo(&self) -> bool {
         self.history.can_redo() || self.in_front.is_some()
@@ -394,7 +394,7 @@ impl Document {
         &self.saved
     }
 
-    /// True where the camera differs from the one the figure was opened with.
+    /// True if the camera differs from the one the figure was opened with.
     #[must_use]
     pub fn can_reset(&self) -> bool {
         self.draft != self.opened

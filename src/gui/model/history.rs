@@ -135,7 +135,7 @@ impl History {
         true
     }
 
-    /// True where something else was chosen to be explained than at the last step.
+    /// True if something else was chosen to be explained than at the last step.
     pub(in crate::gui) fn shows_other(&self, show: &Show) -> bool {
         chosen(&self.now.show) != chosen(show)
     }

@@ -46,7 +46,7 @@ impl Default for Layout {
 }
 
 impl Layout {
-    /// True where the picture is on the screen.
+    /// True if the picture is on the screen.
     #[must_use]
     pub fn is_shown(&self, view: View) -> bool {
         match self.maximized {
@@ -137,7 +137,7 @@ pub struct Panels {
 }
 
 impl Panels {
-    /// True where the panel is on the screen.
+    /// True if the panel is on the screen.
     #[must_use]
     pub fn is_shown(&self, side: Side) -> bool {
         let [left, right, explain] = self.wanted;

@@ -184,7 +184,7 @@ impl SceneCache {
         &self.scene
     }
 
-    /// True where the scene is that of a document, and not of one before it.
+    /// True if the scene is that of a document, and not of one before it.
     #[must_use]
     pub(in crate::gui) fn is_of(&self, document: &Document, theme: Theme) -> bool {
         self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
@@ -356,7 +356,7 @@ impl SceneCache {
         arrived
     }
 
-    /// Has the files read that are not known, unless others are being read. True where that has begun.
+    /// Has the files read that are not known, unless others are being read. True if that has begun.
     fn begin_to_load(&mut self, ctx: &egui::Context, wanted: &MadeFrom) -> bool {
         if self.reader.is_busy() {
             return false;

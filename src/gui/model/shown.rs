@@ -62,7 +62,7 @@ impl State {
         }
     }
 
-    /// The other side of the pictures of this frame; `None` where nothing is compared, or it is impossible.
+    /// The other side of the pictures of this frame; `None` if nothing is compared, or it is impossible.
     #[must_use]
     pub fn compared(&self) -> Option<Compared> {
         let figure = self.document.figure();
@@ -71,7 +71,7 @@ impl State {
         Compared::of(&shown, &figure.scene)
     }
 
-    /// Why the other side of the comparison is impossible; `None` where it is possible, or nothing is compared.
+    /// Why the other side of the comparison is impossible; `None` if it is possible, or nothing is compared.
     pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
         let figure = self.document.figure();
         let error = figure.compare.as_ref()?.other_side(figure).err()?;
@@ -219,7 +219,7 @@ impl State {
         &self.document.figure().show
     }
 
-    /// The progress of the canonical picture on its way; `None` where no way is shown, or the camera has none.
+    /// The progress of the canonical picture on its way; `None` if no way is shown, or the camera has none.
     #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
@@ -305,12 +305,12 @@ impl State {
         (rest != *show).then_some(rest)
     }
 
-    /// True where [`release_shown`](Self::release_shown) would let go of something.
+    /// True if [`release_shown`](Self::release_shown) would let go of something.
     pub(in crate::gui) fn can_release_shown(&self) -> bool {
         self.without_shown().is_some()
     }
 
-    /// Lets go of something that is explained, as Esc does. False where there is nothing.
+    /// Lets go of something that is explained, as Esc does. False if there is nothing.
     pub(in crate::gui) fn release_shown(&mut self) -> bool {
         let Some(rest) = self.without_shown() else { return false };
         *self.document.show_mut() = rest;

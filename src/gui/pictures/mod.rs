@@ -206,7 +206,7 @@ impl Canvas {
         of_kind.map(|(_, screen)| screen)
     }
 
-    /// True where Esc would let go of something in a picture.
+    /// True if Esc would let go of something in a picture.
     #[must_use]
     pub fn holds_something(&self, state: &State) -> bool {
         self.drag.is_some()
@@ -526,7 +526,7 @@ impl Canvas {
     }
 }
 
-/// Whether the image is shown as the eye would see it; `None` where its pixels are square, so that it makes no
+/// Whether the image is shown as the eye would see it; `None` if its pixels are square, so that it makes no
 /// difference.
 fn undistorted(state: &State) -> Option<bool> {
     let figure = state.document.figure();
@@ -534,7 +534,7 @@ fn undistorted(state: &State) -> Option<bool> {
     (differs || figure.undistorted).then_some(figure.undistorted)
 }
 
-/// The mesh files being read, in a sentence. Empty where there are none.
+/// The mesh files being read, in a sentence. Empty if there are none.
 fn loading(state: &State) -> String {
     let files = state.scene_cache.loading();
     if files.is_empty() {

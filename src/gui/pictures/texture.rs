@@ -238,12 +238,12 @@ impl PictureTexture {
         self.fading = Some(Fading { size: self.size, tiles: std::mem::take(&mut self.tiles), began: now });
     }
 
-    /// True where the last drawing failed.
+    /// True if the last drawing failed.
     pub(super) fn failed(&self) -> bool {
         self.failed
     }
 
-    /// True where the picture leaves nothing of its place free: what is beneath it, nobody sees.
+    /// True if the picture leaves nothing of its place free: what is beneath it, nobody sees.
     pub(super) fn covers(&self, place: &PictureRect) -> bool {
         !self.tiles.is_empty() && self.size == place.sides()
     }

@@ -490,7 +490,7 @@ impl State {
         })
     }
 
-    /// Has an operation ask what it will do, where that is wanted. False where it's to be done at once.
+    /// Has an operation ask what it will do, where that is wanted. False if it's to be done at once.
     pub(in crate::gui) fn predict_first(&mut self, freedom: Freedom, amount: f64) -> bool {
         self.operations.predict.asked = None;
         if !self.operations.predict.on {

@@ -44,7 +44,7 @@ pub(in crate::gui) fn object_transform(state: &State) -> Option<ObjectTransform>
     Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
 }
 
-/// The placement of the selected object in the world; `None` where none is selected, or the scene is impossible.
+/// The placement of the selected object in the world; `None` if none is selected, or the scene is impossible.
 pub(super) fn selected(state: &State) -> Option<(String, Placement)> {
     let scene = &state.document.figure().scene;
     let (name, spec) = match state.tree.selected(scene)? {

@@ -197,7 +197,7 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     Some(said.join(" "))
 }
 
-/// The answers from whose wrong values this one follows rightly; `None` where it does not.
+/// The answers from whose wrong values this one follows rightly; `None` if it does not.
 #[must_use]
 pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let (last, first) = judged.carried.split_last()?;

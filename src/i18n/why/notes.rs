@@ -37,7 +37,7 @@ pub struct Note {
     pub paragraphs: Vec<Vec<Piece>>,
     /// Errata of the lecture notes.
     pub errata: Vec<Vec<Piece>>,
-    /// Its place in the lecture notes. Empty where it has none.
+    /// Its place in the lecture notes. Empty if it has none.
     pub source: &'static str,
     /// The identifiers of other notes.
     pub links: Vec<&'static str>,

@@ -52,7 +52,7 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
     format!("{name}: {}", parts.join(" · "))
 }
 
-/// The operations of a stage in short; `None` where none were counted.
+/// The operations of a stage in short; `None` if none were counted.
 #[must_use]
 pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
     let Operations { float, integer, memory } = report.operations;

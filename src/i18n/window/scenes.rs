@@ -240,7 +240,7 @@ fn in_portuguese(word: &str) -> &str {
     }
 }
 
-/// The features that the list of a named scene's objects cannot express, as a sentence. Empty where it expresses all.
+/// The features that the list of a named scene's objects cannot express, as a sentence. Empty if it expresses all.
 #[must_use]
 pub fn lost(lang: Lang, preset: Preset) -> String {
     let lost = beyond(lang, preset.beyond_objects());

@@ -14,7 +14,7 @@ pub struct Level {
 }
 
 impl Level {
-    /// The level that is half as wide and high; `None` where it is one texel.
+    /// The level that is half as wide and high; `None` if it is one texel.
     pub(super) fn half(&self) -> Option<Self> {
         if self.width <= 1 && self.height <= 1 {
             return None;

@@ -49,7 +49,7 @@ impl LevelPairs {
     }
 
     /// The texel at a place, the one below it, the one to its right, and the one below that, as their bytes lie in
-    /// memory. `None` where there is none.
+    /// memory. `None` if there is none.
     #[inline(always)]
     pub(crate) fn four(&self, place: i32) -> Option<&[u32]> {
         let place = place.cast_unsigned() as usize;

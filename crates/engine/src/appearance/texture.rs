@@ -156,7 +156,7 @@ impl Texture {
         &self.levels
     }
 
-    /// The levels of detail in one array; `None` where there is only the picture itself.
+    /// The levels of detail in one array; `None` if there is only the picture itself.
     pub(crate) fn level_pairs(&self) -> Option<&LevelPairs> {
         (self.levels.len() > 1).then(|| self.pairs.get_or_init(|| LevelPairs::new(&self.levels)))
     }
@@ -173,7 +173,7 @@ impl Texture {
         self.levels.first().map_or(1, |level| level.height)
     }
 
-    /// The one colour of all its texels, premultiplied; `None` where they differ.
+    /// The one colour of all its texels, premultiplied; `None` if they differ.
     #[must_use]
     pub fn one_color(&self) -> Option<[u8; 4]> {
         *self.one_color.get_or_init(|| {
@@ -192,7 +192,7 @@ impl Texture {
         Some(Rgba::rgb(product(r, tint.r), product(g, tint.g), product(b, tint.b)))
     }
 
-    /// True where no texel lets anything through.
+    /// True if no texel lets anything through.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
         *self.opaque.get_or_init(|| {

@@ -280,7 +280,7 @@ impl Camera {
         (self.wide_window.width() / self.wide_window.height()).value()
     }
 
-    /// True where r = −l and t = −b: the cases (5.14) and (5.16) of the notes.
+    /// True if r = −l and t = −b: the cases (5.14) and (5.16) of the notes.
     #[must_use]
     pub fn has_symmetric_window(&self) -> bool {
         let ViewWindow { left, right, bottom, top } = self.window();

@@ -414,7 +414,7 @@ pub enum CameraError {
 }
 
 impl CameraError {
-    /// True where one value is impossible by itself, whatever the other parameters are.
+    /// True if one value is impossible by itself, whatever the other parameters are.
     #[must_use]
     pub const fn is_of_one_value(&self) -> bool {
         matches!(self, Self::OutOfRange { .. } | Self::ViewUpZero)

@@ -15,7 +15,7 @@ pub struct Stations {
     pub view: DVec3,
     /// Clip coordinates (X, Y, Z, W).
     pub clip: DVec4,
-    /// The coordinates after the division by W; `None` where W = 0.
+    /// The coordinates after the division by W; `None` if W = 0.
     pub projected: Option<Projected>,
     /// |X|, |Y|, |Z| ≤ W and W > 0, for `clip` in this convention. (In other conventions Z lies between the depths of F
     /// and B, times W.)
@@ -66,7 +66,7 @@ impl Camera {
     }
 
     /// (x_n, y_n) of a point of an object with this model matrix, computed in double-double and rounded at the end;
-    /// `None` where it is not before the eye.
+    /// `None` if it is not before the eye.
     pub(crate) fn exact_ndc(&self, world_from_object: &DMat4, p_object: DVec3) -> Option<DVec2> {
         let column = |k: usize, factor: f64| Dd3::from(world_from_object.col(k).truncate()) * Dd::new(factor);
         let world = column(0, p_object.x) + column(1, p_object.y) + column(2, p_object.z) + column(3, 1.0);

@@ -15,7 +15,7 @@ use crate::appearance::{LightShare, Rgba, Sampler, Texture};
 pub struct Surface {
     /// x, y in pixels and depth, one per vertex. All inside the picture (clipping has been done).
     pub positions: Vec<[f32; 3]>,
-    /// 1/w of each vertex for perspective-correct interpolation. Empty where w is the same everywhere or nothing is
+    /// 1/w of each vertex for perspective-correct interpolation. Empty if w is the same everywhere or nothing is
     /// interpolated.
     pub inverse_w: Vec<f32>,
     /// Indices into `positions`. Either winding (culling has been done).
@@ -91,7 +91,7 @@ pub struct Lighting {
     pub specular: f32,
     /// Exponent of the specular term, a whole number.
     pub shininess: f32,
-    /// True where the viewer is at infinity (parallel projection).
+    /// True if the viewer is at infinity (parallel projection).
     pub distant_viewer: bool,
     /// Light both sides of a face.
     pub two_sided: bool,
@@ -104,7 +104,7 @@ pub struct Lighting {
 pub struct ViewLight {
     /// Its position; of a distant light, the unit vector **towards** it.
     pub vector: [f32; 3],
-    /// True where the light is at infinity (parallel light).
+    /// True if the light is at infinity (parallel light).
     pub distant: bool,
 }
 
@@ -127,7 +127,7 @@ impl Surface {
         }
     }
 
-    /// True where the colour of a triangle varies over it, so that something is interpolated between its vertices.
+    /// True if the colour of a triangle varies over it, so that something is interpolated between its vertices.
     #[must_use]
     pub fn varies(&self) -> bool {
         match (&self.base, &self.light) {
@@ -137,13 +137,13 @@ impl Surface {
         }
     }
 
-    /// True where it has a picture on it.
+    /// True if it has a picture on it.
     #[must_use]
     pub fn is_textured(&self) -> bool {
         matches!(self.base, Base::Texture { .. })
     }
 
-    /// The base colour of a triangle; `None` where the list has none, and where it varies over the triangle.
+    /// The base colour of a triangle; `None` if the list has none, and where it varies over the triangle.
     #[inline]
     #[must_use]
     pub fn face_color(&self, triangle: usize) -> Option<Rgba> {
@@ -154,7 +154,7 @@ impl Surface {
         }
     }
 
-    /// The base colour of a triangle at one of its vertices. Grey under a picture. `None` where the list has none.
+    /// The base colour of a triangle at one of its vertices. Grey under a picture. `None` if the list has none.
     #[must_use]
     pub fn color_at_vertex(&self, triangle: usize, vertex: u32) -> Option<Rgba> {
         match &self.base {
@@ -164,7 +164,7 @@ impl Surface {
         }
     }
 
-    /// The opacity of a triangle at its first vertex. `None` where the list has none.
+    /// The opacity of a triangle at its first vertex. `None` if the list has none.
     #[must_use]
     pub fn alpha_of(&self, triangle: usize) -> Option<u8> {
         match &self.base {
@@ -239,7 +239,7 @@ impl ViewLight {
 }
 
 impl Lighting {
-    /// True where the positions of the points matter.
+    /// True if the positions of the points matter.
     #[must_use]
     pub fn needs_positions(&self) -> bool {
         let viewer = !self.distant_viewer && (self.two_sided || self.specular > 0.0);

@@ -1,4 +1,4 @@
-//! A tree of boxes over triangles, in `f64`, for rays: the truth that quicker ways are held against.
+//! A tree of boxes over triangles, in `f64`, for rays: the reference for quicker methods.
 //!
 //! Nothing is rounded to single precision and no triangle is left out: a ray meets what it meets when all triangles are
 //! tried one by one.

@@ -138,7 +138,7 @@ pub struct InWorld {
     /// 1/w of each vertex, in any unit: between the vertices, what is affine in the world is so here divided by w.
     /// Empty without perspective: it is as it is.
     pub inverse_w: Vec<f32>,
-    /// The vertices. Empty where no light casts shadows.
+    /// The vertices. Empty if no light casts shadows.
     pub positions: Vec<DVec3>,
     /// The part of the light that comes from each light which casts shadows, with its place among the lights.
     pub taken: Vec<(usize, FoundLight)>,
@@ -213,7 +213,7 @@ pub struct Pictured {
 }
 
 impl Pictured {
-    /// The one colour that it has everywhere, opaque; `None` where it has several, or something shows through.
+    /// The one colour that it has everywhere, opaque; `None` if it has several, or something shows through.
     #[must_use]
     pub fn one_color(&self) -> Option<Rgba> {
         let is_plain = !self.translucent && self.sampler.reveal.is_none();
@@ -246,7 +246,7 @@ pub enum FoundLight {
 }
 
 impl ObjectPaint {
-    /// True where something shows through.
+    /// True if something shows through.
     #[must_use]
     pub fn is_translucent(&self) -> bool {
         match self {

@@ -17,7 +17,7 @@ pub(super) type Beside<'a> = dyn FnMut(&str) -> Result<Vec<u8>, ReadError> + 'a;
 pub struct Wanted<'a> {
     /// Its path, relative to the folder of the figure.
     pub path: &'a str,
-    /// The path of the mesh that names it; `None` where the figure itself does.
+    /// The path of the mesh that names it; `None` if the figure itself does.
     pub named_by: Option<&'a str>,
 }
 

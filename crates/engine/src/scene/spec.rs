@@ -202,7 +202,7 @@ impl Shape {
         }
     }
 
-    /// False where `segments` has no meaning.
+    /// False if `segments` has no meaning.
     #[must_use]
     pub const fn has_segments(&self) -> bool {
         match self {

@@ -9,7 +9,7 @@ use crate::camera::Projection;
 pub struct Definition {
     /// The right side of the equation, in symbols.
     pub formula: Formula,
-    /// Its equation in `[0]`. Empty where it has no number.
+    /// Its equation in `[0]`. Empty if it has no number.
     pub equation: &'static str,
 }
 

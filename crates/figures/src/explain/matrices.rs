@@ -13,7 +13,7 @@ pub type EntryFormula = [[Formula; 4]; 4];
 pub struct MatrixFormula {
     /// The matrix that these formulas make up.
     pub matrix: Matrix,
-    /// The equation in force. Empty where the notes have none for it.
+    /// The equation in force. Empty if the notes have none for it.
     pub equation: &'static str,
     /// The section of `[0]`.
     pub section: &'static str,

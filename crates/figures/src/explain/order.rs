@@ -232,7 +232,7 @@ pub fn exchanged(calls: &[Call], [a, b]: [usize; 2]) -> Vec<Call> {
     calls
 }
 
-/// True where two matrices are the same but for rounding.
+/// True if two matrices are the same but for rounding.
 #[must_use]
 pub fn same(a: &DMat4, b: &DMat4) -> bool {
     let (a, b) = (a.to_cols_array(), b.to_cols_array());

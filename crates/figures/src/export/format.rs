@@ -49,7 +49,7 @@ impl PictureFormat {
         }
     }
 
-    /// True where the figure goes with the picture. It can be opened again.
+    /// True if the figure goes with the picture. It can be opened again.
     #[must_use]
     pub const fn carries_figure(self) -> bool {
         match self {
@@ -58,7 +58,7 @@ impl PictureFormat {
         }
     }
 
-    /// True where a picture may be without ground.
+    /// True if a picture may be without ground.
     #[must_use]
     pub const fn has_transparency(self) -> bool {
         match self {

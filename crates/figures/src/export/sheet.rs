@@ -75,7 +75,7 @@ impl Layout {
     }
 }
 
-/// The pictures at their places on a ground. `None` where the sheet would be empty or too large for memory.
+/// The pictures at their places on a ground. `None` if the sheet would be empty or too large for memory.
 #[must_use]
 pub fn sheet(pictures: &[Pixmap], layout: &Layout, ground: Rgba) -> Option<Pixmap> {
     let mut sheet = filled(layout.size[0], layout.size[1], ground)?;

@@ -37,7 +37,7 @@ impl NamedCamera {
 }
 
 impl Figure {
-    /// True where a camera of the figure may have a name. It is one line, and no other camera has it. `own` is the
+    /// True if a camera of the figure may have a name. It is one line, and no other camera has it. `own` is the
     /// place in the list of the camera that is renamed, if it is there.
     #[must_use]
     pub fn may_name_camera(&self, name: &str, own: Option<usize>) -> bool {

@@ -12,7 +12,7 @@ use crate::scene::SceneError;
 pub struct FigureError {
     /// Counted from 1.
     pub line: usize,
-    /// The section and key as they are written, `[camera] near`. Empty where none is concerned.
+    /// The section and key as they are written, `[camera] near`. Empty if none is concerned.
     pub key: String,
     /// The rule that the line breaks.
     pub problem: Problem,

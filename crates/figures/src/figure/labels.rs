@@ -148,7 +148,7 @@ pub struct LabelChange<'a> {
 }
 
 impl LabelChange<'_> {
-    /// True where the label is as the pictures make it.
+    /// True if the label is as the pictures make it.
     #[must_use]
     pub fn is_automatic(&self) -> bool {
         *self == Self::default()

@@ -19,7 +19,7 @@ pub struct OtherSide {
     /// Its camera, where it is another one.
     pub camera: Option<Camera>,
     /// The keys that are compared, with the values of the figure and those of the other side as they are written;
-    /// `None` where none is.
+    /// `None` if none is.
     pub values: Vec<(String, [Option<String>; 2])>,
 }
 
@@ -114,7 +114,7 @@ impl Comparison {
         Ok(OtherSide { figure: other, camera: is_another.then_some(camera), values })
     }
 
-    /// The same comparison with its sides exchanged, and the figure that belongs to it. `None` where there is no other
+    /// The same comparison with its sides exchanged, and the figure that belongs to it. `None` if there is no other
     /// side, or the figure has no written value of one of its keys.
     #[must_use]
     pub fn swapped(&self, figure: &Figure) -> Option<Figure> {

@@ -11,7 +11,7 @@ pub struct NamedPoint {
     pub position: DVec3,
 }
 
-/// True where a point may have a name. It is not empty, and none of the `others` has it.
+/// True if a point may have a name. It is not empty, and none of the `others` has it.
 #[must_use]
 pub fn may_be_named<'a>(name: &str, mut others: impl Iterator<Item = &'a NamedPoint>) -> bool {
     !name.is_empty() && others.all(|other| other.name != name)

@@ -198,7 +198,7 @@ impl Measure {
         }
     }
 
-    /// True where its line is one of those of `[world] dimensions`. The others are there for an author.
+    /// True if its line is one of those of `[world] dimensions`. The others are there for an author.
     #[must_use]
     pub const fn is_among_dimensions(self) -> bool {
         !matches!(self, Self::HalfWidth | Self::HalfHeight | Self::Angle)

@@ -115,7 +115,7 @@ impl Variation {
         Ok(Self { key: key.to_owned(), values })
     }
 
-    /// True where it is an operation.
+    /// True if it is an operation.
     #[must_use]
     pub fn is_operation(&self) -> bool {
         Operation::names().contains(&&*self.key)

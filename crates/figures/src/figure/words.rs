@@ -231,7 +231,7 @@ pub fn value<T: Clone>(words: Words<T>, name: &str) -> Option<T> {
     words.iter().find(|(word, _)| *word == name).map(|(_, value)| value.clone())
 }
 
-/// The word for `value`. Empty where the list lacks it, which a test excludes.
+/// The word for `value`. Empty if the list lacks it, which a test excludes.
 #[must_use]
 pub fn name<T: Copy + PartialEq>(words: Words<T>, value: T) -> &'static str {
     words.iter().find(|(_, v)| *v == value).map_or("", |(word, _)| word)

@@ -198,7 +198,7 @@ fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
 }
 
 impl Quantity {
-    /// Its numbers in a report; `None` where the report has none. A point behind the eye has no NDC.
+    /// Its numbers in a report; `None` if the report has none. A point behind the eye has no NDC.
     #[must_use]
     pub fn of(self, report: &Report) -> Option<Numbers> {
         let camera = &report.camera;
@@ -347,7 +347,7 @@ impl From<Quantity> for QuantityPath {
 }
 
 impl QuantityPath {
-    /// Reads a path, such as `basis.u`, `points.0.ndc` or `view_matrix.2.3`; `None` where there are no numbers under it
+    /// Reads a path, such as `basis.u`, `points.0.ndc` or `view_matrix.2.3`; `None` if there are no numbers under it
     /// in any report.
     #[must_use]
     pub fn of(path: &str) -> Option<Self> {

@@ -290,7 +290,7 @@ fn best(pictures: &[Picture], request: &Request) -> Arrangement {
     })
 }
 
-/// The sizes of so many pictures on a sheet; `None` where there is no room for them.
+/// The sizes of so many pictures on a sheet; `None` if there is no room for them.
 fn sizes_of(count: usize, arrangement: Arrangement, sheet: Size) -> Option<Vec<Size>> {
     let gap = gap(sheet.scale);
     let wide = |width| Size { width, ..sheet };

@@ -93,7 +93,7 @@ impl Pixels {
         png::encode(pixmap, figure, said, dpi, progress).await
     }
 
-    /// Pictures at their places on a sheet with a ground. `None` where that would be empty or too large for memory.
+    /// Pictures at their places on a sheet with a ground. `None` if that would be empty or too large for memory.
     fn arranged(pictures: Vec<Self>, layout: &Layout, ground: Rgba) -> Option<Self> {
         let pixmaps: Option<Vec<Pixmap>> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect();
         sheet(&pixmaps?, layout, ground).map(Self::from)
@@ -117,7 +117,7 @@ impl Pixels {
 }
 
 impl Composite {
-    /// The places of its pictures, which may be cropped to these sizes. `None` where there are none, or too many
+    /// The places of its pictures, which may be cropped to these sizes. `None` if there are none, or too many
     /// pixels.
     fn layout(&self, sizes: &[[u32; 2]], crop: bool) -> Option<Layout> {
         if let Some(grid) = &self.grid {
@@ -147,7 +147,7 @@ impl Composite {
     }
 }
 
-/// The places of pictures of these sizes. `None` where there are none, or too many pixels.
+/// The places of pictures of these sizes. `None` if there are none, or too many pixels.
 fn layout(sizes: &[[u32; 2]], arrangement: Arrangement, gap: u32) -> Option<Layout> {
     let with_rest = |rest: Layout, all: fn(&[[u32; 2]], u32) -> Option<Layout>| {
         Some(all(&[*sizes.first()?, rest.size], gap)?.ending_in(&rest))

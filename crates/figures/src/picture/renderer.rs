@@ -103,7 +103,7 @@ impl Renderer {
         self.beside.iter_mut().for_each(Self::forget);
     }
 
-    /// A picture. `None` where a side is 0, there is not enough memory, or it was cancelled.
+    /// A picture. `None` if a side is 0, there is not enough memory, or it was cancelled.
     pub fn pixels(&mut self, request: &Request) -> Option<Pixels> {
         let mut picture = Pixels::default();
         at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
@@ -202,7 +202,7 @@ impl Renderer {
     }
 
     /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads,
-    /// without a pause: part of a picture is always made by one of them. `None` where one of the results is.
+    /// without a pause: part of a picture is always made by one of them. `None` if one of the results is.
     pub async fn all_into(&mut self, requests: &[Request], pictures: &mut [Pixels]) -> Option<Vec<RenderReport>> {
         let jobs = requests.iter().zip(pictures);
         if rayon::current_num_threads() < 2 {

@@ -40,7 +40,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// True where the map is wrong.
+    /// True if the map is wrong.
     #[must_use]
     pub const fn is_wrong(self) -> bool {
         matches!(self, Self::WronglyDark | Self::WronglyLit)
@@ -87,12 +87,12 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
 #[derive(Clone, Debug)]
 pub struct TrueLight {
     image: ImageSize,
-    /// Row by row, the triangle and whether it is lit; `None` where there is nothing to say.
+    /// Row by row, the triangle and whether it is lit; `None` if there is nothing to say.
     seen: Vec<Option<(usize, bool)>>,
 }
 
 impl TrueLight {
-    /// Through each pixel of an image, and on to a light. `None` where it was cancelled. It pauses on the way.
+    /// Through each pixel of an image, and on to a light. `None` if it was cancelled. It pauses on the way.
     pub async fn by_rays(
         solids: &Solids,
         camera: &Camera,
@@ -139,7 +139,7 @@ impl TrueLight {
     }
 }
 
-/// A value for each pixel, by its column and row and by its place among all. `None` where it was cancelled. It pauses
+/// A value for each pixel, by its column and row and by its place among all. `None` if it was cancelled. It pauses
 /// on the way.
 pub async fn by_rows<T: Send>(
     image: ImageSize,
@@ -180,7 +180,7 @@ struct Key {
 }
 
 impl FoundShadows {
-    /// Where the shadow maps of the image of a request are wrong; `None` where that is not shown, or was cancelled.
+    /// Where the shadow maps of the image of a request are wrong; `None` if that is not shown, or was cancelled.
     pub(super) async fn of(&mut self, request: &Request, progress: &Progress) -> Option<Arc<ShadowTruth>> {
         let look = &request.shot.look;
         let is_shown = request.view == View::Image

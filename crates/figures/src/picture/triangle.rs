@@ -38,7 +38,7 @@ pub struct Tested {
 }
 
 impl TrianglePixels {
-    /// Of a triangle (object of the scene, index in its mesh). `None` where its object is not drawn, and for images of
+    /// Of a triangle (object of the scene, index in its mesh). `None` if its object is not drawn, and for images of
     /// more than [`MAX_STEPPED_PIXELS`]. Pauses on the way, which leads past all faces of the scene.
     pub async fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let image = request.shot.look.image;
@@ -68,7 +68,7 @@ impl TrianglePixels {
         Some(Self { test, alone, before, rows })
     }
 
-    /// True where it covers a pixel, (0, 0) at the top left.
+    /// True if it covers a pixel, (0, 0) at the top left.
     #[must_use]
     pub fn covers(&self, [x, y]: [u32; 2]) -> bool {
         self.rows.iter().any(|[row, first, after]| *row == y && (*first..*after).contains(&x))
@@ -87,7 +87,7 @@ impl TrianglePixels {
         Some(asked.unwrap_or([u32::midpoint(first, after.saturating_sub(1)), y]))
     }
 
-    /// The depth test at a pixel, (0, 0) at the top left; `None` where it does not cover it.
+    /// The depth test at a pixel, (0, 0) at the top left; `None` if it does not cover it.
     #[must_use]
     pub fn test(&self, [x, y]: [u32; 2]) -> Option<Tested> {
         let (own, before) = (self.alone.at(x, y)?, self.before.at(x, y));
@@ -120,7 +120,7 @@ struct Kept {
 }
 
 impl FollowedTriangle {
-    /// The steps of the triangle that a request shows. `None` where none is shown, or there is no such triangle.
+    /// The steps of the triangle that a request shows. `None` if none is shown, or there is no such triangle.
     pub fn steps(&mut self, request: &Request) -> Option<TriangleSteps> {
         self.of(request).map(|(kept, _)| kept.steps.clone())
     }

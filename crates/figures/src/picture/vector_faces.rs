@@ -37,7 +37,7 @@ pub(super) struct Pictures<'a> {
 
 impl Pictures<'_> {
     /// Surfaces with one picture that follow one another in the order of painting, as pixels where they are: none where
-    /// they are outside of the drawing; `None` where there is no memory for them.
+    /// they are outside of the drawing; `None` if there is no memory for them.
     fn of(&mut self, drawing: &Drawing, surfaces: &[&Surface]) -> Option<Option<Item>> {
         let size = [drawing.width, drawing.height];
         let ends = [0, 1].map(|axis| {
@@ -80,7 +80,7 @@ impl Pictures<'_> {
     }
 }
 
-/// True where both surfaces have the same picture on them.
+/// True if both surfaces have the same picture on them.
 fn has_picture_of(surface: &Surface, other: &Surface) -> bool {
     match (&surface.base, &other.base) {
         (Base::Texture { image, .. }, Base::Texture { image: same, .. }) => Arc::ptr_eq(image, same),
@@ -88,7 +88,7 @@ fn has_picture_of(surface: &Surface, other: &Surface) -> bool {
     }
 }
 
-/// True where the triangles of a surface have one colour each, or a picture on them that takes no light.
+/// True if the triangles of a surface have one colour each, or a picture on them that takes no light.
 pub(super) fn can_be_written(surface: &Surface) -> bool {
     !surface.varies() || (surface.is_textured() && surface.light == SurfaceLight::InBase)
 }
@@ -192,7 +192,7 @@ fn triangles_of(surface: &Surface) -> impl Iterator<Item = Corners> {
     })
 }
 
-/// The corners in the winding of all, so that neighbours add up; `None` where they have no area.
+/// The corners in the winding of all, so that neighbours add up; `None` if they have no area.
 fn wound([a, b, c]: Corners) -> Option<Corners> {
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
     if !area.is_finite() || area == 0.0 {
@@ -242,7 +242,7 @@ fn is_of_one_picture(part: &Part, other: &Part) -> bool {
     }
 }
 
-/// True where two triangles of one winding cover a place together. Those that touch do not.
+/// True if two triangles of one winding cover a place together. Those that touch do not.
 fn overlap(triangle: Corners, other: Corners) -> bool {
     let separates = |[a, b]: [[f32; 2]; 2], other: Corners| {
         let along = [b[0] - a[0], b[1] - a[1]];
@@ -322,7 +322,7 @@ fn area_of(color: Rgba, triangles: &[Corners], shared: &HashMap<SideKey, u32>) -
     items
 }
 
-/// True where a triangle has a side in common with the last one of an area, and lies on the other side of it. Both are
+/// True if a triangle has a side in common with the last one of an area, and lies on the other side of it. Both are
 /// blended with what is below once.
 fn continues(triangles: &[Corners], next: Corners) -> bool {
     let Some(last) = triangles.last() else { return false };

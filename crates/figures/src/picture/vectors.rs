@@ -230,7 +230,7 @@ impl Painter {
         Ok(items)
     }
 
-    /// The faces as areas, from back to front; `None` where they have to be a picture.
+    /// The faces as areas, from back to front; `None` if they have to be a picture.
     fn areas(&mut self, drawing: &Drawing, place: usize, others: &mut OtherVersions) -> Option<Vec<Item>> {
         if self.faces == Faces::Picture {
             return None;

@@ -49,7 +49,7 @@ pub struct Side {
 }
 
 impl Request {
-    /// The sides of a picture: the figure as it is, and in the other way, seen by one observer. `None` where nothing is
+    /// The sides of a picture: the figure as it is, and in the other way, seen by one observer. `None` if nothing is
     /// compared.
     #[must_use]
     pub fn sides(&self) -> Option<[Side; 2]> {
@@ -70,7 +70,7 @@ impl Request {
         Some([side(own, lefts[0], 0..columns[0]), side(other, lefts[1], columns[1]..width)])
     }
 
-    /// The side of a compared picture at a column; `None` where nothing is compared.
+    /// The side of a compared picture at a column; `None` if nothing is compared.
     #[must_use]
     pub fn side_at(&self, x: f64) -> Option<Side> {
         let [own, other] = self.sides()?;

@@ -57,7 +57,7 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// The other side of a figure; `None` where nothing is compared, or the other side is impossible.
+    /// The other side of a figure; `None` if nothing is compared, or the other side is impossible.
     #[must_use]
     pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
         let comparison = figure.compare.clone()?;
@@ -69,7 +69,7 @@ impl Compared {
         Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
     }
 
-    /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
+    /// The part that is seen in a picture of a kind; `None` if it looks like `own` there.
     #[must_use]
     pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
         // Worlds and canonical volumes of two cameras would only be the same scene again.
@@ -211,7 +211,7 @@ impl Shot {
     }
 }
 
-/// The transform of an object of a scene; `None` where there is none of this name, or the scene is impossible.
+/// The transform of an object of a scene; `None` if there is none of this name, or the scene is impossible.
 fn transform_of(scene: &SceneSpec, name: &str) -> Option<ObjectTransform> {
     let spec = object_named(scene, name)?;
     let world_from_parent = match &spec.parent {

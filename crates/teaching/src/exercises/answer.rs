@@ -9,7 +9,7 @@ use crate::limits::MAX_ANSWER;
 /// An answer as it was understood.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
-    /// Numbers; `None` where nothing was typed, or `?`.
+    /// Numbers; `None` if nothing was typed, or `?`.
     Numbers {
         /// Number of rows.
         rows: usize,

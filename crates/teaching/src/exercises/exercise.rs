@@ -52,7 +52,7 @@ impl Exercise {
         wanted.map(|camera| Figure { camera, ..self.subject.figure.clone() })
     }
 
-    /// True where any picture of the figure answers a question: whether a point is inside.
+    /// True if any picture of the figure answers a question: whether a point is inside.
     #[must_use]
     pub fn is_told_by_figure(&self) -> bool {
         let inside = |path: QuantityPath| matches!(path.quantity, Quantity::Point(_, PointNumber::Inside));

@@ -68,7 +68,7 @@ fn slipped(operation: Operation, slips: Slips) -> Operation {
     }
 }
 
-/// The camera after slips that no operation does; `None` where none of them is made.
+/// The camera after slips that no operation does; `None` if none of them is made.
 fn otherwise(camera: &Camera, operation: Operation, slips: Slips) -> Option<Parameters> {
     let before = *camera.parameters();
     let (position, focal_point) = (before.position, before.focal_point);

@@ -263,7 +263,7 @@ impl Progress {
     /// The next of these to practise: a family that shows the open mistake that was made most often; else the one that
     /// was begun last; else the family that has waited longest beyond its day to come back; else the first unsolved one
     /// in the order of `entries`; else the one that was tried least recently before `now`. A later time comes from a
-    /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` where there are none.
+    /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are none.
     #[must_use]
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();

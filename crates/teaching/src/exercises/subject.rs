@@ -48,7 +48,7 @@ impl Subject {
     }
 
     /// The place of a point of the world in the image, in pixels from its left edge and from its upper one, (5.22)
-    /// without the floor. `None` where the point has no image.
+    /// without the floor. `None` if the point has no image.
     #[must_use]
     pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
         place_of(&self.camera().ok()?, self.figure.image, point)

@@ -87,14 +87,14 @@ impl Table {
         self.entries.iter().fold(0.0, |size, entry| size.max(entry.abs()))
     }
 
-    /// The vector of three entries; `None` where it is none.
+    /// The vector of three entries; `None` if it is none.
     #[must_use]
     pub fn vector(&self) -> Option<DVec3> {
         let [x, y, z] = self.entries[..] else { return None };
         Some(DVec3::new(x, y, z))
     }
 
-    /// The matrix of four rows and columns; `None` where it is none.
+    /// The matrix of four rows and columns; `None` if it is none.
     #[must_use]
     pub fn matrix(&self) -> Option<DMat4> {
         let entries: [f64; 16] = self.entries[..].try_into().ok()?;
@@ -107,7 +107,7 @@ impl Table {
         Self { entries: self.entries.iter().map(|entry| f(*entry) + 0.0).collect(), ..*self }
     }
 
-    /// True where nothing is infinite or NaN.
+    /// True if nothing is infinite or NaN.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         self.entries.iter().all(|entry| entry.is_finite())

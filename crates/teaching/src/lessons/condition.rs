@@ -87,7 +87,7 @@ pub struct Subject<'a> {
 pub struct Seen(Counter);
 
 impl Goal {
-    /// True where all conditions hold. An object that is not in the scene is not seen.
+    /// True if all conditions hold. An object that is not in the scene is not seen.
     #[must_use]
     pub fn is_reached(&self, subject: Subject<'_>, seen: &mut Seen) -> bool {
         self.until.iter().all(|condition| condition.holds(subject, seen))
@@ -153,7 +153,7 @@ impl Condition {
 }
 
 impl Range {
-    /// True where it is every number.
+    /// True if it is every number.
     #[must_use]
     pub fn is_everything(self) -> bool {
         self == Self::default()
@@ -177,7 +177,7 @@ impl Range {
     }
 }
 
-/// The angle between two vectors in degrees, 0 … 180; `None` where one of them is no vector.
+/// The angle between two vectors in degrees, 0 … 180; `None` if one of them is no vector.
 pub(super) fn angle(between: [QuantityPath; 2], report: &Report) -> Option<f64> {
     let vector = |path: QuantityPath| match path.numbers(report)?.entries[..] {
         [x, y, z] => DVec3::new(x, y, z).try_normalize(),

@@ -66,13 +66,13 @@ pub fn filled(text: &str, report: &Report, mark: DecimalMark) -> Result<String, 
     Ok(out)
 }
 
-/// True where a brace would be the argument of a command, or a sub- or superscript.
+/// True if a brace would be the argument of a command, or a sub- or superscript.
 fn follows_command(before: &str) -> bool {
     let word = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
     before.ends_with(['^', '_', '}', ']']) || word.len() < before.len() && word.ends_with('\\')
 }
 
-/// True where a text is a path, and no LaTeX.
+/// True if a text is a path, and no LaTeX.
 fn is_path(text: &str) -> bool {
     let is_of_path = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | ':');
     text.contains('.') && text.starts_with(|c: char| c.is_ascii_lowercase()) && text.chars().all(is_of_path)

@@ -26,7 +26,7 @@ impl Passage {
         Self { from, to, camera }
     }
 
-    /// True where nothing moves on the way.
+    /// True if nothing moves on the way.
     #[must_use]
     pub fn is_at_once(&self) -> bool {
         self.camera.is_none() && self.shown_at(0.0) == *self.to

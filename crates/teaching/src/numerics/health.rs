@@ -119,7 +119,7 @@ pub struct Health {
     pub value: f64,
     /// The warnings that say more of it.
     pub warnings: Vec<Warning>,
-    /// A camera that sees the same scene and is better in this; `None` where it is good, or nothing helps.
+    /// A camera that sees the same scene and is better in this; `None` if it is good, or nothing helps.
     pub repair: Option<Parameters>,
 }
 

@@ -37,7 +37,7 @@ pub struct Price {
     pub frame: Cost,
 }
 
-/// Measures for about the number of seconds of the effort. `None` where it was cancelled, or no such scene could be
+/// Measures for about the number of seconds of the effort. `None` if it was cancelled, or no such scene could be
 /// built.
 #[must_use]
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {

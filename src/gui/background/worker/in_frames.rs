@@ -90,7 +90,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         }
     }
 
-    /// The next job; `None` where none waits, or it has to be announced first.
+    /// The next job; `None` if none waits, or it has to be announced first.
     fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<RunningJob<Outcome>> {
         let slot = self.shares.next(shared.mailbox().waiting())?;
         let is_told = self.announced.take() == Some(slot);

@@ -34,7 +34,7 @@ struct HealthRequest {
 pub struct Advice {
     /// The camera that it is about.
     pub camera: Camera,
-    /// `None` where the image is too large to be drawn.
+    /// `None` if the image is too large to be drawn.
     pub diagnosis: Option<Diagnosis>,
     /// Six quantities. None of an impossible camera.
     pub health: Vec<Health>,

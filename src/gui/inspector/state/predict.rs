@@ -88,7 +88,7 @@ impl Change {
 }
 
 impl About {
-    /// The question of an operation, by what it does to the scene; `None` where the image shows nothing before and
+    /// The question of an operation, by what it does to the scene; `None` if the image shows nothing before and
     /// after it that could be followed.
     #[must_use]
     pub fn of(
@@ -129,7 +129,7 @@ impl About {
         mark.map(|mark| [mark[0] - to[0], mark[1] - to[1]])
     }
 
-    /// True where what was said is what happens.
+    /// True if what was said is what happens.
     #[must_use]
     pub fn is_right(&self) -> bool {
         match self {

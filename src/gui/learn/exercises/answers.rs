@@ -27,7 +27,7 @@ pub(super) struct Unreadable {
     why: String,
 }
 
-/// The interpretation of an answer; `None` where nothing was typed.
+/// The interpretation of an answer; `None` if nothing was typed.
 pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Result<Option<Answer>, Unreadable> {
     let text = joined(ask, fields);
     if text.is_empty() {

@@ -35,7 +35,7 @@ pub struct Typed {
 }
 
 impl Typed {
-    /// True where nothing was typed.
+    /// True if nothing was typed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let fields = self.answers.values().chain(self.guesses.values());
@@ -541,7 +541,7 @@ impl Exercises {
     }
 }
 
-/// The answer in the fields, as one text. Empty where nothing was typed. Where the first field holds a whole list or
+/// The answer in the fields, as one text. Empty if nothing was typed. Where the first field holds a whole list or
 /// matrix in brackets, it is the answer.
 #[must_use]
 pub fn joined(ask: &Ask, fields: &[String]) -> String {

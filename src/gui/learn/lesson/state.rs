@@ -92,13 +92,13 @@ impl Playing {
         self.lesson.steps.get(self.step)
     }
 
-    /// True where the step has nothing to be done any more.
+    /// True if the step has nothing to be done any more.
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
     }
 
-    /// True where the next step may be shown. The task is done, or was passed over.
+    /// True if the next step may be shown. The task is done, or was passed over.
     #[must_use]
     pub fn may_go_on(&self) -> bool {
         self.is_done() || self.passed.contains(&self.step)
@@ -126,7 +126,7 @@ impl Playing {
         self.passed.clear();
     }
 
-    /// True where the goal was looked at with this figure.
+    /// True if the goal was looked at with this figure.
     fn has_looked_at(&self, document: &Document) -> bool {
         let Figure { observers, show, .. } = document.figure();
         self.looked_at
@@ -153,7 +153,7 @@ impl Playing {
         self.path.is_none() || !shipped().iter().any(|shipped| shipped.lesson.id == self.lesson.id)
     }
 
-    /// True where this step is the last one.
+    /// True if this step is the last one.
     #[must_use]
     pub fn is_last(&self) -> bool {
         self.step + 1 >= self.lesson.steps.len()
@@ -491,7 +491,7 @@ impl State {
         asks.iter().any(|ask| !ask.places && waits(ask))
     }
 
-    /// Shows the figure that answers the question of the step, with a move to it. False where there is none.
+    /// Shows the figure that answers the question of the step, with a move to it. False if there is none.
     pub(in crate::gui) fn show_seen(&mut self) -> bool {
         self.end_move();
         let Some(playing) = &self.lesson else { return false };
@@ -591,7 +591,7 @@ impl State {
         self.lesson = Some(playing);
     }
 
-    /// True where every question of the step has its right answer.
+    /// True if every question of the step has its right answer.
     fn is_answered(&self, playing: &Playing) -> bool {
         let (id, seed) = match playing.now().and_then(|now| now.task.as_ref()) {
             Some(Task::Question(entry)) => (&*entry.id, 0),

@@ -98,7 +98,7 @@ impl Writing {
         !if back { &self.earlier } else { &self.later }.is_empty()
     }
 
-    /// True where what is typed is not in the file.
+    /// True if what is typed is not in the file.
     #[must_use]
     pub fn is_ahead(&self) -> bool {
         self.typed != self.kept
@@ -165,14 +165,14 @@ pub enum StepChange {
 }
 
 impl State {
-    /// True where the lesson that is played is a file that can be written.
+    /// True if the lesson that is played is a file that can be written.
     #[must_use]
     pub fn plays_own_lesson(&self) -> bool {
         let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
         path.is_some_and(|path| share::link_of(path).is_none()) && !self.in_browser
     }
 
-    /// True where the step is written: in a presentation the class sees it as it will be.
+    /// True if the step is written: in a presentation the class sees it as it will be.
     #[must_use]
     pub fn writes_lesson(&self) -> bool {
         !self.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
@@ -434,7 +434,7 @@ impl State {
         }
     }
 
-    /// Writes the text of the lesson into its file, unless another program has changed it. True where it is written.
+    /// Writes the text of the lesson into its file, unless another program has changed it. True if it is written.
     fn store(&mut self, path: &Path, text: String, step: usize) -> bool {
         let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
         let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);

@@ -42,7 +42,7 @@ pub(in crate::gui::pictures) struct Title<'a> {
     pub(in crate::gui::pictures) quiet: bool,
     /// False for the only picture that is left.
     pub(in crate::gui::pictures) can_hide: bool,
-    /// The image is shown as the eye would see it; `None` where that makes no difference.
+    /// The image is shown as the eye would see it; `None` if that makes no difference.
     pub(in crate::gui::pictures) undistorted: Option<bool>,
     /// The world is shown as a section; `None` for the other pictures.
     pub(in crate::gui::pictures) section: Option<bool>,

@@ -49,7 +49,7 @@ impl HandleDrag {
         self.before.clone()
     }
 
-    /// The parameters with the pointer at `to` (pixels); `None` where they are not a camera, so that the last one stays
+    /// The parameters with the pointer at `to` (pixels); `None` if they are not a camera, so that the last one stays
     /// and [`HandleDrag::stopped`] says why.
     pub(in crate::gui) fn moved(&mut self, now: &Request, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
         if self.vertical != vertical(modifiers) {
@@ -70,7 +70,7 @@ impl HandleDrag {
     }
 }
 
-/// True where a point is to move up and down.
+/// True if a point is to move up and down.
 fn vertical(modifiers: Modifiers) -> bool {
     modifiers.shift || modifiers.command || modifiers.ctrl
 }

@@ -71,7 +71,7 @@ pub(in crate::gui::pictures) struct ProbeStep {
 }
 
 impl ProbeStep {
-    /// Where the probe is then; `None` where there is nothing to probe.
+    /// Where the probe is then; `None` if there is nothing to probe.
     pub(in crate::gui::pictures) fn taken(self, request: &Request) -> Option<Probe> {
         match self.from {
             Some(now) => self.probing.moved(request, now, self.arrow, self.fast).or(Some(now)),

@@ -21,7 +21,7 @@ pub(in crate::gui::pictures) fn lines(index: usize, state: &State) -> [String; 2
     [escaped(name), cameras::texts(state.settings.lang).click.to_owned()]
 }
 
-/// Looks through the camera that was clicked. False where there is none.
+/// Looks through the camera that was clicked. False if there is none.
 pub(in crate::gui::pictures) fn is_clicked(state: &mut State, pane: &Pane) -> bool {
     let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
     let (request, pointer) = pane.under(place);

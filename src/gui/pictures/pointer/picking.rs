@@ -106,7 +106,7 @@ fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
     })
 }
 
-/// The content of the depth buffer under the probe; `None` where the image does not show depths.
+/// The content of the depth buffer under the probe; `None` if the image does not show depths.
 fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     match probe {
         Probe::Window(w) if request.shot.look.reveal.depth != Depth::Off => Some(depth::reading(request, w)),

@@ -17,7 +17,7 @@ const RING: f32 = 7.0;
 const FAST: f64 = 10.0;
 
 impl Canvas {
-    /// Puts the cross under the pointer, where a place is asked for. False where none is.
+    /// Puts the cross under the pointer, where a place is asked for. False if none is.
     pub(in crate::gui::pictures) fn place(ui: &Ui, state: &mut State, pane: &Pane, placing: Option<&Placing>) -> bool {
         let Some(placing) = placing.filter(|placing| placing.is_open && pane.view == View::Image) else { return false };
         let response = &pane.response;

@@ -107,7 +107,7 @@ impl Movable {
     /// whether all could do so. Digits that are smaller than a pixel are rounded away; with `snap` moves are multiples
     /// of it, turns of 15°, scales of 0.1.
     ///
-    /// `None` where there is nothing to change.
+    /// `None` if there is nothing to change.
     ///
     /// # Errors
     /// [`SceneError`] where the scene cannot be built with it.

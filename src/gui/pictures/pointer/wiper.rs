@@ -15,7 +15,7 @@ const RADIUS: f32 = 9.0;
 const STEPS: [f64; 2] = [0.02, 0.1];
 
 impl Pane {
-    /// The side of a compared picture at a place; `None` where nothing is compared.
+    /// The side of a compared picture at a place; `None` if nothing is compared.
     pub(in crate::gui::pictures) fn side(&self, pointer: Pos2) -> Option<Side> {
         self.request.side_at(self.rect.pixel(pointer).x)
     }
@@ -33,7 +33,7 @@ impl Pane {
         }
     }
 
-    /// True where the picture shows the figure's own camera in its full size, so that the camera can be dragged there.
+    /// True if the picture shows the figure's own camera in its full size, so that the camera can be dragged there.
     pub(in crate::gui::pictures) fn is_own(&self, pointer: Pos2) -> bool {
         self.side(pointer)
             .is_none_or(|side| side.request.size == self.request.size && side.request.camera == self.request.camera)

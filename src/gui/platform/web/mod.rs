@@ -110,7 +110,7 @@ fn linked() -> Option<PathBuf> {
     store::is_new_here(&fragment).then(|| PathBuf::from(fragment))
 }
 
-/// True where the page is shown inside of another one.
+/// True if the page is shown inside of another one.
 fn is_framed(window: &Window) -> bool {
     !matches!(window.parent(), Ok(Some(parent)) if parent == *window)
 }

@@ -106,7 +106,7 @@ impl KeptProgress {
         }
     }
 
-    /// True where all that was done is in the file.
+    /// True if all that was done is in the file.
     pub(super) fn is_written(&mut self, state: &State) -> bool {
         self.job(state).is_empty()
     }

@@ -25,7 +25,7 @@ pub(super) trait Change: Clone + Send + 'static {
     /// The part of the content that the window takes over once the change is in it.
     type Merged: Send + 'static;
 
-    /// Reads a file; `None` where it cannot be understood.
+    /// Reads a file; `None` if it cannot be understood.
     fn understood(text: &str) -> Option<Self::Content>;
 
     /// Whether there is nothing to write.
@@ -164,7 +164,7 @@ impl<C: Change> SharedFile<C> {
         written.flatten().map(|(merged, _)| merged)
     }
 
-    /// Puts the file under another name, and forgets what was asked for. False where there is none.
+    /// Puts the file under another name, and forgets what was asked for. False if there is none.
     ///
     /// # Errors
     /// The lock or the file system refuses.

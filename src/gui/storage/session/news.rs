@@ -99,7 +99,7 @@ impl NewsList {
         self.shown.iter()
     }
 
-    /// True where nothing is.
+    /// True if nothing is.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.shown.is_empty()

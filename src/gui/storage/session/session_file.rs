@@ -131,7 +131,7 @@ impl SessionFile {
         Some(UnsavedText { path, step: *step, text, words, task })
     }
 
-    /// Reads these bytes; `None` where they are unreadable.
+    /// Reads these bytes; `None` if they are unreadable.
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         serde_json::from_slice(bytes).ok()
     }

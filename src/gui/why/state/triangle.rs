@@ -39,7 +39,7 @@ pub(in crate::gui) enum Covered {
 }
 
 impl TriangleNumbers {
-    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` where none is
+    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` if none is
     /// shown, or there is no such triangle. A frame is requested of `ctx` when pixels that are being found are there.
     pub(in crate::gui) fn found(&mut self, ctx: &egui::Context, request: &Request) -> Option<(TriangleSteps, Covered)> {
         let Some(triangle) = &request.shot.show.triangle else {

@@ -118,7 +118,7 @@ impl Decomposition {
 }
 
 impl Camera {
-    /// The steps, first to last; `None` where the source has none: `[1]` and `[3]` know symmetric windows only, and
+    /// The steps, first to last; `None` if the source has none: `[1]` and `[3]` know symmetric windows only, and
     /// `[1]` has one matrix for parallel projection.
     ///
     /// *Guarantees*: their product, last to first, is M_p M_v in [`Decomposition::ndc`], up to the rounding of plain

@@ -116,7 +116,7 @@ fn located_of(axis: WorldAxis, lines: &[[DVec2; 2]], pixel: f64) -> Result<Locat
 }
 
 /// The point where lines meet, homogeneous and of length 1: the least squares solution of l · v = 0 with lines of
-/// length 1, which is the eigenvector of the smallest eigenvalue of Σ l lᵀ. `None` where it is not one point.
+/// length 1, which is the eigenvector of the smallest eigenvalue of Σ l lᵀ. `None` if it is not one point.
 fn meeting(lines: &[[DVec2; 2]]) -> Option<DVec3> {
     let homogeneous = lines.iter().map(|[a, b]| a.extend(1.0).cross(b.extend(1.0)));
     let lines: Vec<DVec3> = homogeneous.map(|line| line / line.truncate().length()).collect();
@@ -153,7 +153,7 @@ fn smallest_eigenvector(m: DMat3) -> Option<DVec3> {
     vectors.col(least).try_normalize()
 }
 
-/// f in half diagonals from all pairs of axes, each pair by how sure it is; `None` where no pair tells it.
+/// f in half diagonals from all pairs of axes, each pair by how sure it is; `None` if no pair tells it.
 pub(super) fn focal_length(located: &[Located]) -> Result<Option<f64>, PhotographError> {
     let (mut sum, mut weights) = (0.0, 0.0);
     for (i, a) in located.iter().enumerate() {

@@ -94,7 +94,7 @@ pub struct PhotographCamera {
     pub parameters: Parameters,
     /// The vanishing points, in the order of the axes.
     pub vanishing: Vec<AxisVanishing>,
-    /// Two points of the horizon, the image of the ideal line of the plane y = 0; `None` where it is at infinity.
+    /// Two points of the horizon, the image of the ideal line of the plane y = 0; `None` if it is at infinity.
     pub horizon: Option<[DVec2; 2]>,
     /// f in pixels; `None` means it cannot be known.
     pub focal_length: Option<f64>,

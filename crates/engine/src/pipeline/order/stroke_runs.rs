@@ -229,7 +229,7 @@ struct Face {
     depth: [f64; 3],
 }
 
-/// Faces that are held against strokes, by the squares of the picture that they touch.
+/// Faces that are compared with strokes, by the squares of the picture that they touch.
 struct Faces {
     faces: Vec<Face>,
     columns: usize,

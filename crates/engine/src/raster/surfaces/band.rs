@@ -26,7 +26,7 @@ pub(super) struct Band<'a> {
     /// Values from one plane to the next.
     pub(super) plane: u32,
     pub(super) colors: &'a mut [Pixel],
-    /// Empty where nothing writes depths: then no test can fail.
+    /// Empty if nothing writes depths: then no test can fail.
     pub(super) depths: &'a mut [f32],
     /// The slope of the face whose depth was written at the first sample (packed). Empty if not requested.
     pub(super) slopes: &'a mut [u32],

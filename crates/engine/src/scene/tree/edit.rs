@@ -45,7 +45,7 @@ pub fn object_named(spec: &SceneSpec, name: &str) -> Option<ObjectSpec> {
     own.or_else(|| of_preset().find(|object| object.name == name))
 }
 
-/// As [`placements`], of one object alone, and without a look at objects that it does not hang on; `None` where there
+/// As [`placements`], of one object alone, and without a look at objects that it does not hang on; `None` if there
 /// is none of this name.
 ///
 /// # Errors
@@ -153,7 +153,7 @@ pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) 
     Ok(stayed)
 }
 
-/// Removes a figure's object. True where everything that is left stays where it is in the world.
+/// Removes a figure's object. True if everything that is left stays where it is in the world.
 ///
 /// # Errors
 /// [`SceneError`] where the scene could not be built before. Nothing has changed then.

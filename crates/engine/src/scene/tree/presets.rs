@@ -360,7 +360,7 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
     }
 }
 
-/// True where white letters read better than black ones.
+/// True if white letters read better than black ones.
 fn is_dark(c: Rgba) -> bool {
     u32::from(c.r) * 30 + u32::from(c.g) * 59 + u32::from(c.b) * 11 < 110 * 100
 }

@@ -162,7 +162,7 @@ fn stem(name: &str) -> &str {
     if stem.is_empty() { name } else { stem }
 }
 
-/// The unit vectors along an object's own axes in the world, and where it is; `None` where one has no length.
+/// The unit vectors along an object's own axes in the world, and where it is; `None` if one has no length.
 #[must_use]
 pub fn frame(world_from_object: &DMat4) -> Option<(DVec3, [DVec3; 3])> {
     let axis = |v: DVec3| try_unit(world_from_object.transform_vector3(v));

@@ -40,7 +40,7 @@ pub fn figure_in(bytes: &[u8]) -> Option<Option<Vec<u8>>> {
     if is_pdf(bytes) { Some(figure_in_pdf(bytes)) } else { is_svg(bytes).then(|| figure_in_svg(bytes)) }
 }
 
-/// The figure file in an SVG file; `None` where there is none that can be read.
+/// The figure file in an SVG file; `None` if there is none that can be read.
 fn figure_in_svg(bytes: &[u8]) -> Option<Vec<u8>> {
     let after = &bytes[find(bytes, format!("<{ELEMENT}").as_bytes())?..];
     let text = &after[find(after, b">")? + 1..];
@@ -49,7 +49,7 @@ fn figure_in_svg(bytes: &[u8]) -> Option<Vec<u8>> {
     STANDARD.decode(packed).ok()
 }
 
-/// The figure file that is attached to a PDF of this program; `None` where there is none that can be read.
+/// The figure file that is attached to a PDF of this program; `None` if there is none that can be read.
 fn figure_in_pdf(bytes: &[u8]) -> Option<Vec<u8>> {
     let at = find(bytes, SUBTYPE)?;
     let start = rfind(&bytes[..at], b" obj")?;

@@ -82,19 +82,19 @@ impl Glyphs {
         self.characters.values().copied().collect::<BTreeSet<char>>().into_iter()
     }
 
-    /// The font for browsers. `None` where it can't be cut.
+    /// The font for browsers. `None` if it can't be cut.
     pub(super) fn web_font(&self) -> Option<Vec<u8>> {
         let characters: Vec<(u16, char)> = self.characters.iter().map(|(number, c)| (*number, *c)).collect();
         web_font(self.face.bytes(), &subset(self.face.bytes(), 0, &self.numbers).ok()?, &characters)
     }
 
-    /// True where no text is shown.
+    /// True if no text is shown.
     pub(super) fn is_empty(&self) -> bool {
         self.characters.is_empty()
     }
 
     /// Writes the font with references of its own: itself, the descendant, its description, its file, its characters.
-    /// `None` where the font can't be cut.
+    /// `None` if the font can't be cut.
     pub(super) fn write(&self, pdf: &mut Pdf, [font, cid, descriptor, file, map]: [Ref; 5]) -> Option<()> {
         let Description { name, ascent, descent, capitals, italic_angle, stem } = Description::of(self.face);
         let bytes = subset(self.face.bytes(), 0, &self.numbers).ok()?;

@@ -3,7 +3,7 @@
 /// The name of a table.
 type Tag = [u8; 4];
 
-/// A font with these glyphs of another one, numbered anew, and their characters by number. `None` where either is no
+/// A font with these glyphs of another one, numbered anew, and their characters by number. `None` if either is no
 /// font.
 ///
 /// *Guarantees*: the same glyphs give the same bytes.
@@ -16,7 +16,7 @@ pub(super) fn web_font(original: &[u8], subset: &[u8], characters: &[(u16, char)
     file_of(&tables)
 }
 
-/// The tables of a font. `None` where it is none.
+/// The tables of a font. `None` if it is none.
 fn tables_of(font: &[u8]) -> Option<Vec<(Tag, Vec<u8>)>> {
     let number = |at: usize| Some(u32::from_be_bytes(*font.get(at..)?.first_chunk()?) as usize);
     let count = usize::from(u16::from_be_bytes(*font.get(4..)?.first_chunk()?));

@@ -65,7 +65,7 @@ fn merge(mine: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) {
     }
 }
 
-/// True where both are written alike.
+/// True if both are written alike.
 fn same(a: &Item, b: &Item) -> bool {
     match (a, b) {
         (Item::Value(a), Item::Value(b)) => a.to_string() == b.to_string(),

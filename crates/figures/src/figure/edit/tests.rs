@@ -217,7 +217,7 @@ fn parts(bits: u32) -> WorldParts {
     parts
 }
 
-/// A text in both languages; `None` where one is empty.
+/// A text in both languages; `None` if one is empty.
 fn told(en: &str, pt_br: &str) -> Option<Bilingual> {
     let is_there = |text: &str| !text.trim().is_empty() && !text.contains(crate::sanitize::is_obeyed);
     (is_there(en) && is_there(pt_br)).then(|| [en.to_owned(), pt_br.to_owned()].into())

@@ -30,14 +30,14 @@ pub fn varied_together(figure: &Figure, keys: &[(&str, &str)]) -> Result<Figure,
     Ok(if of_scene.is_some() { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
 }
 
-/// True where a key of the figure has a value, as [`varied`] takes it: where setting it changes nothing.
+/// True if a key of the figure has a value, as [`varied`] takes it: where setting it changes nothing.
 #[must_use]
 pub fn has(figure: &Figure, key: &str, value: &str) -> bool {
     let own = without_other_scene(figure, key);
     varied_whole(&own, [(key, value)]).is_ok_and(|varied| varied == own)
 }
 
-/// The number of a key of the figure; `None` where there is none. A way of `show.step` without a place has gone to its
+/// The number of a key of the figure; `None` if there is none. A way of `show.step` without a place has gone to its
 /// end: ∞.
 #[must_use]
 pub fn number_at(figure: &Figure, key: &str) -> Option<f64> {
@@ -92,7 +92,7 @@ pub fn show_with(show: &Show, key: &str, value: &str) -> Result<Show, FigureErro
     Ok(varied_whole(&figure, [(&*format!("show.{key}"), value)])?.show)
 }
 
-/// The value of a key in the text of a figure; `None` where none is written there.
+/// The value of a key in the text of a figure; `None` if none is written there.
 pub(in crate::figure) fn value_of(document: &DocumentMut, key: &str) -> Option<Value> {
     let mut item = document.as_item();
     for name in key.split('.') {

@@ -14,7 +14,7 @@ use crate::sanitize;
 /// The sections whose keys can be compared. The scene, its points and the observers are the same on both sides.
 const SECTIONS: [&str; 7] = ["camera", "image", "viewport", "style", "reveal", "world", "show"];
 
-/// Reads the section; `None` where there is none, or nothing to compare.
+/// Reads the section; `None` if there is none, or nothing to compare.
 pub(super) fn comparison(
     mut section: Section<'_>,
     cameras: &[NamedCamera],

@@ -45,7 +45,7 @@ impl<'a> Section<'a> {
         Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
     }
 
-    /// The place of `key`; `None` where it is missing.
+    /// The place of `key`; `None` if it is missing.
     pub fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
@@ -66,12 +66,12 @@ impl<'a> Section<'a> {
         self.ask(key);
     }
 
-    /// True where there is a list.
+    /// True if there is a list.
     pub fn is_list(&self, key: &str) -> bool {
         self.item(key).is_some_and(Item::is_array)
     }
 
-    /// True where there is a table, even an empty one.
+    /// True if there is a table, even an empty one.
     pub fn is_table(&self) -> bool {
         self.table.is_some()
     }
@@ -86,7 +86,7 @@ impl<'a> Section<'a> {
         self.text
     }
 
-    /// True where no key is there.
+    /// True if no key is there.
     pub fn is_empty(&self) -> bool {
         self.table.is_none_or(|table| table.iter().next().is_none())
     }
@@ -380,7 +380,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// How many values the list at `key` has; `None` where there is no list.
+    /// How many values the list at `key` has; `None` if there is no list.
     pub fn list_length(&self, key: &str) -> Option<usize> {
         Some(self.item(key)?.as_array()?.len())
     }
@@ -443,7 +443,7 @@ impl<'a> Section<'a> {
         self.choice(key, words).unwrap_or(default)
     }
 
-    /// The value of one of `words`; `None` where the key is missing or holds no such word.
+    /// The value of one of `words`; `None` if the key is missing or holds no such word.
     pub fn choice<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Option<T> {
         let written = self.ask(key)?.as_str();
         let value = written.and_then(|text| words::value(words, text));

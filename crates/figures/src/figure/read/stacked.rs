@@ -53,7 +53,7 @@ impl Stacked {
         }
     }
 
-    /// Takes away a key, `show.stage`, or a whole section, `labels`. False where there is none.
+    /// Takes away a key, `show.stage`, or a whole section, `labels`. False if there is none.
     pub fn remove(&mut self, path: &str) -> bool {
         match path.split_once('.') {
             None => SECTIONS.contains(&path) && self.table.remove(path).is_some(),

@@ -10,7 +10,7 @@ use crate::figure::{
     LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,
 };
 
-/// The section. Empty where every label is as the pictures make it.
+/// The section. Empty if every label is as the pictures make it.
 pub(super) fn labels(labels: &Labels) -> Table {
     let Labels { letters, hidden, renamed, moved, styled, measures, notes } = labels;
     let mut keys: Vec<(&str, Value)> = Vec::new();

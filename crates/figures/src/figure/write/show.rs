@@ -7,7 +7,7 @@ use super::{camera, number, quoted, table, vector};
 use crate::figure::words::{self, MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview};
 
-/// The section. Empty where nothing is shown.
+/// The section. Empty if nothing is shown.
 pub(super) fn show(show: &Show) -> Table {
     let Show { stage, stage_of, painted, step, triangle, measure, measure_of, probe, moved, ndc, answer, operations } =
         show;

@@ -37,7 +37,7 @@ struct Way {
 }
 
 impl Way {
-    /// `None` where the way is at its end, or the camera has no such steps.
+    /// `None` if the way is at its end, or the camera has no such steps.
     fn of(request: &Request) -> Option<Self> {
         let Normalizing { decomposition, time } = request.normalizing()?;
         let factors = request.camera.decomposed(decomposition)?;

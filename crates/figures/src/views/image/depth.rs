@@ -26,7 +26,7 @@ pub struct DepthReading {
     pub distance: f64,
 }
 
-/// The content of the depth buffer on the ray through a point (x_p, y_p) of the view window; `None` where no opaque
+/// The content of the depth buffer on the ray through a point (x_p, y_p) of the view window; `None` if no opaque
 /// face is drawn.
 #[must_use]
 pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
@@ -55,7 +55,7 @@ pub struct DepthTest {
 }
 
 impl DepthTest {
-    /// Of a triangle (object of the scene, index in its mesh) in the image; `None` where its object is not drawn.
+    /// Of a triangle (object of the scene, index in its mesh) in the image; `None` if its object is not drawn.
     #[must_use]
     pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let plain = request.clone().with_shot(|shot| shot.look.reveal.depth = Depth::Stored);
@@ -126,7 +126,7 @@ pub(in crate::views) struct Greys {
 }
 
 impl Greys {
-    /// `None` where the image shows colours.
+    /// `None` if the image shows colours.
     pub(in crate::views) fn of(request: &Request) -> Option<Self> {
         let v = request.shot.look.viewport;
         let range = match request.shot.look.reveal.depth {

@@ -143,7 +143,7 @@ pub struct ShadowAt {
 }
 
 impl ShadowAt {
-    /// True where the light sees something nearer.
+    /// True if the light sees something nearer.
     #[must_use]
     pub fn is_hidden(&self) -> bool {
         self.nearest.is_some_and(|nearest| self.own > nearest + self.allowed)

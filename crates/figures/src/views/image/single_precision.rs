@@ -9,7 +9,7 @@ use crate::camera::Camera;
 use crate::scene::{Mesh, Object, Scene};
 use crate::views::{Request, SharedScene};
 
-/// The same request with the points where single precision puts them; `None` where the figure doesn't ask for it.
+/// The same request with the points where single precision puts them; `None` if the figure doesn't ask for it.
 pub(super) fn in_single(request: &Request) -> Option<Request> {
     if !request.shot.look.reveal.single_precision {
         return None;

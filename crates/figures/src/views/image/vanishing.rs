@@ -20,7 +20,7 @@ use crate::views::{Palette, Request};
 /// The directions, and how their vanishing points are called.
 const DIRECTIONS: [(DVec3, &str); 3] = [(DVec3::X, "V_x"), (DVec3::Y, "V_y"), (DVec3::Z, "V_z")];
 
-/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` where that is ideal
+/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` if that is ideal
 /// itself: in parallel projection, and for directions parallel to the view plane up to rounding.
 pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2> {
     let basis = camera.basis();

@@ -149,14 +149,14 @@ impl Grip<'_> {
         if shift.is_finite() { shift } else { DVec3::ZERO }
     }
 
-    /// The displacement of the point of a line nearest to the pointer's ray; `None` where the line is seen end-on.
+    /// The displacement of the point of a line nearest to the pointer's ray; `None` if the line is seen end-on.
     pub(in crate::views) fn along(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
         let (from, to) = self.places_along(origin, direction)?;
         Some(to - from)
     }
 
     /// The places on a line (from `origin`, in lengths of its unit `direction`) of the points nearest to the two rays;
-    /// `None` where the line is seen end-on.
+    /// `None` if the line is seen end-on.
     pub(in crate::views) fn places_along(&self, origin: DVec3, direction: DVec3) -> Option<(f64, f64)> {
         let nearest = |ray| nearest_on_line(origin, direction, ray);
         Some((nearest(self.from)?, nearest(self.to)?))

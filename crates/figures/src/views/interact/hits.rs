@@ -30,7 +30,7 @@ pub(in crate::views) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> O
     Some(from + (to - from) * t)
 }
 
-/// True where only the fronts of an object's faces are seen. A closed solid shows its inside where a plane cuts it
+/// True if only the fronts of an object's faces are seen. A closed solid shows its inside where a plane cuts it
 /// open, and a segment that begins outside of a whole one meets a front first.
 pub(in crate::views) fn fronts_only(object: &Object) -> bool {
     !object.two_sided && !object.mesh.closed

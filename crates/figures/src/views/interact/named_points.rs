@@ -24,7 +24,7 @@ pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
 
 /// The new place of a point of the world that is dragged from one place to another (pixels): in the plane through it
 /// that is parallel to the view window, so that its distance from the eye stays. In the world, where this plane is seen
-/// from its edge, in the plane of the picture. `None` where there is no such point.
+/// from its edge, in the plane of the picture. `None` if there is no such point.
 #[must_use]
 pub fn dragged(request: &Request, p: DVec3, from: DVec2, to: DVec2) -> Option<DVec3> {
     /// The sine of the angle at which a plane is seen from its edge.

@@ -30,7 +30,7 @@ pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     nearest(points, &faces(request), &screen(request)?, pointer, reach)
 }
 
-/// The name of the figure's object whose face is at a place (pixels) of a picture; `None` where there is none, and in
+/// The name of the figure's object whose face is at a place (pixels) of a picture; `None` if there is none, and in
 /// the canonical volume, where faces have been clipped and projected.
 #[must_use]
 pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
@@ -68,7 +68,7 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
 }
 
 /// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one
-/// nearest to the middle. Only vertices that can be seen. `None` where there is none.
+/// nearest to the middle. Only vertices that can be seen. `None` if there is none.
 #[must_use]
 pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
     let (screen, faces) = (screen(request)?, faces(request));

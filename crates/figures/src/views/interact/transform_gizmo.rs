@@ -96,7 +96,7 @@ fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance(a + way * t)
 }
 
-/// The pull at a part of `gizmo` when the pointer went from `from` to `to` (pixels). `None` where that cannot be read:
+/// The pull at a part of `gizmo` when the pointer went from `from` to `to` (pixels). `None` if that cannot be read:
 /// an axis seen end-on, a bar pulled through the middle.
 #[must_use]
 pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DVec2, to: DVec2) -> Option<Pull> {

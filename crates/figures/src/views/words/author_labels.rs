@@ -96,7 +96,7 @@ impl LabelPlace {
         Self { point: self.point + by, center: self.center + by, ..self }
     }
 
-    /// True where a place (pixels) is on its text.
+    /// True if a place (pixels) is on its text.
     #[must_use]
     pub fn holds(&self, place: DVec2) -> bool {
         (place - self.center).abs().cmple(self.half).all()

@@ -43,7 +43,7 @@ impl<'a> Author<'a> {
         Box2 { center: half - corner, half }
     }
 
-    /// True where letters are those of mathematics.
+    /// True if letters are those of mathematics.
     pub(in crate::views) fn is_mathematical(&self) -> bool {
         self.labels.letters == Letters::Mathematics
     }
@@ -251,7 +251,7 @@ impl Taken {
         }));
     }
 
-    /// True where a line runs over a body, at one of a few places of it.
+    /// True if a line runs over a body, at one of a few places of it.
     fn meets_body(&self, [from, to]: [DVec2; 2]) -> bool {
         const PLACES: u32 = 8;
         let at = |k: u32| from.lerp(to, f64::from(k) / f64::from(PLACES));

@@ -19,7 +19,7 @@ impl Box2 {
         (d.x * d.y).min(4.0 * self.half.x * self.half.y)
     }
 
-    /// True where both have a place in common.
+    /// True if both have a place in common.
     pub(in crate::views) fn overlaps(&self, other: &Self) -> bool {
         (self.center - other.center).abs().cmple(self.half + other.half).all()
     }

@@ -52,7 +52,7 @@ impl LegendText {
         [text("near", near), text("middle", middle), text("far", far)]
     }
 
-    /// With the author's changes; `None` where it is hidden.
+    /// With the author's changes; `None` if it is hidden.
     fn changed(self, author: &Author<'_>) -> Option<Self> {
         let change = author.labels.change(&self.name, author.view);
         // Symbols stand alone below a scale; elsewhere a single letter may be a word.
@@ -87,7 +87,7 @@ pub(in crate::views) enum LegendRow {
 }
 
 impl LegendRow {
-    /// With the author's changes; `None` where it is hidden. A scale stays, without the texts that are.
+    /// With the author's changes; `None` if it is hidden. A scale stays, without the texts that are.
     fn changed(self, author: &Author<'_>) -> Option<Self> {
         Some(match self {
             Self::Title(text, color) => Self::Title(text.changed(author)?, color),
@@ -151,7 +151,7 @@ pub(in crate::views) struct Legend {
 
 impl Legend {
     /// `part`: the part of the picture in which it stands; `scale`: pixels for one unit of stroke width or type size.
-    /// `None` where there is nothing to say, or no room, or the author hides it.
+    /// `None` if there is nothing to say, or no room, or the author hides it.
     pub(in crate::views) fn new(
         rows: Vec<LegendRow>,
         part: PixelRect,

@@ -153,7 +153,7 @@ fn one(
     }
 }
 
-/// The direction from C to the middle of the window's upper side; `None` where θ is not a parameter.
+/// The direction from C to the middle of the window's upper side; `None` if θ is not a parameter.
 pub(in crate::views) fn half_angle(request: &Request) -> Option<DVec3> {
     let camera = &request.camera;
     let has_angle = camera.projection() == Projection::Perspective && camera.parameters().window.is_none();

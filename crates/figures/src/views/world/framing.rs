@@ -72,7 +72,7 @@ impl Content {
             .map_or(self.core, |volume| volume.union(self.core))
     }
 
-    /// The tips of the axes of the world: each a little outside the scene; `None` where the origin is out of sight.
+    /// The tips of the axes of the world: each a little outside the scene; `None` if the origin is out of sight.
     pub(in crate::views) fn axis_tips(&self) -> Option<[DVec3; 3]> {
         let around = self.scene.unwrap_or(self.core);
         let largest = around.min.abs().max(around.max.abs()).max_element();
@@ -81,7 +81,7 @@ impl Content {
         near_origin.then(|| DVec3::AXES.map(|axis| axis * length(around.max.dot(axis))))
     }
 
-    /// The grid under the content; `None` where the ground is out of sight.
+    /// The grid under the content; `None` if the ground is out of sight.
     pub(in crate::views) fn ground(&self) -> Option<Ground> {
         let (min, max) = (self.core.min, self.core.max);
         let radius = self.radius();

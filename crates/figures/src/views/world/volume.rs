@@ -125,7 +125,7 @@ impl DrawnVolume {
         if self.perspective { distance / self.near } else { 1.0 }
     }
 
-    /// True where the sides are broken along **u** (0) or **v** (1).
+    /// True if the sides are broken along **u** (0) or **v** (1).
     pub(in crate::views) fn is_narrowed(&self, axis: usize) -> bool {
         self.narrowed[axis] < 1.0
     }

@@ -36,7 +36,7 @@ pub enum Nature {
 }
 
 impl Nature {
-    /// The nature of a quantity; `None` where its kind says it.
+    /// The nature of a quantity; `None` if its kind says it.
     pub(in crate::exercises) fn of_quantity(quantity: Quantity) -> Option<Self> {
         match quantity {
             Quantity::Axis(_) | Quantity::Direction | Quantity::Ray(_, RayNumber::Direction) => Some(Self::Direction),

@@ -7,7 +7,7 @@ use super::mistake::Mistake;
 pub struct Cause {
     /// The mistake that the student made.
     pub mistake: Mistake,
-    /// The name of the texts that tell this way of making it. Empty where those of the mistake do.
+    /// The name of the texts that tell this way of making it. Empty if those of the mistake do.
     pub variant: &'static str,
 }
 

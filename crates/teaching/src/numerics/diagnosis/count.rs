@@ -24,7 +24,7 @@ pub(super) struct Drawn {
 }
 
 impl Counter {
-    /// Draws the image with one sample for each pixel. `None` where it is too large.
+    /// Draws the image with one sample for each pixel. `None` if it is too large.
     pub(super) fn draw(&mut self, scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Drawn> {
         let mut pixels = 0;
         // The order of faces does not change which pixels are covered.
@@ -115,7 +115,7 @@ pub(super) fn numbered(object: &Object, number: impl Fn(usize) -> u32) -> Object
     Object { paint, lit: false, edges: None, outline: None, ..object.clone() }
 }
 
-/// True where the eye is behind the plane of a triangle.
+/// True if the eye is behind the plane of a triangle.
 fn turns_back(object: &Object, triangle: usize, camera: &Camera) -> bool {
     let corners = object.mesh.triangles[triangle].map(|i| object.mesh.positions.get(i as usize).copied());
     let [Some(a), Some(b), Some(c)] = corners else { return false };

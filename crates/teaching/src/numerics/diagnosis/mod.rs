@@ -140,7 +140,7 @@ pub struct Finding {
     /// The names of those of which something is seen all the same.
     pub partly: Vec<String>,
     /// The repair that shows the objects for which it is most useful: where there are any, those that this alone keeps
-    /// out of the picture. `None` where no change of the camera does.
+    /// out of the picture. `None` if no change of the camera does.
     pub repair: Option<Repair>,
     /// The pixels that show something else than they should, if the cause is one of them.
     pub pixels: Option<WrongPixels>,
@@ -318,7 +318,7 @@ impl Findings {
 /// The causes that keep a subject out of the picture.
 #[derive(Debug, Default)]
 struct Judgement {
-    /// Empty where it is in the picture. The first is the one that alone would show it if it were undone, where there
+    /// Empty if it is in the picture. The first is the one that alone would show it if it were undone, where there
     /// is one.
     causes: Vec<Cause>,
     /// Something of it is in the picture all the same.

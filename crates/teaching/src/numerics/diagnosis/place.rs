@@ -27,7 +27,7 @@ pub(super) struct Whereabouts {
     every: u8,
     /// All points beyond the near plane are.
     every_beyond_near: u8,
-    /// The box on the image, in pixels from its middle; `None` where a point is not in front of the eye.
+    /// The box on the image, in pixels from its middle; `None` if a point is not in front of the eye.
     box_on_image: Option<[DVec2; 2]>,
     image: DVec2,
     /// The middle of the box of depths and of window points.
@@ -128,7 +128,7 @@ impl Whereabouts {
         self.size_on_image().is_some_and(|size| size.min_element() < 2.0)
     }
 
-    /// The share of its box on the image; `None` where it is not known, or where its middle is.
+    /// The share of its box on the image; `None` if it is not known, or where its middle is.
     pub(super) fn share_inside(&self) -> Option<f64> {
         self.center_outside()?;
         let [least, most] = self.box_on_image?;
@@ -139,7 +139,7 @@ impl Whereabouts {
     }
 }
 
-/// True where a segment of it is in the volume.
+/// True if a segment of it is in the volume.
 pub(super) fn crosses(subject: &NamedThing, camera: &Camera) -> bool {
     let lens = Lens::of(camera);
     subject.segments().any(|[a, b]| {

@@ -39,7 +39,7 @@ enum Wanted {
 }
 
 impl Looked<'_> {
-    /// The repair of a cause; `None` where none shows its objects.
+    /// The repair of a cause; `None` if none shows its objects.
     pub(super) fn repair(&mut self, cause: Cause, members: &[&NamedThing]) -> Option<Repair> {
         let largest = members.iter().max_by(|a, b| radius(a).total_cmp(&radius(b)))?;
         let style = *self.style;
@@ -139,7 +139,7 @@ impl Looked<'_> {
         }
     }
 
-    /// True where the picture of a camera shows these subjects.
+    /// True if the picture of a camera shows these subjects.
     fn shows(&mut self, parameters: &Parameters, members: &[&NamedThing], wanted: Wanted) -> bool {
         let Ok(camera) = Camera::new(parameters) else { return false };
         let mut alone = Scene { lights: self.scene.lights.clone(), ..Scene::default() };

@@ -105,7 +105,7 @@ impl<'a> NamedThing<'a> {
         style.shading == Shading::Wireframe && self.can_be_wireframe()
     }
 
-    /// True where a point is inside a closed surface: the surface fills the whole sphere of directions around it (the
+    /// True if a point is inside a closed surface: the surface fills the whole sphere of directions around it (the
     /// solid angles of its triangles add up to 4π; A. van Oosterom, J. Strackee, *The solid angle of a plane triangle*,
     /// 1983).
     pub(super) fn contains(&self, p_world: DVec3) -> bool {

@@ -65,7 +65,7 @@ struct Setup {
 }
 
 impl Setup {
-    /// `None` where the coordinates are so large that C and PF fall together: such a camera does not exist.
+    /// `None` if the coordinates are so large that C and PF fall together: such a camera does not exist.
     fn new(random: &mut Random, distance: f64, projection: Projection, count: usize) -> Option<Self> {
         let center = random.direction() * distance;
         let parameters = Parameters { projection, ..random_camera(random, center) };
