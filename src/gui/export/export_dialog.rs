@@ -39,7 +39,9 @@ const LEAST_PICTURE: f32 = 120.0;
 /// Asks how. Goes on to the question where.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
     let mut enter = !first && enter(ui);
-    if first && export.on_paper {
+    if first && state.family.variations().is_some() {
+        family::take_keyboard(ui.ctx(), t, &state.family);
+    } else if first && export.on_paper {
         number_field::take_keyboard(ui.ctx(), t.export_width_cm);
     }
     ui.heading(t.export_heading);
@@ -201,7 +203,8 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 /// A field, and the fault of the typed text.
 type Fault = (&'static str, FieldError);
 
-/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper.
+/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper or in
+/// the values of a family.
 fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -221,7 +224,7 @@ fn settings(
         (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
-    family::rows(ui, t, &mut state.family);
+    family::rows(ui, t, &mut state.family, enter);
     let sizes = [
         ((Some(1), false), "1 ×"),
         ((Some(2), false), "2 ×"),
