@@ -203,8 +203,8 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 /// A field, and the fault of the typed text.
 type Fault = (&'static str, FieldError);
 
-/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper or in
-/// the values of a family.
+/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper or
+/// in the values of a family.
 fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
