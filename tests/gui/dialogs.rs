@@ -275,13 +275,13 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     assert!(window.field(en::WINDOW.export_lines).accesskit_node().is_disabled());
     window.click(en::WINDOW.export_lines_own);
     // Nothing jumps: it begins with the width that they have.
-    assert_eq!(lines(&window), Some(0.44));
+    assert_eq!(lines(&window), Some(0.64));
     window.enter(en::WINDOW.export_lines, "1.25");
     assert_eq!(lines(&window), Some(1.25));
     window.enter(en::WINDOW.export_height_cm, "12");
     window.type_into(en::WINDOW.export_width_cm, "16");
     window.key(Key::Tab);
-    window.wait_until(|window| (!window.says("the smallest picture")).then_some(()));
+    window.wait_until(|window| (!window.says("the smallest image")).then_some(()));
 }
 
 #[test]

@@ -18,7 +18,7 @@ use crate::gui::state::{Dialog, Purpose, State};
 use crate::i18n::window::Texts;
 use crate::i18n::{families, pictures};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
-use crate::picture::{Crowded, Faces};
+use crate::picture::Faces;
 use crate::views::{View, Views};
 
 /// The width of the settings, of the preview beside them and of both with the gap, in points.
@@ -238,8 +238,7 @@ fn settings(
         choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
     });
     (export.times, export.on_paper) = size;
-    let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
-    let mut errors = if export.on_paper { paper(ui, t, export, crowded, enter) } else { Vec::new() };
+    let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(state.picture_sizes, state.screen_scale);
     // A family in multiples of the screen is larger than its figure.
     let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
@@ -304,13 +303,7 @@ fn formats(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
 }
 
 /// The size on paper. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width.
-fn paper(
-    ui: &mut egui::Ui,
-    t: &'static Texts,
-    export: &mut Export,
-    crowded: Option<Crowded>,
-    enter: &mut bool,
-) -> Vec<Fault> {
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, enter: &mut bool) -> Vec<Fault> {
     let mut field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
         let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
         let output = field.show(ui, t, value);
@@ -332,8 +325,7 @@ fn paper(
     row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
         errors.extend(field(ui, t.export_letters, PAPER_LETTERS, &mut paper.letters));
     });
-    let letters = crowded.map_or(paper.letters, |crowded| crowded.letters);
-    errors.extend(lines(ui, t, &mut paper.lines, as_letters(letters)));
+    errors.extend(lines(ui, t, &mut paper.lines, as_letters(paper.letters)));
     errors
 }
 
