@@ -21,8 +21,8 @@ use crate::gui::inspector::state::compare;
 use crate::gui::model::document::Document;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::gui::state::{
-    AfterSave, Agreed, Asking, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab,
-    Theirs,
+    AfterSave, Agreed, Asking, Changed, Chosen, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State,
+    Tab, Theirs,
 };
 use crate::lessons::OpenLesson;
 use crate::picture::file_beside;
@@ -359,6 +359,10 @@ fn open_shipped(state: &mut State, name: &'static str) {
     let kept = state.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {
         state.take_over(document);
+    }
+    // The figure of an exercise of the notes opens the exercise, not the list.
+    if let Some(number) = name.strip_prefix("exercise-") {
+        state.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
     }
 }
 
