@@ -85,12 +85,7 @@ fn median(times: &[Duration]) -> Duration {
 
 /// The time that this share of sorted times does not exceed: the nearest rank.
 fn share(times: &[Duration], share: f64) -> Duration {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "a rank in the list, which has a million entries at most"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "a rank in the list, which has a million entries at most")]
     let rank = (share * times.len() as f64).ceil() as usize;
     times.get(rank.saturating_sub(1)).copied().unwrap_or_default()
 }

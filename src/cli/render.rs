@@ -40,7 +40,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let shot = Shot::of(figure);
     let other = observer_of(out.observer_of.as_deref(), &args.common, lang)?;
     let sheet_of = |factor: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
+        #[expect(clippy::cast_possible_truncation, reason = "what is too large is refused")]
         let [wide, high] = [wide, high].map(|side| (f64::from(side) * factor).round() as u32);
         let size = sized(wide, high, scale, paper.as_ref());
         let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
@@ -159,21 +159,16 @@ fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, count: usize) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);
     let width = pixels(width);
-    #[expect(clippy::cast_precision_loss, reason = "at most three")]
     let of_one = width / count.max(1) as f64;
     let height = height.map_or(of_one * f64::from(image.height) / f64::from(image.width), pixels);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "positive; what is too large is refused"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "positive; what is too large is refused")]
     let whole = |side: f64| side.round().max(1.0) as u64;
     [whole(width), whole(height)]
 }
 
 /// Width and height in pixels.
 fn pixels(given: Option<ImageSize>, image: ImageSize, count: usize, scale: f32) -> [u64; 2] {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and at most 16384 · 16")]
+    #[expect(clippy::cast_possible_truncation, reason = "positive, and at most 16384 · 16")]
     let scaled = |side: u32| (f64::from(side) * f64::from(scale)).round().max(1.0) as u64;
     let size = given.unwrap_or(image);
     let [width, height] = [size.width, size.height].map(scaled);

@@ -119,7 +119,7 @@ pub(super) fn members(
 
 /// Whole pixels. What is too large is refused where pictures are made.
 fn whole(side: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
+    #[expect(clippy::cast_possible_truncation, reason = "what is too large is refused")]
     let side = side.round().max(1.0) as u32;
     side
 }

@@ -102,7 +102,6 @@ impl Progress {
     pub fn now(&self) -> Option<(Activity, Option<f32>)> {
         let doing = *Activity::ALL.get(usize::from(self.steps.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
         let (done, of) = (self.steps.done.load(Ordering::Relaxed), self.steps.of.load(Ordering::Relaxed));
-        #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let share = (of > 0).then(|| (done as f32 / of as f32).min(1.0));
         Some((doing, share))
     }

@@ -310,7 +310,6 @@ impl OtherVersions<'_> {
     fn larger(&mut self, renderer: &mut Renderer) -> Option<&Plates> {
         if self.larger.is_none() {
             let Size { width, height, scale } = self.request.size;
-            #[expect(clippy::cast_precision_loss, reason = "a few")]
             let factor = self.finer as f32;
             let size = Size { width: width * self.finer, height: height * self.finer, scale: scale * factor };
             self.larger = renderer.plates(&Request { size, ..self.request.clone() });
@@ -334,7 +333,6 @@ fn faces_as_picture(drawing: &Drawing, size: [f32; 2], rasterizer: &mut Rasteriz
 }
 
 /// A coordinate of pixels.
-#[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
 fn unit(pixels: u32) -> f32 {
     pixels as f32
 }
@@ -397,7 +395,7 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
 }
 
 fn faded(color: Rgba, fades: bool) -> Rgba {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a byte")]
+    #[expect(clippy::cast_possible_truncation, reason = "a share of a byte")]
     let alpha = (f32::from(color.a) * FADED).round() as u8;
     if fades { color.with_alpha(alpha) } else { color }
 }

@@ -256,7 +256,6 @@ impl<'a> Textbook<'a> {
         if self.slips.has(Slip::ColumnsAndRows) { [y, x, z] } else { [x, y, z] }
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
     fn ray(&self, [i, j]: [i64; 2], number: RayNumber) -> Option<Table> {
         let slips = self.slips;
         let ImageSize { width, height } = self.subject.figure.image;

@@ -216,7 +216,6 @@ impl Lab {
     /// The watch of a study that times this many passes' series.
     fn watch(&self, series: usize) -> Watch {
         self.progress.begin(Activity::Measuring, series);
-        #[expect(clippy::cast_precision_loss, reason = "a small number of series")]
         let slice = Duration::try_from_secs_f64(self.effort.seconds / series.max(1) as f64).unwrap_or_default();
         Watch { slice, tick: clock::resolution(), progress: self.progress.clone() }
     }

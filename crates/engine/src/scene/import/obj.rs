@@ -258,7 +258,7 @@ impl Material {
 }
 
 fn byte(share: f64) -> u8 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
     let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
     byte
 }

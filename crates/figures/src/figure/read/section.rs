@@ -575,7 +575,6 @@ enum Refused {
 /// A finite number, an integer, or an expression as a text.
 fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
     match value {
-        #[expect(clippy::cast_precision_loss, reason = "the nearest f64 is what a number in a figure means")]
         Value::Integer(i) => Ok(*i.value() as f64),
         Value::Float(x) => Some(*x.value()).filter(|x| x.is_finite()).ok_or(Refused::Value),
         Value::String(text) => {

@@ -470,7 +470,7 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
     let mut mesh = Mesh::default();
     gizmos::add_polygon(&mut mesh, &near);
     mesh.edges.clear();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
     let opacity = (255.0 * opacity.clamp(0.0, 1.0)).round() as u8;
     let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
     Object {

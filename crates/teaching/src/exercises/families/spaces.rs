@@ -20,7 +20,6 @@ pub(super) const ORDER: Entry = Entry::family("order", "[4], [3]", |seed, _| ord
 fn pyramid(seed: u64) -> Exercise {
     let mut random = numbers("pyramid", seed);
     telling(&[Slip::DayAndMonth, Slip::ClipWithOne], || {
-        #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
         let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
         notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
     })

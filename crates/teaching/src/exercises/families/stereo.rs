@@ -172,7 +172,7 @@ fn disparity(seed: u64) -> Exercise {
     exercise
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred pixels")]
+#[expect(clippy::cast_possible_truncation, reason = "a few hundred pixels")]
 const fn side(pixels: f64) -> u32 {
     pixels as u32
 }

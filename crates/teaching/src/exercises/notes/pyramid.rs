@@ -82,7 +82,7 @@ impl Birth {
             far: 10.0 * self.day,
             ..Parameters::default()
         };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1, at most 4000")]
+        #[expect(clippy::cast_possible_truncation, reason = "at least 1, at most 4000")]
         let width = (400.0 * self.aspect).clamp(1.0, 4000.0).round() as u32;
         figure.image = ImageSize { width, height: 400 };
         let subject = Subject { figure, ..Subject::default() };

@@ -194,7 +194,6 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
     let ImageSpec { scene, camera, style, image, .. } = *spec;
     let mut counter = Counter::default();
     let drawn = counter.draw(scene, camera, style, image).ok_or(NoDiagnosis::TooLarge)?;
-    #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
     let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
     let subjects = NamedThing::all(scene);
     let mut findings = Findings::default();

@@ -152,7 +152,6 @@ impl Setup {
         Some(Self { parameters, camera, triangles, scene, rays, exact })
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "a number of pixels")]
     fn off(&self, seen: &[Option<usize>]) -> Off {
         // The two triangles of a wall or bar are one surface where they meet; which of them a pixel on their seam shows
         // is no error.
