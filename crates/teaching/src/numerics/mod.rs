@@ -220,6 +220,25 @@ impl Lab {
         Watch { slice, tick: clock::resolution(), progress: self.progress.clone() }
     }
 
+    /// Measures methods, each on all setups. Pauses after each setup.
+    async fn methods<M, S>(
+        &self,
+        methods: &[(&'static str, M)],
+        setups: &[S],
+        mut measure: impl FnMut(&M, usize, &S, &mut Trial),
+    ) -> Vec<Method> {
+        let mut measured = Vec::new();
+        for (name, method) in methods {
+            let mut trial = Trial::default();
+            for (input, setup) in setups.iter().enumerate() {
+                measure(method, input, setup, &mut trial);
+                self.progress.advance_and_pause(1).await;
+            }
+            measured.push(Method::new(name, trial));
+        }
+        measured
+    }
+
     /// `all` of something, or `few` for tests.
     const fn many(&self, all: usize, few: usize) -> usize {
         if self.effort.thorough { all } else { few }
