@@ -42,17 +42,15 @@ impl Birth {
     fn model(&self, slips: Slips) -> DMat4 {
         let (day, month) = if slips.has(Slip::DayAndMonth) { (self.month, self.day) } else { (self.day, self.month) };
         let scale = DMat4::from_scale(DVec3::new(month, day, month));
-        let by = if slips.has(Slip::MovedByHalf) {
-            0.5
-        } else if slips.has(Slip::MovedByWhole) {
-            month
-        } else if slips.has(Slip::MovedOneMore) {
-            month / 2.0 + 1.0
-        } else if slips.has(Slip::OnlyScaled) {
-            0.0
-        } else {
-            month / 2.0
-        };
+        let by = slips.pick(
+            [
+                (Slip::MovedByHalf, 0.5),
+                (Slip::MovedByWhole, month),
+                (Slip::MovedOneMore, month / 2.0 + 1.0),
+                (Slip::OnlyScaled, 0.0),
+            ],
+            month / 2.0,
+        );
         let move_by = DMat4::from_translation(DVec3::new(by, 0.0, by));
         if slips.has(Slip::OrderReversed) { scale * move_by } else { move_by * scale }
     }
