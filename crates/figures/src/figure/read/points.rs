@@ -25,6 +25,6 @@ fn point(mut section: Section<'_>, before: &[NamedPoint], faults: &mut Vec<Fault
     if name.as_ref().is_some_and(|name| !may_be_named(name, before.iter())) {
         section.fault("name", Problem::Duplicate);
     }
-    let name = name.filter(|_| section.is_good(faults));
-    name.map(|name| NamedPoint { name, position })
+    let is_good = section.is_good(faults);
+    name.filter(|_| is_good).map(|name| NamedPoint { name, position })
 }
