@@ -519,10 +519,10 @@ mod tests {
         for (list, names) in &en.lists {
             assert_eq!(names.keys().collect::<Vec<_>>(), pt.lists[list].keys().collect::<Vec<_>>(), "{list}");
         }
-        for (mistake, code) in Mistake::ALL {
+        for mistake in Mistake::ALL {
             for lang in [Lang::En, Lang::PtBr] {
                 let said = super::mistake(lang, mistake);
-                assert!(said.iter().all(|text| text.len() > 10), "{code} {lang:?}");
+                assert!(said.iter().all(|text| text.len() > 10), "{mistake:?} {lang:?}");
             }
         }
     }

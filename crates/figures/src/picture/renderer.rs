@@ -294,7 +294,7 @@ mod tests {
     use crate::drawing::Drawing;
     use crate::figure::read::parse;
     use crate::figure::{Observer, ShadowReveal};
-    use crate::pipeline::{Output, Reason, Stage};
+    use crate::pipeline::{Output, OverBudget, Reason, Stage};
     use crate::scene::{Scene, no_files};
     use crate::views::unlabelled;
     use crate::views::{Finish, SharedScene, Shot, Size};

@@ -22,32 +22,21 @@ use crate::raster::{FADED, HALO, Rasterizer, area_outline, baseline, mark_layers
 use crate::text::Element;
 use crate::views::{Request, Side, Size, overlay};
 
-/// How the faces of a page are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Faces {
-    /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on it,
-    /// such as the window, is a picture among them. Otherwise as one picture.
-    #[default]
-    Auto,
-    /// As areas.
-    Areas,
-    /// As one picture, under all strokes.
-    Picture,
-}
-
-impl Faces {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Auto, Self::Areas, Self::Picture];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Areas => "vector",
-            Self::Picture => "picture",
-        }
+crate::listed! {
+    /// How the faces of a page are written.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Faces {
+        /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on it,
+        /// such as the window, is a picture among them. Otherwise as one picture.
+        #[default]
+        Auto = "auto",
+        /// As areas.
+        Areas = "vector",
+        /// As one picture, under all strokes.
+        Picture = "picture",
     }
+    /// Its name on the command line.
+    pub fn name
 }
 
 /// The most triangles that are written as areas unless they are asked for.

@@ -58,7 +58,7 @@ const CODES: Words<Mistake> = {
         let mut words = [("", Mistake::Sign); Mistake::ALL.len()];
         let mut k = 0;
         while k < words.len() {
-            words[k] = (Mistake::ALL[k].1, Mistake::ALL[k].0);
+            words[k] = (Mistake::ALL[k].code(), Mistake::ALL[k]);
             k += 1;
         }
         words

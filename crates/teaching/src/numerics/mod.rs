@@ -28,66 +28,35 @@ use measure::{Trial, Watch};
 /// The name of the method that is the program's own.
 pub const OWN: &str = "camera-lab";
 
-/// A place where a graphics programmer has a choice.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Study {
-    /// World points to view space, in worlds far from the origin.
-    VertexTransform,
-    /// **u** **v** **n** where VUP is almost along DOP, and of vectors of every size.
-    Basis,
-    /// Many small rotations, one after the other.
-    RepeatedOperations,
-    /// The formats of depth buffers.
-    DepthBuffer,
-    /// Visible surfaces.
-    Visibility,
-    /// Light on curved surfaces made of flat faces.
-    Shading,
-    /// Samples of a pixel.
-    Antialiasing,
-    /// Segments through w = 0, cut before or after the division.
-    Clipping,
-    /// Filters of pictures on surfaces.
-    TextureFilter,
-    /// Shadow maps: their size, bias and soft edge.
-    Shadows,
-    /// The camera of a photograph from lines that are a pixel off.
-    Photograph,
-}
-
-impl Study {
-    /// All, in the order of reporting.
-    pub const ALL: [Self; 11] = [
-        Self::VertexTransform,
-        Self::Basis,
-        Self::RepeatedOperations,
-        Self::DepthBuffer,
-        Self::Visibility,
-        Self::Shading,
-        Self::Antialiasing,
-        Self::Clipping,
-        Self::TextureFilter,
-        Self::Shadows,
-        Self::Photograph,
-    ];
-
-    /// Its name on the command line and in JSON.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::VertexTransform => "vertex-transform",
-            Self::Basis => "basis",
-            Self::RepeatedOperations => "repeated-operations",
-            Self::DepthBuffer => "depth-buffer",
-            Self::Visibility => "visibility",
-            Self::Shading => "shading",
-            Self::Antialiasing => "antialiasing",
-            Self::Clipping => "clipping",
-            Self::TextureFilter => "texture-filter",
-            Self::Shadows => "shadows",
-            Self::Photograph => "photograph",
-        }
+crate::listed! {
+    /// A place where a graphics programmer has a choice.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Study {
+        /// World points to view space, in worlds far from the origin.
+        VertexTransform = "vertex-transform",
+        /// **u** **v** **n** where VUP is almost along DOP, and of vectors of every size.
+        Basis = "basis",
+        /// Many small rotations, one after the other.
+        RepeatedOperations = "repeated-operations",
+        /// The formats of depth buffers.
+        DepthBuffer = "depth-buffer",
+        /// Visible surfaces.
+        Visibility = "visibility",
+        /// Light on curved surfaces made of flat faces.
+        Shading = "shading",
+        /// Samples of a pixel.
+        Antialiasing = "antialiasing",
+        /// Segments through w = 0, cut before or after the division.
+        Clipping = "clipping",
+        /// Filters of pictures on surfaces.
+        TextureFilter = "texture-filter",
+        /// Shadow maps: their size, bias and soft edge.
+        Shadows = "shadows",
+        /// The camera of a photograph from lines that are a pixel off.
+        Photograph = "photograph",
     }
+    /// Its name on the command line and in JSON.
+    pub fn name
 }
 
 impl Serialize for Study {

@@ -1,0 +1,45 @@
+//! Enums whose variants are listed in one place.
+
+/// An enum with `ALL`, its variants in their order, and with a name for each variant where a function of names follows.
+///
+/// ```
+/// camera_lab_engine::listed! {
+///     /// A side.
+///     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+///     pub enum Side {
+///         /// On the left.
+///         Left = "left",
+///         /// On the right.
+///         Right = "right",
+///     }
+///     /// Its name in files.
+///     pub fn name
+/// }
+/// assert_eq!(Side::ALL.map(Side::name), ["left", "right"]);
+/// ```
+#[macro_export]
+macro_rules! listed {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$about:meta])* $variant:ident,)* }) => {
+        $(#[$meta])*
+        $vis enum $name { $($(#[$about])* $variant,)* }
+
+        impl $name {
+            /// All, in their order.
+            $vis const ALL: [Self; [$(Self::$variant,)*].len()] = [$(Self::$variant,)*];
+        }
+    };
+    (
+        $(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)* }
+        $(#[$doc:meta])* $_:vis fn $function:ident
+    ) => {
+        $crate::listed! { $(#[$meta])* $vis enum $name { $($(#[$about])* $variant,)* } }
+
+        impl $name {
+            $(#[$doc])*
+            #[must_use]
+            $vis const fn $function(self) -> &'static str {
+                match self { $(Self::$variant => $word,)* }
+            }
+        }
+    };
+}
