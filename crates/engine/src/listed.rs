@@ -30,10 +30,31 @@ macro_rules! listed {
     };
     (
         $(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)* }
-        $(#[$doc:meta])* $_:vis fn $function:ident
+        $($names:tt)*
     ) => {
         $crate::listed! { $(#[$meta])* $vis enum $name { $($(#[$about])* $variant,)* } }
+        $crate::variant_names! { $name { $($variant = $word,)* } $($names)* }
+    };
+}
 
+/// An enum with a name for each variant, as [`listed!`](crate::listed) has them, without `ALL`.
+#[macro_export]
+macro_rules! worded {
+    (
+        $(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)* }
+        $($names:tt)*
+    ) => {
+        $(#[$meta])*
+        $vis enum $name { $($(#[$about])* $variant,)* }
+        $crate::variant_names! { $name { $($variant = $word,)* } $($names)* }
+    };
+}
+
+/// The function of the names, for the macros above.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! variant_names {
+    ($name:ident { $($variant:ident = $word:literal,)* } $(#[$doc:meta])* $vis:vis fn $function:ident) => {
         impl $name {
             $(#[$doc])*
             #[must_use]

@@ -4,7 +4,7 @@
 //! judges answers and finds the step that went wrong. [`lessons`] reads lessons and checks what their steps ask for.
 
 use camera_lab_engine::{
-    appearance, camera, expression, geometry, limits, listed, numbers, pipeline, progress, raster, scene,
+    appearance, camera, expression, geometry, limits, listed, numbers, pipeline, progress, raster, scene, worded,
 };
 use camera_lab_figures::{chart, explain, figure, formula, inspect, picture};
 

@@ -65,36 +65,25 @@ impl Serialize for Study {
     }
 }
 
-/// The unit of an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unit {
-    /// Scene units.
-    SceneUnits,
-    /// Radians.
-    Radians,
-    /// A share of the quantity itself.
-    Relative,
-    /// A share of the depths, or of the pixels, that were tried.
-    Share,
-    /// A share of the whole range of a colour's channels, or of a pixel's area.
-    Color,
-    /// Of normalised device coordinates, 2 from side to side.
-    Ndc,
-}
-
-impl Unit {
-    /// Its name in JSON.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SceneUnits => "scene units",
-            Self::Radians => "radians",
-            Self::Relative => "relative",
-            Self::Share => "share",
-            Self::Color => "color",
-            Self::Ndc => "ndc",
-        }
+crate::worded! {
+    /// The unit of an error.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Unit {
+        /// Scene units.
+        SceneUnits = "scene units",
+        /// Radians.
+        Radians = "radians",
+        /// A share of the quantity itself.
+        Relative = "relative",
+        /// A share of the depths, or of the pixels, that were tried.
+        Share = "share",
+        /// A share of the whole range of a colour's channels, or of a pixel's area.
+        Color = "color",
+        /// Of normalised device coordinates, 2 from side to side.
+        Ndc = "ndc",
     }
+    /// Its name in JSON.
+    pub fn name
 }
 
 impl Serialize for Unit {
