@@ -98,24 +98,10 @@ pub(super) fn members(
     let name = messages::opened(lang, path);
     let figures = variants(&opened.figure, camera, variations, args.convention, limit)
         .map_err(|error| Failure::BadInput(format!("{name}: {}", families::error(lang, &error))))?;
-    let mut members: Vec<(Variant, SharedScene)> = Vec::with_capacity(figures.len());
-    for variant in figures {
-        let same = |(other, _): &&(Variant, SharedScene)| {
-            other.figure.scene == variant.figure.scene
-                && other.figure.photograph == variant.figure.photograph
-                && other.figure.style == variant.figure.style
-                && other.figure.show.triangle == variant.figure.show.triangle
-        };
-        let scene = match members.iter().find(same) {
-            Some((_, scene)) => scene.clone(),
-            None => {
-                let own = Opened { figure: variant.figure.clone(), ..opened.clone() };
-                SharedScene::new(scene(path, &own, args, lang)?)
-            }
-        };
-        members.push((variant, scene));
-    }
-    Ok(members)
+    picture::members(figures, |figure| {
+        let own = Opened { figure: figure.clone(), ..opened.clone() };
+        Ok(SharedScene::new(scene(path, &own, args, lang)?))
+    })
 }
 
 /// Whole pixels. What is too large is refused where pictures are made.

@@ -22,7 +22,7 @@ use crate::export::plot::{Block, encode};
 use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::figure::variation::{Variant, Variation, VariationError, variants};
+use crate::figure::variation::{Variation, VariationError, variants};
 use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
 use crate::gui::background::worker::{Running, Worker};
 use crate::gui::export::family_choice::FamilyChoice;
@@ -310,19 +310,10 @@ impl ExportSource {
         progress: &Progress,
     ) -> Result<Composite, ExportError> {
         let mut files = FigureFiles::new(&self.folder, self.reach);
-        let mut members: Vec<(Variant, SharedScene)> = Vec::new();
-        for variant in variants(&self.figure, camera, variations, self.convention, MAX_FAMILY)? {
-            let same = |(other, _): &&(Variant, SharedScene)| {
-                other.figure.scene == variant.figure.scene
-                    && other.figure.photograph == variant.figure.photograph
-                    && other.figure.style == variant.figure.style
-            };
-            let scene = match members.iter().find(same) {
-                Some((_, scene)) => scene.clone(),
-                None => SharedScene::new(scene_of(&variant.figure, &mut |wanted| files.read(wanted), progress)?),
-            };
-            members.push((variant, scene));
-        }
+        let figures = variants(&self.figure, camera, variations, self.convention, MAX_FAMILY)?;
+        let members = picture::members(figures, |figure| {
+            Ok::<_, ExportError>(SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?))
+        })?;
         let count = members.len() * export.what.views().count();
         if count > MAX_FAMILY {
             return Err(VariationError::TooMany { count, limit: MAX_FAMILY }.into());

@@ -2,6 +2,7 @@
 
 use super::composite::{Grid, lettered, of};
 use super::{Composite, NoComposite, OnPaper, gap};
+use crate::figure::Figure;
 use crate::figure::variation::Variant;
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::views::{
@@ -28,6 +29,30 @@ pub struct Family {
     /// The figure whose observers see all of them; `None` means one observer, who has the subject of each in the
     /// picture.
     pub observer_of: Option<ObserverOf>,
+}
+
+/// The figures of a family, each with its scene, which `scene` makes. Those whose objects are the same share one.
+///
+/// # Errors
+/// The first of `scene`.
+pub fn members<E>(
+    figures: Vec<Variant>,
+    mut scene: impl FnMut(&Figure) -> Result<SharedScene, E>,
+) -> Result<Vec<(Variant, SharedScene)>, E> {
+    let mut members: Vec<(Variant, SharedScene)> = Vec::with_capacity(figures.len());
+    for variant in figures {
+        let same = |(other, _): &&(Variant, SharedScene)| {
+            let [a, b] = [&other.figure, &variant.figure];
+            (&a.scene, &a.photograph, &a.style) == (&b.scene, &b.photograph, &b.style)
+                && a.show.triangle == b.show.triangle
+        };
+        let scene = match members.iter().find(same) {
+            Some((_, scene)) => scene.clone(),
+            None => scene(&variant.figure)?,
+        };
+        members.push((variant, scene));
+    }
+    Ok(members)
 }
 
 /// The size of a sheet.

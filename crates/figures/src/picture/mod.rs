@@ -32,7 +32,7 @@ pub use animation::{Animation, FilmFormat};
 pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
 pub use error::PictureError;
 pub use exact_width::fitted;
-pub use family::{Family, SheetSize};
+pub use family::{Family, SheetSize, members};
 pub use file::{Beside, FileOptions, Metadata, PER_INCH, PictureFile, assembled, file, file_beside};
 pub use handout::{Handout, HandoutEntry, Paragraph};
 pub use handout_formula::FormulaPart;
