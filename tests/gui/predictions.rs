@@ -5,7 +5,7 @@
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::learn::{exercise_window, exercises};
 use camera_lab::i18n::{Lang, told};
-use camera_lab::lessons::{OpenLesson, Task, shipped};
+use camera_lab::lessons::{Task, shipped};
 use camera_lab::views::View;
 use eframe::egui::{Key, Modifiers, Pos2, pos2};
 use egui_kittest::kittest::Queryable as _;
