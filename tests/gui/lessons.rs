@@ -18,7 +18,8 @@ use super::files::Folder;
 use super::window::Window;
 use crate::words::en;
 
-fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
+/// A window with a step of one of the program's lessons.
+pub(crate) fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
     let lesson = shipped()[lesson].lesson.clone();
     let figure = (*lesson.steps[step].figure).clone();
     let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };

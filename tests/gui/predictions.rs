@@ -5,25 +5,15 @@
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::learn::{exercise_window, exercises};
 use camera_lab::i18n::{Lang, told};
-use camera_lab::lessons::{OpenLesson, Task, shipped};
+use camera_lab::lessons::{Task, shipped};
 use camera_lab::views::View;
 use eframe::egui::{Key, Modifiers, Pos2, pos2};
 use egui_kittest::kittest::Queryable as _;
 use glam::{DVec2, DVec3};
 
+use super::lessons::playing;
 use super::window::Window;
 use crate::words::en;
-
-fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
-    let lesson = shipped()[lesson].lesson.clone();
-    let figure = (*lesson.steps[step].figure).clone();
-    let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };
-    let mut state = State::new(start).unwrap();
-    state.file_flow.native = false;
-    let mut window = Window::with_state(state, [1280.0, 720.0]);
-    window.run();
-    window
-}
 
 /// The place on the screen of a point of the image, in pixels of the image.
 fn on_screen(window: &mut Window, [i, j]: [f64; 2]) -> Pos2 {

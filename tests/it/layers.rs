@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Modules of the engine that anybody may use.
-const LEAVES: &[&str] = &["appearance", "sanitize", "limits", "progress", "stage"];
+const LEAVES: &[&str] = &["appearance", "sanitize", "limits", "listed", "progress", "stage"];
 
 /// A module, and the modules of its own crate that it may use, besides [`LEAVES`].
 type Row = (&'static str, &'static [&'static str]);

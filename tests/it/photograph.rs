@@ -104,11 +104,7 @@ fn all_cameras_of_a_file_become_those_of_a_figure() {
 }
 
 /// Two cameras, each on a node of its own, the second one on an arm.
-const GLTF: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
-    "nodes": [{"translation": [1, 2, 6], "camera": 0, "name": "front"}, {"translation": [0, 1, 0], "children": [2]},
-    {"translation": [0, 0, 9], "camera": 1, "name": "arm"}],
-    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.25, "zfar": 40}},
-    {"type": "orthographic", "orthographic": {"xmag": 3, "ymag": 2, "znear": 1, "zfar": 30}}]}"#;
+const GLTF: &str = include_str!("../common/two_cameras.gltf");
 
 #[test]
 fn all_cameras_of_a_gltf_file_open_as_those_of_a_figure() {

@@ -26,8 +26,8 @@ crate::listed! {
     /// How the faces of a page are written.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub enum Faces {
-        /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on it,
-        /// such as the window, is a picture among them. Otherwise as one picture.
+        /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on
+        /// it, such as the window, is a picture among them. Otherwise as one picture.
         #[default]
         Auto = "auto",
         /// As areas.

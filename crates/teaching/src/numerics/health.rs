@@ -40,8 +40,8 @@ crate::listed! {
         VupAngle = "vup-angle",
         /// B / F.
         FarNearRatio = "far-near-ratio",
-        /// The smallest difference of depth at B that the figure's depth format keeps, in scene units: of whole numbers as
-        /// the figure has them, otherwise of 24 bits, which a graphics card has unless a program asks for more.
+        /// The smallest difference of depth at B that the figure's depth format keeps, in scene units: of whole numbers
+        /// as the figure has them, otherwise of 24 bits, which a graphics card has unless a program asks for more.
         DepthResolution = "depth-resolution",
         /// Decimal digits left for the view of the camera, of the 16 that an `f64` has.
         PositionDigits = "position-digits",

@@ -50,8 +50,7 @@ const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [
 const ASPECTS: [f64; 5] = [4.0 / 3.0, 3.0 / 2.0, 5.0 / 4.0, 7.0 / 4.0, 3.0 / 4.0];
 
 fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
-    let value = random.whole(low, high) as f64;
-    value
+    random.whole(low, high) as f64
 }
 
 /// A whole number between −`most` and `most`.

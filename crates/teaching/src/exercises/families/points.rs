@@ -119,10 +119,7 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
     let Some(camera) = camera else { return (around, 0) };
     let mut spare = (around, 0);
     for _ in 0..4000 {
-        let by = DVec3::from_array([0, 1, 2].map(|_| {
-            let by = random.whole(-20, 20) as f64;
-            by
-        }));
+        let by = DVec3::from_array([0, 1, 2].map(|_| random.whole(-20, 20) as f64));
         let clip = camera.clip_point(around + by);
         if clip.w <= 0.1 && wanted != 5 {
             continue;
