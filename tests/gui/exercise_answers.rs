@@ -5,7 +5,7 @@
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::Ask;
 use camera_lab::gui::LaunchOptions;
-use camera_lab::gui::state::Chosen;
+use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::{exercise_window, exercises as said};
 use eframe::egui::accesskit::Role;
@@ -39,14 +39,14 @@ fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed
     let call = |window: &mut Window| {
         window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
         window.run();
-        (window.state().shows_exercises(), focused(window))
+        (window.state().model.shows_exercises(), focused(window))
     };
     let search = Some("Search the exercises".to_owned());
     let mut first = keeping(&folder);
     assert_eq!(call(&mut first), (true, search.clone()));
     eframe::App::on_exit(first.app_mut(), None);
     let mut again = keeping(&folder);
-    assert!(again.state().shows_exercises(), "the panel is remembered");
+    assert!(again.state().model.shows_exercises(), "the panel is remembered");
     assert_eq!(call(&mut again), (true, search.clone()));
     again.harness.event(Event::Text("axes of a camera".to_owned()));
     again.run();
@@ -199,14 +199,14 @@ fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
     let text = "# mine\n[camera]\nposition = [1, 2, 9] # from here\n";
     std::fs::write(&file, text).unwrap();
     let mut window = Window::opened(&file);
-    let own = window.state().document.figure().clone();
+    let own = window.state().model.document.figure().clone();
     window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_ne!(window.state().document.figure(), &own);
-    let scene = &window.state().document.figure().scene;
-    assert!(!scene.objects.is_empty() && window.state().tree.names(scene).is_empty(), "nothing is selected");
+    assert_ne!(window.state().model.document.figure(), &own);
+    let scene = &window.state().model.document.figure().scene;
+    assert!(!scene.objects.is_empty() && window.state().model.tree.names(scene).is_empty(), "nothing is selected");
     // Saving asks for a file.
     window.command_key(Key::S);
     assert!(window.harness.query_by_role_and_label(Role::TextInput, "file").is_some());
@@ -225,12 +225,12 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_eq!(window.state().document.path(), None);
+    assert_eq!(window.state().model.document.path(), None);
     window.key(Key::Escape);
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.path(), Some(&file));
-    let parameters = *window.state().document.camera().parameters();
-    window.app_mut().state.document.set_parameters(Parameters { near: 0.5, ..parameters });
+    assert_eq!(window.state().model.document.path(), Some(&file));
+    let parameters = *window.state().model.document.camera().parameters();
+    window.app_mut().state.model.document.set_parameters(Parameters { near: 0.5, ..parameters });
     window.run();
     window.command_key(Key::S);
     let saved = std::fs::read_to_string(&file).unwrap();

@@ -5,7 +5,7 @@
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
 use camera_lab::figure::{Explanation, ShownProbe};
-use camera_lab::gui::state::Chosen;
+use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::{exercise_messages, exercise_window, exercises as said};
@@ -30,7 +30,7 @@ pub(super) fn window_of(lang: Lang, size: [f32; 2]) -> Window {
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, size);
     window.run();
     window
@@ -80,10 +80,10 @@ pub(super) fn focused(window: &Window) -> Option<String> {
 #[test]
 fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse() {
     let mut window = window(Lang::En);
-    let own = window.state().document.figure().clone();
-    assert!(!window.state().shows_exercises(), "off at the start");
+    let own = window.state().model.document.figure().clone();
+    assert!(!window.state().model.shows_exercises(), "off at the start");
     window.click(en::WINDOW.exercises);
-    assert_eq!(window.state().explain.shown(), Explanation::Exercises);
+    assert_eq!(window.state().model.explained.shown(), Explanation::Exercises);
     window.click(&format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.untouched));
     let (_, exercise) = made("view-matrix", 0);
     let ask = &exercise.asks[0];
@@ -109,16 +109,19 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     window.click("Show the camera of your answer: M_v");
     let described = window.state().exercises.described.clone().unwrap().camera.unwrap();
     let right_camera = exercise.subject.camera().unwrap();
-    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera, "the right one is set");
+    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera, "the right one is set");
     assert!(described.position().distance(right_camera.position()) > 0.1);
-    window.app_mut().state.document.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
+    window.app_mut().state.model.document.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
     window.run();
     window.key(Key::Escape);
-    assert!(window.state().exercises.described.is_none() && window.state().pinned().is_some(), "one after the other");
+    assert!(
+        window.state().exercises.described.is_none() && window.state().model.pinned().is_some(),
+        "one after the other"
+    );
     window.key(Key::Escape);
-    assert!(window.state().pinned().is_none());
+    assert!(window.state().model.pinned().is_none());
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.figure(), &own, "one step leads back to the own figure");
+    assert_eq!(window.state().model.document.figure(), &own, "one step leads back to the own figure");
 
     window.click("A hint: M_v");
     window.click("A stronger hint: M_v");
@@ -131,7 +134,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Solved);
 
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
+    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera);
     window.click(en::EXERCISE_WINDOW.back);
     let row = format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.solved);
     assert_eq!(focused(&window).as_deref(), Some(row.as_str()));
@@ -183,7 +186,7 @@ fn the_same_with_the_keyboard_alone() {
     }
     tab_to(&mut window, "Show the figure");
     window.key(Key::Space);
-    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
+    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera);
 }
 
 #[test]
@@ -201,14 +204,14 @@ fn what_cannot_be_read_costs_nothing_and_nothing_typed_is_lost() {
     window.command_key(Key::L);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
-    assert!(!window.state().shows_exercises());
+    assert!(!window.state().model.shows_exercises());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.command_key(Key::Z);
     window.app_mut().state.exercises.work_on(Chosen { id: "view-matrix".to_owned(), seed: 2 });
     window.run();
     assert_eq!(window.state().exercises.typed[&Chosen { id: "view-matrix".to_owned(), seed: 2 }].answers["Mv"][..3], {
-        let of = |window: &camera_lab::gui::state::Typed| window.answers["Mv"][..3].to_vec();
+        let of = |window: &camera_lab::gui::learn::exercises::state::Typed| window.answers["Mv"][..3].to_vec();
         of(typed.values().next().unwrap())
     });
     let field = window.harness.get_by_role_and_label(Role::TextInput, "M_v linha 1, coluna 2");
@@ -245,7 +248,7 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     let (_, exercise) = made("match-picture", 3);
     let Expected::Camera(_, model, ..) = exercise.asks[0].expected() else { panic!("a camera") };
     let wanted: Parameters = **model;
-    window.app_mut().state.document.set_parameters(wanted);
+    window.app_mut().state.model.document.set_parameters(wanted);
     window.run();
     window.click(t.take_camera);
     window.command_key(Key::Enter);
@@ -267,7 +270,7 @@ fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
     }
     window.command_key(Key::Enter);
     window.click(t.show_figure);
-    let points = &window.state().document.figure().points;
+    let points = &window.state().model.document.figure().points;
     assert_eq!(points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["P", "Q", "R"]);
     assert_eq!(points[1].position, exercise.subject.points[1]);
 }
@@ -279,7 +282,7 @@ fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
     let t = exercise_window::texts(Lang::En);
     window.click(t.show_figure);
     let names = |window: &Window| -> Vec<String> {
-        window.state().document.figure().points.iter().map(|point| point.name.clone()).collect()
+        window.state().model.document.figure().points.iter().map(|point| point.name.clone()).collect()
     };
     assert!(names(&window).is_empty(), "C + u + v is what is asked for");
     let (_, exercise) = made("0-5.1", 1);
@@ -314,7 +317,7 @@ fn all_exercises_are_shown_in_both_languages() {
         window.app_mut().state.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
         for _ in 0..2 {
             window.command_key(Key::L);
-            let lang = window.state().settings.lang;
+            let lang = window.state().model.settings.lang;
             assert!(window.says(said::title(lang, entry)), "{}", entry.id);
             assert!(window.says(exercise_window::texts(lang).check), "{}", entry.id);
             let written = window.written();
@@ -346,7 +349,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let folder = Folder::new("progress");
     let mut window = working_on("view-matrix", 1, Lang::En);
     window.app_mut().state.file_flow.native = false;
-    window.app_mut().state.settings.welcomed = true;
+    window.app_mut().state.model.settings.welcomed = true;
     let ctx = window.harness.ctx.clone();
     window.app_mut().keep_preferences(
         &ctx,
@@ -391,9 +394,9 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     window.run();
     assert!(window.state().exercises.progress.is_empty() && window.state().exercises.typed.is_empty());
     assert!(
-        matches!(&window.state().message, Some(camera_lab::gui::state::Message::ProgressDeleted(_))),
+        matches!(&window.state().model.message, Some(camera_lab::gui::model::message::Message::ProgressDeleted(_))),
         "{:?}",
-        window.state().message
+        window.state().model.message
     );
     let kept = std::fs::read_to_string(folder.file("config").join("progress.bak")).unwrap();
     assert!(kept.contains("translation-not-rotated"), "{kept}");
@@ -417,7 +420,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
             LaunchOptions { lang: Some(Lang::En), ..LaunchOptions::default() },
         );
         window.run();
-        if !window.state().shows_exercises() {
+        if !window.state().model.shows_exercises() {
             window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
             window.run();
         }

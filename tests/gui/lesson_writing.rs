@@ -154,7 +154,7 @@ fn the_fields_of_a_lesson_are_named_in_portuguese_and_write_portuguese() {
     let path = folder.file("minha.toml");
     std::fs::write(&path, "id = \"x\"\ntitle = \"A new lesson\"\n\n[[step]]\ntitle = \"Um\"\ntext = \"Um\"\n").unwrap();
     let mut window = playing(&path, 0);
-    window.app_mut().state.settings.lang = Lang::PtBr;
+    window.app_mut().state.model.settings.lang = Lang::PtBr;
     window.run();
     write(&mut window);
     window.click("A lição inteira");
@@ -208,7 +208,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
     expected.swap(1, 2);
     assert_eq!((titles(&path), window.state().lesson.as_ref().unwrap().step), (expected, 2));
     assert_eq!(
-        window.state().document.figure().camera,
+        window.state().model.document.figure().camera,
         shipped()[1].lesson.steps[1].figure.camera,
         "the step is followed"
     );
@@ -219,9 +219,9 @@ fn steps_change_their_places_and_keep_their_pictures() {
     window.click(en::WINDOW.undo);
     assert_eq!(titles(&path), before);
     // A step with what is on the screen.
-    let mut camera = *window.state().document.camera().parameters();
+    let mut camera = *window.state().model.document.camera().parameters();
     camera.near *= 1.5;
-    window.app_mut().state.document.set_parameters(camera);
+    window.app_mut().state.model.document.set_parameters(camera);
     window.run();
     window.click(t.step_another);
     let (lesson, _) = read_lesson(&path).unwrap();
@@ -229,7 +229,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
     let step = window.state().lesson.as_ref().unwrap().step;
     assert_eq!(lesson.steps[step].figure.camera, camera);
     camera.near *= 1.1;
-    window.app_mut().state.document.set_parameters(camera);
+    window.app_mut().state.model.document.set_parameters(camera);
     window.run();
     window.click(t.step_screen);
     assert_eq!(read_lesson(&path).unwrap().0.steps[step].figure.camera, camera);

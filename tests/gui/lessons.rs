@@ -4,7 +4,7 @@
 
 use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::state::Side;
+use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::learn::exercises::choice_of;
 use camera_lab::i18n::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
@@ -67,8 +67,8 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
         window.harness.step();
     }
     assert_eq!(step(&window), 1);
-    assert_eq!(window.state().document.figure().camera, lesson.steps[1].figure.camera);
-    assert!(!window.state().document.can_undo(), "the move is no change");
+    assert_eq!(window.state().model.document.figure().camera, lesson.steps[1].figure.camera);
+    assert!(!window.state().model.document.can_undo(), "the move is no change");
     // Back, and the question is still answered.
     window.harness.key_press(Key::PageUp);
     window.run();
@@ -104,19 +104,19 @@ fn a_goal_is_noticed_and_the_way_to_it_is_shown_and_undone() {
     let lesson = &shipped()[0].lesson;
     let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
     let mut window = playing(0, with_goal, Lang::En);
-    assert!(window.state().settings.panels().is_shown(Side::Left), "the camera's numbers are at hand");
+    assert!(window.state().model.settings.panels().is_shown(Side::Left), "the camera's numbers are at hand");
     assert!(!window.state().lesson.as_ref().unwrap().is_done());
     let t = words::texts(Lang::En);
     window.harness.get_by_label(t.show_way).click();
     window.run();
     assert!(window.state().lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(t.done);
-    assert_ne!(window.state().document.figure().camera, lesson.steps[with_goal].figure.camera);
+    assert_ne!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
     // Nothing that is tried is lost work, and the step comes back.
-    assert!(window.state().document.is_changed() && !window.state().has_unsaved());
+    assert!(window.state().model.document.is_changed() && !window.state().has_unsaved());
     window.harness.get_by_label(t.again).click();
     window.run();
-    assert_eq!(window.state().document.figure().camera, lesson.steps[with_goal].figure.camera);
+    assert_eq!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn a_presentation_has_keys_for_all_of_it() {
 fn whoever_leaves_has_the_figure_and_the_panels_back() {
     let mut window = Window::new(Lang::En);
     window.run();
-    let panels = window.state().settings.panels.wanted;
+    let panels = window.state().model.settings.panels.wanted;
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::L);
     window.run();
     let title = told(Lang::En, &shipped()[1].lesson.title);
@@ -164,8 +164,8 @@ fn whoever_leaves_has_the_figure_and_the_panels_back() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
     assert!(window.state().lesson.is_none());
-    assert_eq!(window.state().settings.panels.wanted, panels);
-    assert_eq!(window.state().document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
+    assert_eq!(window.state().model.settings.panels.wanted, panels);
+    assert_eq!(window.state().model.document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
 }
 
 #[test]
@@ -177,10 +177,10 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
         window.run();
         window.app_mut().keep_preferences(&ctx, &folder.file("config"), LaunchOptions::default());
         window.run();
-        let t = words::texts(window.state().settings.lang);
+        let t = words::texts(window.state().model.settings.lang);
         assert_eq!(window.harness.query_by_label(t.new_here).is_some(), first);
         if first {
-            let lang = window.state().settings.lang;
+            let lang = window.state().model.settings.lang;
             window.harness.get_by_label(&words::with_minutes(lang, &shipped()[0].lesson)).click();
             window.run();
             assert_eq!(step(&window), 0);
@@ -221,7 +221,7 @@ fn a_lesson_is_finished_when_its_questions_are() {
     assert!(!window.state().is_finished(lesson));
     assert_eq!(window.state().done_of(lesson).0, 0);
     let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
-    window.app_mut().state.settings.reduce_motion = true;
+    window.app_mut().state.model.settings.reduce_motion = true;
     window.app_mut().state.go_to_step(with_goal);
     window.run();
     window.harness.get_by_label(words::texts(Lang::En).show_way).click();
@@ -251,9 +251,9 @@ fn every_step_has_room_for_its_text() {
                 window.run();
             }
             for lang in [Lang::En, Lang::PtBr] {
-                window.app_mut().state.settings.lang = lang;
+                window.app_mut().state.model.settings.lang = lang;
                 for k in 0..shipped.lesson.steps.len() {
-                    window.app_mut().state.settings.reduce_motion = true;
+                    window.app_mut().state.model.settings.reduce_motion = true;
                     window.app_mut().state.go_to_step(k);
                     window.run();
                     // The bar is below the pictures, and not behind them.
@@ -320,7 +320,7 @@ fn the_panel_of_a_lesson_keeps_its_height() {
     for size in [[1280.0, 720.0], [1920.0, 1080.0]] {
         for (place, shipped) in shipped().iter().enumerate() {
             let mut window = playing(place, 0, Lang::En);
-            window.app_mut().state.settings.reduce_motion = true;
+            window.app_mut().state.model.settings.reduce_motion = true;
             window.harness.set_size(vec2(size[0], size[1]));
             window.run();
             let mut first = None;
@@ -352,7 +352,7 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
     let mut out_of_sight = Vec::new();
     for (place, shipped) in shipped().iter().enumerate() {
         let mut window = playing(place, 0, Lang::En);
-        window.app_mut().state.settings.reduce_motion = true;
+        window.app_mut().state.model.settings.reduce_motion = true;
         window.key(Key::F11);
         // The size of the window is in points, which are larger now.
         window.harness.set_size(vec2(1280.0, 720.0) / window.harness.ctx.zoom_factor());
@@ -360,7 +360,7 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
         let asks = |k: &usize| matches!(shipped.lesson.steps[*k].task, Some(Task::Question(_)));
         for k in (0..shipped.lesson.steps.len()).filter(asks) {
             for lang in [Lang::En, Lang::PtBr] {
-                window.app_mut().state.settings.lang = lang;
+                window.app_mut().state.model.settings.lang = lang;
                 window.app_mut().state.go_to_step(k);
                 window.run();
                 window.key(Key::Q);
@@ -395,9 +395,9 @@ fn steps_are_recorded_from_the_screen_and_played() {
     record(&mut window);
     window.choose(&file);
     window.run();
-    let mut second = *window.state().document.camera().parameters();
+    let mut second = *window.state().model.document.camera().parameters();
     second.near = 2.5;
-    window.app_mut().state.document.set_parameters(second);
+    window.app_mut().state.model.document.set_parameters(second);
     window.run();
     // The file is known now.
     record(&mut window);
@@ -416,7 +416,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     // It opens as any file does.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
-    if window.state().file_flow.dialog.is_some() && window.state().document.is_changed() {
+    if window.state().file_flow.dialog.is_some() && window.state().model.document.is_changed() {
         window.harness.get_by_label_contains(en::WINDOW.dont_save).click();
         window.run();
     }
@@ -458,11 +458,11 @@ fn links_of_a_text_open_pages_and_no_files() {
 #[test]
 fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     let mut window = playing(0, 0, Lang::En);
-    let camera = *window.state().document.camera().parameters();
+    let camera = *window.state().model.document.camera().parameters();
     let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };
-    window.app_mut().state.document.set_parameters(tried);
+    window.app_mut().state.model.document.set_parameters(tried);
     window.run();
-    assert!(window.state().document.is_changed() && !window.state().has_unsaved());
+    assert!(window.state().model.document.is_changed() && !window.state().has_unsaved());
     let turn = |window: &mut Window, step: usize| {
         window.app_mut().state.go_to_step(step);
         for _ in 0..200 {
@@ -471,22 +471,22 @@ fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     };
     turn(&mut window, 1);
     turn(&mut window, 0);
-    assert_eq!(window.state().document.draft(), &camera, "it was tried");
-    window.app_mut().state.document.set_parameters(tried);
+    assert_eq!(window.state().model.document.draft(), &camera, "it was tried");
+    window.app_mut().state.model.document.set_parameters(tried);
     let point = NamedPoint { name: "Mine".to_owned(), position: glam::DVec3::ONE };
-    window.app_mut().state.document.edit(|figure| figure.points.push(point));
+    window.app_mut().state.model.document.edit(|figure| figure.points.push(point));
     window.run();
     assert!(window.state().has_unsaved());
     turn(&mut window, 1);
     assert!(!window.state().has_unsaved() && window.state().would_lose_something());
     turn(&mut window, 0);
-    assert_eq!(window.state().document.draft(), &tried, "it is work");
+    assert_eq!(window.state().model.document.draft(), &tried, "it is work");
     // The step as it was is one undo step away from the work.
     window.app_mut().state.step_again();
     window.run();
     assert!(!window.state().has_unsaved());
     window.app_mut().state.undo();
-    assert!(window.state().has_unsaved() && window.state().document.draft() == &tried);
+    assert!(window.state().has_unsaved() && window.state().model.document.draft() == &tried);
 }
 
 /// A class answers by hands: letters count them, and the bars come with the answer.

@@ -272,8 +272,8 @@ fn circles_in(sources: &[(String, String)]) -> Vec<Vec<String>> {
             let target = resolved(&path, &module);
             let known = (1..=target.len()).rev().find_map(|end| handed_on.get(&target[..end]).cloned());
             let Some(file) = known.or_else(|| file_of(&target)) else { continue };
-            // A module and the files below it are one thing. The state of the window hands on what rooms keep.
-            let is_state = [&file, &module].iter().any(|names| names.join("::") == "gui::state");
+            // A module and the files below it are one thing. The state of the window names every feature, and some still take it whole.
+            let is_state = [&file, &module].iter().any(|names| names.join("::") == "gui::app::state");
             if !is_state && file[0] == module[0] && !file.starts_with(&module) && !module.starts_with(&file) {
                 arrows.entry(module.clone()).or_default().insert(file);
             }

@@ -3,8 +3,9 @@
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Dialog;
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
-use crate::gui::state::{Dialog, State};
 use crate::i18n::window::Texts;
 
 /// Names and licences of all libraries, and the texts of the licences; `.ci/third-party` writes it.

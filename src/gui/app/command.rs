@@ -4,7 +4,8 @@ mod table;
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
-use crate::gui::state::{ObserverChange, State, Tab};
+use crate::gui::app::state::State;
+use crate::gui::model::layout::{ObserverChange, Tab};
 use crate::i18n::window::Texts;
 use crate::views::{Arrangement, View};
 pub use table::MENUS;
@@ -132,7 +133,7 @@ impl Command {
     /// The keys that call it in this window. A page in a browser has to leave some to the browser.
     pub fn keys(self, state: &State) -> impl Iterator<Item = KeyboardShortcut> + use<> {
         let row = self.row();
-        let are_there = !state.in_browser || row.in_browser == InBrowser::All;
+        let are_there = !state.model.in_browser || row.in_browser == InBrowser::All;
         row.all_keys().filter(move |_| are_there)
     }
 
@@ -146,7 +147,7 @@ impl Command {
     /// True if a window of this kind has it.
     #[must_use]
     pub fn is_there(self, state: &State) -> bool {
-        !(state.in_browser && self.row().in_browser == InBrowser::Nothing)
+        !(state.model.in_browser && self.row().in_browser == InBrowser::Nothing)
     }
 
     /// Whether it would do something.

@@ -12,11 +12,13 @@ use super::about;
 use super::command::{Command, MENUS};
 use super::menu;
 use super::search;
+use crate::gui::app::state::State;
 use crate::gui::export::{export_dialog, handout_dialog};
 use crate::gui::files::comparison::{Comparison, LineOrigin};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
 use crate::gui::files::link_dialog;
+use crate::gui::files::questions::{Agreed, Changed, Dialog, Purpose};
 use crate::gui::files::{qr, title_dialog};
 use crate::gui::gallery::{self, Chosen, Source};
 use crate::gui::inspector::coach;
@@ -28,8 +30,8 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
+use crate::gui::model::action::AfterSave;
 use crate::gui::platform::native::Wanted;
-use crate::gui::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use crate::i18n::learn::{exercise_window, lessons};
 use crate::i18n::window::gallery as gallery_words;
 use crate::i18n::window::{self, Texts};
@@ -54,7 +56,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let kind = Some(discriminant(&dialog));
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
-    let t = window::texts(state.settings.lang);
+    let t = window::texts(state.model.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
     if dialog == Dialog::Qr {
@@ -88,7 +90,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
             Dialog::Unsaved(next) => {
-                let name = state.figure_name();
+                let name = state.model.figure_name();
                 text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
                 match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
                     Pressed::Action(1) => file_flow::save(ctx, state, Some(next)),
@@ -150,11 +152,11 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
-                    let beside = state.document.folder().map(Path::to_owned);
-                    let here = Source::of(&state.document);
+                    let beside = state.model.document.folder().map(Path::to_owned);
+                    let here = Source::of(&state.model.document);
                     state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
                 }
-                let style = (state.settings.theme, state.settings.lang);
+                let style = (state.model.settings.theme, state.model.settings.lang);
                 let next = match gallery::show(ui, &mut state.gallery, style, first) {
                     None => return,
                     Some(Chosen::Nothing) => {
@@ -171,7 +173,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             }
             Dialog::Delete { names, below } => ask_delete(ui, t, state, (names, below), first),
             Dialog::DeleteProgress => {
-                let words = exercise_window::texts(state.settings.lang);
+                let words = exercise_window::texts(state.model.settings.lang);
                 text(ui, words.delete_progress, words.delete_progress_text);
                 match buttons(ui, t.cancel, &[words.delete_progress], first.then_some(CANCEL)) {
                     Pressed::Action(_) if state.exercises.file.is_some() => state.exercises.forgets = true,
@@ -200,7 +202,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
 
 /// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
 fn wait_for_system(ctx: &egui::Context, state: &mut State) {
-    let t = window::texts(state.settings.lang);
+    let t = window::texts(state.model.settings.lang);
     Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
         ui.set_width(380.0);
         text(ui, t.choosing_title, t.choosing_text);
@@ -220,10 +222,10 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
 
 /// Asks about text of a lesson that cannot be saved in its file.
 fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: AfterSave, first: bool) {
-    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.settings.lang));
+    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.model.settings.lang));
     text(ui, words.unsaved_text_title, words.unsaved_text);
     if let Some(why) = &state.file_flow.refused {
-        complaint(ui, &why.text(state.settings.lang));
+        complaint(ui, &why.text(state.model.settings.lang));
         ui.add_space(10.0);
     }
     let actions: &[&str] = if state.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
@@ -246,7 +248,7 @@ fn ask_delete(
     (names, below): (BTreeSet<String>, usize),
     first: bool,
 ) {
-    let words = scenes::texts(state.settings.lang);
+    let words = scenes::texts(state.model.settings.lang);
     let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
     text(
         ui,
@@ -267,7 +269,7 @@ fn ask_delete(
 
 /// Asks about a file changed by another program: the choice that loses nothing is the default.
 fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
-    let name = state.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
+    let name = state.model.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
     text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
     if let Some(comparison) = &changed.comparison {
         compared(ui, t, comparison);
@@ -287,7 +289,7 @@ fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut chan
         }
         Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),
         Pressed::Action(_) => {
-            if let Some(path) = state.document.path().cloned() {
+            if let Some(path) = state.model.document.path().cloned() {
                 let agreed = Agreed { theirs: Some(theirs), ..Agreed::default() };
                 file_flow::confirmed(&ctx, state, Purpose::Save(then), &path, agreed);
             }
@@ -330,23 +332,23 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     let kind = FileKind::of(state, &purpose);
     ui.heading(kind.title);
     ui.add_space(6.0);
-    let words = sharing::texts(state.settings.lang);
-    let (which, hint) = match (kind.wanted == Wanted::Folder, state.in_browser) {
-        (true, _) => (gallery_words::texts(state.settings.lang).which_folder, t.path_hint),
+    let words = sharing::texts(state.model.settings.lang);
+    let (which, hint) = match (kind.wanted == Wanted::Folder, state.model.in_browser) {
+        (true, _) => (gallery_words::texts(state.model.settings.lang).which_folder, t.path_hint),
         (false, true) => (words.name_text, words.name_hint),
         (false, false) => (t.path_text, t.path_hint),
     };
     ui.label(which);
     let field = TextField::line(&mut path, MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint));
-    let response = field.show(ui, state.settings.lang).accessible_name(t.path_name);
+    let response = field.show(ui, state.model.settings.lang).accessible_name(t.path_name);
     if first {
         response.request_focus();
         select_stem(ui, &response, &path);
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if let Some(error) = &state.file_flow.refused {
-        complaint(ui, &error.text(state.settings.lang));
+        complaint(ui, &error.text(state.model.settings.lang));
     }
     ui.add_space(10.0);
     let pressed = buttons(ui, t.cancel, &[kind.action], None);
@@ -358,11 +360,11 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         return;
     }
-    (state.message, state.file_flow.refused) = (None, None);
+    (state.model.message, state.file_flow.refused) = (None, None);
     file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
     // Errors are shown where the path was typed, and there alone.
-    if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error()) {
-        state.file_flow.refused = state.message.take();
+    if state.file_flow.dialog.is_none() && state.model.message.as_ref().is_some_and(|message| message.is_error()) {
+        state.file_flow.refused = state.model.message.take();
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         response.request_focus();
     }
@@ -379,7 +381,7 @@ fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
-    let pictures = canvas::texts(state.settings.lang);
+    let pictures = canvas::texts(state.model.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),
         (t.show_canonical, pictures.keys_in_canonical),
@@ -401,8 +403,8 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         for (name, text) in keys {
             ui.label(format!("{name}: {text}"));
         }
-        if state.in_browser {
-            let words = sharing::texts(state.settings.lang);
+        if state.model.in_browser {
+            let words = sharing::texts(state.model.settings.lang);
             title(ui, words.help_touch);
             ui.label(words.help_touch_text);
         }
@@ -412,8 +414,8 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         title(ui, t.help_numbers);
         ui.label(t.help_numbers_text);
         title(ui, t.help_commands);
-        if state.in_browser {
-            ui.label(sharing::texts(state.settings.lang).keys_of_browser);
+        if state.model.in_browser {
+            ui.label(sharing::texts(state.model.settings.lang).keys_of_browser);
         }
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
@@ -421,7 +423,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
                 ui.monospace(
                     command
                         .keys(state)
-                        .map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+                        .map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
                         .collect::<Vec<_>>()
                         .join(", "),
                 );

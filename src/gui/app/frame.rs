@@ -12,12 +12,15 @@ use eframe::egui;
 use super::focus::{self, Region};
 use super::{App, dialogs, menu, presentation, status};
 use crate::gui::app::command::Command;
+use crate::gui::app::state::State;
 use crate::gui::files::{changed_file, file_flow};
 use crate::gui::inspector::{numerics, operations, parameters, values};
 use crate::gui::kit::{text_field, tooltip};
 use crate::gui::learn::lesson;
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::layout::Side;
+use crate::gui::model::shown::PanelHover;
 use crate::gui::pictures::motion;
-use crate::gui::state::{AfterSave, PanelHover, Side, State};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session::Kept;
 use crate::gui::storage::session_news;
@@ -56,7 +59,7 @@ impl App {
         motion::advance(ctx, &mut self.state);
         lesson::advance(ctx, &mut self.state);
         if ctx.input(|input| self.held_key.follow(input)) {
-            self.state.document.commit();
+            self.state.model.document.commit();
         }
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
@@ -77,9 +80,9 @@ impl App {
         }
         context_help::begin(ctx);
         // The panels of this frame set the hover.
-        self.state.hover = PanelHover::default();
-        self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
-        if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
+        self.state.model.hover = PanelHover::default();
+        self.state.model.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
+        if let Some(left) = self.state.model.forget_old_news(ctx.input(|input| input.time)) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
     }
@@ -87,9 +90,9 @@ impl App {
     /// Bars and panels around the pictures.
     fn panels(&mut self, ui: &mut egui::Ui) -> Called {
         let ctx = ui.ctx().clone();
-        let t = window::texts(self.state.settings.lang);
-        let presenting = self.state.settings.presentation;
-        let of_bar = (!self.state.settings.bare && !presenting).then(|| {
+        let t = window::texts(self.state.model.settings.lang);
+        let presenting = self.state.model.settings.presentation;
+        let of_bar = (!self.state.model.settings.bare && !presenting).then(|| {
             egui::Panel::top("menu").show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
                 menu::bar(ui, &self.state)
@@ -111,7 +114,8 @@ impl App {
             self.state.explain_by_note(note);
         }
         motion::show_done(&ctx, &mut self.state);
-        self.state.follow_panels();
+        self.state.model.follow_panels();
+        self.state.model.answered = self.state.exercises.answered_camera();
         Called { of_bar, of_lesson }
     }
 
@@ -128,7 +132,7 @@ impl App {
 
     /// The panels that are open: studies below, parameters at the left, operations and explanations at the right.
     fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts) {
-        let sides = *self.state.settings.panels();
+        let sides = *self.state.model.settings.panels();
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
@@ -153,7 +157,7 @@ impl App {
             name_handle(ui, "numbers", t.panel_width);
         }
         if sides.is_shown(Side::Explain) {
-            let presenting = self.state.settings.presentation;
+            let presenting = self.state.model.settings.presentation;
             // In a presentation the pictures keep more than half of the width.
             let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
             let most = (share * ui.ctx().content_rect().width()).clamp(320.0, 620.0);
@@ -168,7 +172,7 @@ impl App {
 
     /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
     fn right(&mut self, ui: &mut egui::Ui) {
-        let share = if self.state.settings.numbers_open { 0.56 } else { 0.8 };
+        let share = if self.state.model.settings.numbers_open { 0.56 } else { 0.8 };
         let half = ui.available_height() * share;
         egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
             operations::ui(ui, &mut self.state);
@@ -190,7 +194,7 @@ impl App {
         }
         self.state.check_camera(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
-        let presenting = self.state.settings.presentation;
+        let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
         if let Some(command) = of_bar {
             self.perform(&ctx, command);
@@ -210,7 +214,7 @@ impl App {
             ctx.request_repaint();
         }
         drop_hint(ctx, &self.state);
-        self.resting.show(ctx, self.state.settings.presentation);
+        self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
     }
 
@@ -220,21 +224,21 @@ impl App {
         self.refuse_links(ctx);
         self.update_title(ctx);
         let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
-        let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
+        let moving = self.state.operations.motion.is_some() || moves || self.state.model.explained.steps.plays();
         if moving || ctx.input(|input| input.pointer.any_down()) || self.held_key.is_held(ctx) {
             return;
         }
-        self.state.document.commit();
+        self.state.model.document.commit();
         let now = ctx.input(|input| input.time);
-        if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {
+        if let Some(left) = self.state.model.views.follow(self.state.model.document.figure().observers, now) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
         if let Some(sessions) = &mut self.sessions {
-            let seen = self.state.as_seen();
+            let seen = self.state.model.as_seen();
             let state = &self.state;
-            let explains = state.lesson.is_none() && state.document.explains_other(&seen.show);
+            let explains = state.lesson.is_none() && state.model.document.explains_other(&seen.show);
             let is_work = state.has_unsaved() || explains;
-            let shown = Kept { document: &state.document, seen: &seen, is_work, text: state.unsaved_text() };
+            let shown = Kept { document: &state.model.document, seen: &seen, is_work, text: state.unsaved_text() };
             sessions.keep(ctx, shown, &state.held_documents());
         }
         if let Some(preferences) = &mut self.preferences {
@@ -245,7 +249,7 @@ impl App {
     /// The list of left sessions, and the user's decision.
     fn recovery(&mut self, ui: &mut egui::Ui) {
         let Some(sessions) = &mut self.sessions else { return };
-        let decision = recovery::list(ui, self.state.settings.lang, sessions.left());
+        let decision = recovery::list(ui, self.state.model.settings.lang, sessions.left());
         match decision {
             Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
             Some(Decision::Discard(slot)) => sessions.discard(slot),
@@ -273,7 +277,7 @@ fn drop_hint(ctx: &egui::Context, state: &State) {
     let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
     let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
     painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
-    let text = window::texts(state.settings.lang).drop_here;
+    let text = window::texts(state.model.settings.lang).drop_here;
     let font = egui::FontId::proportional(24.0);
     painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
 }

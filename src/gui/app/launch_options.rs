@@ -6,7 +6,7 @@ use percent_encoding::percent_decode_str;
 
 use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
-use crate::gui::state::State;
+use crate::gui::app::state::State;
 use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};
@@ -61,16 +61,16 @@ impl LaunchOptions {
 
     /// Sets a window up so, but for the lesson.
     pub fn apply(self, state: &mut State) {
-        let settings = &mut state.settings;
+        let settings = &mut state.model.settings;
         settings.lang = self.lang.unwrap_or(settings.lang);
         settings.theme = self.theme.unwrap_or(settings.theme);
         if self.bare {
             settings.bare = true;
             settings.panels.wanted = [false; 3];
-            state.layout.strip = false;
+            state.model.layout.strip = false;
         }
         if let Some(views) = self.views {
-            state.layout.shown = View::ALL.map(|view| views.contains(view));
+            state.model.layout.shown = View::ALL.map(|view| views.contains(view));
         }
     }
 
@@ -112,8 +112,11 @@ mod tests {
         assert_eq!(asked, all);
         let mut state = State::new(Start::default()).unwrap();
         asked.apply(&mut state);
-        assert_eq!((state.layout.shown, state.settings.panels.wanted), ([false, false, true], [false; 3]));
-        assert_eq!((state.settings.lang, state.settings.theme, state.settings.bare), (Lang::PtBr, Theme::Dark, true));
+        assert_eq!((state.model.layout.shown, state.model.settings.panels.wanted), ([false, false, true], [false; 3]));
+        assert_eq!(
+            (state.model.settings.lang, state.model.settings.theme, state.model.settings.bare),
+            (Lang::PtBr, Theme::Dark, true)
+        );
 
         let (asked, unknown) =
             LaunchOptions::of_query("view=side&panels=some&lang=%70t-BR&theme=&utm_source=x&view=all");

@@ -4,11 +4,11 @@ use eframe::egui::{self, Button, RichText, TextStyle};
 
 use super::command::{Command, MENUS};
 use super::focus::with_room_before;
+use crate::gui::app::state::State;
 use crate::gui::app::status;
 use crate::gui::kit::elide;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
 
@@ -68,7 +68,7 @@ const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "
 
 /// Shows the bar. The chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
-    let t = window::texts(state.settings.lang);
+    let t = window::texts(state.model.settings.lang);
     let mut chosen = None;
     egui::MenuBar::new().ui(ui, |ui| {
         let is_phone = ui.available_width() < PHONE;
@@ -153,7 +153,7 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Comm
 
 /// The keys of a command as they are written, if it has any here.
 fn keys(ui: &egui::Ui, state: &State, command: Command) -> Option<String> {
-    command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+    command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
 }
 
 fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
@@ -168,8 +168,8 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 }
 
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
-    let name = escaped(&state.figure_name());
-    let is_changed = state.document.is_changed() && !state.moves_to_step();
+    let name = escaped(&state.model.figure_name());
+    let is_changed = state.model.document.is_changed() && !state.moves_to_step();
     let text = if is_changed { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {
         let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();

@@ -12,6 +12,7 @@ pub mod menu;
 pub(super) mod presentation;
 pub(super) mod search;
 pub(super) mod search_state;
+pub mod state;
 pub mod status;
 pub(super) mod tab_order;
 
@@ -20,17 +21,18 @@ use std::path::Path;
 use eframe::egui::os::OperatingSystem;
 use eframe::egui::{self, KeyboardShortcut, Vec2, ViewportCommand};
 
-use super::state::{Message, State};
 use crate::appearance::Theme;
 use crate::gui::app::command::{Command, Run};
 use crate::gui::app::focus::Focus;
 use crate::gui::app::key_repeat::HeldKey;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::presentation::RestingPointer;
+use crate::gui::app::state::State;
 use crate::gui::app::tab_order::KeyOrder;
 use crate::gui::files::file_flow;
 use crate::gui::files::sequence;
 use crate::gui::kit::{text_field, theme};
+use crate::gui::model::message::Message;
 use crate::gui::pictures::Canvas;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
@@ -94,8 +96,8 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub(in crate::gui) fn follow_system(&mut self, theme: Theme, reduce_motion: bool) {
         if let Some(preferences) = &mut self.preferences {
-            preferences.follow(&mut self.state, "theme", |state| state.settings.theme = theme);
-            let reduce = |state: &mut State| state.settings.reduce_motion = reduce_motion;
+            preferences.follow(&mut self.state, "theme", |state| state.model.settings.theme = theme);
+            let reduce = |state: &mut State| state.model.settings.reduce_motion = reduce_motion;
             preferences.follow(&mut self.state, "reduce_motion", reduce);
         }
     }
@@ -154,7 +156,7 @@ impl App {
             .filter(|command| !(typing && command.is_for_text_too()))
             .flat_map(|command| command.keys(&self.state).map(move |keys| (keys, command)))
             .collect();
-        if self.state.settings.presentation && !typing && !ctx.any_popup_open() {
+        if self.state.model.settings.presentation && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::KEYS);
             if ctx.memory(|memory| memory.focused().is_none()) {
                 shortcuts.extend(presentation::ARROWS);
@@ -212,14 +214,14 @@ impl App {
             });
         });
         if let Some(link) = refused {
-            self.state.say(Message::LinkRefused(link));
+            self.state.model.say(Message::LinkRefused(link));
             ctx.request_repaint();
         }
     }
 
     /// The name of the figure in the title of the window.
     fn update_title(&mut self, ctx: &egui::Context) {
-        let name = self.state.figure_name();
+        let name = self.state.model.figure_name();
         // It means that closing the window asks.
         let is_unsaved = !self.state.moves_to_step() && self.state.has_unsaved() || self.state.unsaved_text().is_some();
         let mark = if is_unsaved { " •" } else { "" };
@@ -239,9 +241,9 @@ impl App {
 
     /// The zoom of the interface, with that of a presentation in a window of this size without any zoom.
     fn zoom(&self, window: Vec2) -> f32 {
-        let zoom = self.state.settings.zoom;
+        let zoom = self.state.model.settings.zoom;
         // If everything is large already, a presentation needs nothing larger.
-        if self.state.settings.presentation { presentation::zoom(window).max(zoom) } else { zoom }
+        if self.state.model.settings.presentation { presentation::zoom(window).max(zoom) } else { zoom }
     }
 
     /// Theme and zoom, as the settings say.
@@ -255,7 +257,7 @@ impl App {
     }
 
     fn apply_theme(&self, ctx: &egui::Context) {
-        let theme = match self.state.settings.theme {
+        let theme = match self.state.model.settings.theme {
             Theme::Dark => egui::Theme::Dark,
             Theme::Light | Theme::Print => egui::Theme::Light,
         };
@@ -286,7 +288,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         #[cfg(not(target_arch = "wasm32"))]
         {
-            let window = &mut self.state.settings.window;
+            let window = &mut self.state.model.settings.window;
             self.opening.go_on(ui.ctx(), *window);
             *window = self.whereabouts.settled(ui.ctx(), *window).or(*window);
             let wants_notes = self.state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
@@ -311,7 +313,7 @@ impl eframe::App for App {
         }
         let held = ctx.input(|input| input.pointer.any_down());
         let asks = self.state.file_flow.is_asking() || ctx.any_popup_open();
-        let is_free = self.state.settings.presentation && !held && !asks;
+        let is_free = self.state.model.settings.presentation && !held && !asks;
         let now = input.time.unwrap_or_else(|| ctx.input(|input| input.time));
         self.resting.follow(input, now, is_free);
     }
@@ -319,7 +321,7 @@ impl eframe::App for App {
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.state.save_text();
         // Once, whatever came of it.
-        self.state.settings.welcomed = true;
+        self.state.model.settings.welcomed = true;
         if let Some(preferences) = &mut self.preferences {
             preferences.finish(&mut self.state);
         }

@@ -9,8 +9,8 @@ use eframe::egui::{
 
 use super::command::Command;
 use super::menu;
+use crate::gui::app::state::State;
 use crate::gui::kit::theme;
-use crate::gui::state::State;
 use crate::i18n::learn::lessons;
 use crate::i18n::{told, window};
 
@@ -58,7 +58,7 @@ pub(in crate::gui) const ARROWS: [(KeyboardShortcut, Command); 2] = [
 /// Handles Esc, where it means nothing else: it clears annotations; without any it leaves the presentation. Returns the
 /// command.
 pub(in crate::gui) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
-    let shown = state.settings.presentation || state.annotations.any();
+    let shown = state.model.settings.presentation || state.annotations.any();
     let busy = ctx.text_edit_focused() || ctx.any_popup_open() || state.file_flow.dialog.is_some();
     if !shown || busy || !ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
         return None;
@@ -120,14 +120,14 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     ctx.data_mut(|data| data.insert_temp(id, is_shown));
     let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
     if !is_shown {
-        let message = state.message.as_ref().filter(|message| !message.is_error())?;
+        let message = state.model.message.as_ref().filter(|message| !message.is_error())?;
         // At the foot of the pictures: above them are the title and the caption.
         let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
         area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
             let most = (ctx.content_rect().width() - 60.0).max(100.0);
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_max_width(most);
-                ui.label(message.text(state.settings.lang));
+                ui.label(message.text(state.model.settings.lang));
             });
         });
         return None;
@@ -145,12 +145,12 @@ const CAPTION_ROWS: usize = 2;
 
 /// The title and the caption of the figure, large, above the pictures. Nothing where it has none.
 pub(in crate::gui) fn caption(ui: &mut Ui, state: &State) {
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     let has_none = figure.title.is_none() && figure.caption.is_none();
-    if has_none || state.document.has_words_of_card() {
+    if has_none || state.model.document.has_words_of_card() {
         return;
     }
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     egui::Panel::top("caption").show(ui, |ui| {
         let body = TextStyle::Body.resolve(ui.style());
         let rows = [
@@ -182,7 +182,7 @@ pub(in crate::gui) fn show(ctx: &Context, state: &mut State, room: Rect) {
     for stroke in &state.annotations.strokes {
         painter.add(Shape::line(stroke.clone(), Stroke::new(3.0, INK)));
     }
-    let t = window::texts(state.settings.lang);
+    let t = window::texts(state.model.settings.lang);
     if state.annotations.frozen {
         label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()));
     }
@@ -220,11 +220,11 @@ fn pen(ctx: &Context, state: &mut State, room: Rect) {
 /// that is said.
 pub(in crate::gui) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f32)> {
     if state.annotations.any() {
-        return Some((window::texts(state.settings.lang).escape_clears, 1.0));
+        return Some((window::texts(state.model.settings.lang).escape_clears, 1.0));
     }
-    let since = state.annotations.keys_since.filter(|_| state.settings.presentation)?;
+    let since = state.annotations.keys_since.filter(|_| state.model.settings.presentation)?;
     let left = since + SHOWN - ctx.input(|input| input.time);
-    let fading = if state.settings.reduce_motion { 0.0 } else { FADES };
+    let fading = if state.model.settings.reduce_motion { 0.0 } else { FADES };
     if left <= 0.0 {
         state.annotations.keys_since = None;
         return None;
@@ -232,7 +232,7 @@ pub(in crate::gui) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static
     ctx.request_repaint_after(Duration::from_secs_f64((left - fading).max(1.0 / 60.0)));
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let of_lesson = state.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
     Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
 }

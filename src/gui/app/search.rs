@@ -9,7 +9,9 @@ use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
 use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::operations;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field;
@@ -17,7 +19,8 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::list;
-use crate::gui::state::{AfterSave, Dialog, Side, State, Tab};
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::layout::{Side, Tab};
 use crate::gui::why;
 use crate::i18n::learn::exercises as exercise_words;
 use crate::i18n::why::{explain as explain_words, notes};
@@ -96,7 +99,7 @@ const MATRICES: [NamedMatrix; 3] = [
 
 /// Everything that can be found, in the order in which equally good results are listed.
 fn entries(state: &State) -> Vec<Entry> {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
     let mut all = Vec::new();
     for Descriptor { freedom, .. } in &OPERATIONS {
@@ -227,7 +230,7 @@ fn controls(lang: Lang) -> Vec<Entry> {
 fn found(state: &State) -> Vec<Entry> {
     let called = also_called(&state.search.wanted);
     // The ways of shading are its choices.
-    let shading = Target::Parameter(Tab::Drawing, window::texts(state.settings.lang).shading);
+    let shading = Target::Parameter(Tab::Drawing, window::texts(state.model.settings.lang).shading);
     let rank = |entry: &Entry| {
         let title = folded(&entry.title);
         let whole = format!("{title} {}", folded(&entry.about));
@@ -254,7 +257,7 @@ fn found(state: &State) -> Vec<Entry> {
 /// opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Option<Command> {
     state.file_flow.dialog = Some(Dialog::Search);
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.title);
     let results = found(state);
@@ -314,7 +317,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
 fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
     let keys = match &entry.target {
         Target::Command(command) => {
-            command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+            command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
         }
         _ => None,
     };
@@ -333,34 +336,34 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         // Its caller does it.
         Target::Command(_) => {}
         Target::Parameter(tab, field) => {
-            state.settings.tab = tab;
-            let t = cameras::texts(state.settings.lang);
+            state.model.settings.tab = tab;
+            let t = cameras::texts(state.model.settings.lang);
             state.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
-            state.settings.panels_mut().show(Side::Left);
+            state.model.settings.panels_mut().show(Side::Left);
             if !field.is_empty() {
                 number_field::take_keyboard(ctx, field);
             }
         }
         Target::AmongOperations(name) => {
-            state.settings.panels_mut().show(Side::Right);
+            state.model.settings.panels_mut().show(Side::Right);
             number_field::take_keyboard(ctx, name);
         }
         Target::Operation(freedom) => {
             state.operations.open(freedom);
-            state.settings.panels_mut().show(Side::Right);
-            number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.settings.lang)));
+            state.model.settings.panels_mut().show(Side::Right);
+            number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.model.settings.lang)));
         }
         Target::CameraCheck => state.file_flow.dialog = Some(Dialog::Coach),
         Target::Explanation(explanation) => {
-            state.show_explanation(explanation);
+            state.model.show_explanation(explanation);
             if explanation == Explanation::Exercises {
                 state.exercises.call();
             }
         }
-        Target::Matrix(matrix) => state.explain_entry(matrix, [0, 0]),
+        Target::Matrix(matrix) => state.model.explain_entry(matrix, [0, 0]),
         Target::Note(id) => state.explain_by_note(id),
         Target::Exercise(id) => {
-            state.show_explanation(Explanation::Exercises);
+            state.model.show_explanation(Explanation::Exercises);
             let entry = state.exercises.entry(&id).cloned();
             entry.iter().for_each(|entry| list::open(&mut state.exercises, entry));
         }

@@ -8,13 +8,14 @@ use super::preview::{Preview, can_be_copied};
 use crate::appearance::Theme;
 use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
+use crate::gui::app::state::State;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::inspector::{choice, complaint, row};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Purpose, State};
 use crate::i18n::window::Texts;
 use crate::i18n::{families, pictures};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
@@ -106,7 +107,7 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
 
 /// The present screen, for the export.
 fn subject(state: &State, export: &Export) -> ExportSource {
-    ExportSource::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
+    ExportSource::of(&state.model.document, state.model.figure_as_shown(), state.model.settings.lang, export.theme)
         .with_family(state.family.clone(), state.operations.convention)
 }
 
@@ -237,7 +238,7 @@ fn settings(
     (export.times, export.on_paper) = size;
     let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
     let mut errors = if export.on_paper { paper(ui, t, export, crowded, enter) } else { Vec::new() };
-    export.fit_screen(state.picture_sizes, state.screen_scale);
+    export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
     // A family in multiples of the screen is larger than its figure.
     let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
     let of_family = of_family.filter(|_| size.0.is_some() && state.family.variations().is_some());

@@ -4,12 +4,13 @@ use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, 
 
 use super::handout_pages::{Content, Job};
 use crate::exercises::Exercise;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::from_title;
+use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Purpose, State};
 use crate::handout::HandoutOptions;
 use crate::i18n::learn::handouts::{Texts, texts};
 use crate::i18n::learn::{exercises, lessons as words};
@@ -48,7 +49,8 @@ impl HandoutForm {
     pub(in crate::gui) fn of(state: &State, is_lesson: bool) -> Self {
         let open = state.exercises.open.as_ref();
         let open = open.filter(|open| state.exercises.entries().any(|entry| entry.id == open.id));
-        let options = HandoutOptions { lang: state.settings.lang, columns: 1, answers: false, plan: false, late: true };
+        let options =
+            HandoutOptions { lang: state.model.settings.lang, columns: 1, answers: false, plan: false, late: true };
         let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
         Self {
             lesson: is_lesson.then(|| played(state)).flatten(),
@@ -99,7 +101,7 @@ fn played(state: &State) -> Option<OpenLesson> {
 
 /// Shows the dialog. `first`: it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm, first: bool) {
-    let t = texts(state.settings.lang);
+    let t = texts(state.model.settings.lang);
     let heading = if form.lesson.is_some() { t.handout } else { t.sheet };
     ui.heading(heading.trim_end_matches('…'));
     ui.add_space(6.0);
@@ -113,7 +115,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
         ui.vertical(|ui| page(ui, t, state, &mut form, height));
     });
     ui.add_space(10.0);
-    let close = window::texts(state.settings.lang).cancel;
+    let close = window::texts(state.model.settings.lang).cancel;
     match buttons(ui, close, &[t.save], first.then_some(0)) {
         Pressed::Action(_) if form.is_whole() => file_flow::ask(ui.ctx(), state, Purpose::Handout(form)),
         Pressed::Cancel => {}
@@ -161,7 +163,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
                 ui.label(t.numbers);
                 let mut seed = f64::from(form.seed);
                 let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
-                let shown = window::texts(state.settings.lang);
+                let shown = window::texts(state.model.settings.lang);
                 field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
                 let whole = seed as u32;
@@ -176,7 +178,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
 
 /// The lessons of the program, those of the folder, and the one that is played.
 fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
     let of_folder = state.own_lessons.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
     let of_folder = of_folder.map(|(lesson, path)| OpenLesson { lesson, path, step: 0 });
@@ -205,7 +207,7 @@ fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
 
 /// A switch for each exercise. Their order on the sheet is the order in which they were chosen.
 fn chosen_exercises(ui: &mut Ui, state: &State, form: &mut HandoutForm, height: f32) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
     area.show(ui, |ui| {
         for entry in state.exercises.entries() {

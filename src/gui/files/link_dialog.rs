@@ -7,11 +7,13 @@ use eframe::egui::{self, RichText};
 use super::file_flow;
 use crate::figure::Figure;
 use crate::files::{self, SHIPPED};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Message, State};
+use crate::gui::model::message::Message;
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::sharing;
@@ -22,7 +24,7 @@ use crate::share::{self, Held, ShareError};
 
 /// Shows the dialog; `first`: it has just been opened.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
-    let words = sharing::texts(state.settings.lang);
+    let words = sharing::texts(state.model.settings.lang);
     ui.heading(words.title);
     ui.add_space(6.0);
     ui.label(words.text);
@@ -32,7 +34,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     if address.is_empty()
         && let Some(why) = &state.file_flow.refused
     {
-        complaint(ui, &why.text(state.settings.lang));
+        complaint(ui, &why.text(state.model.settings.lang));
         ui.add_space(6.0);
     }
     if let Some(playing) = state.lesson.as_mut().filter(|playing| playing.path.is_some()) {
@@ -46,16 +48,16 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
             let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));
-            field.show(ui, state.settings.lang).accessible_name(words.link);
+            field.show(ui, state.model.settings.lang).accessible_name(words.link);
             let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
             ui.label(RichText::new(length).small().weak());
         }
-        Err(error) => complaint(ui, &messages::link(state.settings.lang, *error)),
+        Err(error) => complaint(ui, &messages::link(state.model.settings.lang, *error)),
     }
     let whole = state.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
     let own = match whole {
         Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
-        None => own_files(state.document.figure()),
+        None => own_files(state.model.document.figure()),
     };
     let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
     if !own.is_empty() {
@@ -74,7 +76,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
             if let Ok(link) = link {
                 let length = link.len();
                 ui.ctx().copy_text(link);
-                state.say(Message::LinkCopied(length));
+                state.model.say(Message::LinkCopied(length));
             }
         }
         Pressed::Cancel => {}
@@ -101,7 +103,7 @@ pub(in crate::gui) fn link(state: &mut State, address: &str, first: bool) -> Res
 fn made(state: &State, address: &str) -> Result<String, ShareError> {
     let of_program = state.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
-        let lang = state.settings.lang.tag();
+        let lang = state.model.settings.lang.tag();
         return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
     }
     if let Some(text) = whole_lesson(state) {
@@ -126,7 +128,7 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: 
     let address = &mut state.page_address;
     let field = TextField::line(address, MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
-    let field = field.show(ui, state.settings.lang).labelled_by(label.id);
+    let field = field.show(ui, state.model.settings.lang).labelled_by(label.id);
     if first && address.is_empty() && state.file_flow.refused.is_some() {
         field.request_focus();
     }

@@ -14,49 +14,12 @@ use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::files::comparison::Comparison;
 use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::files::watch::Watch;
+use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::model::action::{AfterSave, MeshFor};
 use crate::gui::model::history::Revision;
+use crate::gui::model::message::Message;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
-use crate::gui::state::{CompareForm, Message};
 use crate::gui::storage::session::NewsList;
-use crate::lessons::OpenLesson;
-
-/// An action to be done once nothing can be lost any more.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum AfterSave {
-    /// The default figure.
-    New,
-    /// Ask for a file and open it.
-    Open,
-    /// Open this file.
-    OpenPath(PathBuf),
-    /// Open the figure of the program with this name.
-    Shipped(&'static str),
-    /// Open the figure of this text.
-    Text(String),
-    /// Play this lesson.
-    Lesson(OpenLesson),
-    /// End the lesson. The figure of its step stays.
-    LeaveLesson,
-    /// Write the lesson to which steps were added last.
-    WriteRecorded,
-    /// Read the file of the lesson that is written again.
-    ReadLesson,
-    /// Read the figure's own file again.
-    Reload,
-    /// Restore the session of this slot.
-    Restore(usize),
-    /// Close the window.
-    Quit,
-}
-
-impl AfterSave {
-    /// True if the figure of the window is lost with it.
-    #[must_use]
-    pub fn replaces_figure(&self) -> bool {
-        // Work in the steps of a lesson is kept where its file is read again.
-        !matches!(self, Self::LeaveLesson | Self::ReadLesson)
-    }
-}
 
 /// The purpose of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,15 +70,6 @@ impl Purpose {
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
         !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises | Self::Handout(_))
     }
-}
-
-/// The use of a mesh file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum MeshFor {
-    /// A new object.
-    New,
-    /// This object, by name.
-    Object(String),
 }
 
 /// The endings of mesh files.

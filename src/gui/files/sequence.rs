@@ -5,13 +5,14 @@
 //! Closing the window asks about it.
 
 use crate::files::{SHIPPED_FIGURES, open_figure};
+use crate::gui::app::state::State;
 use crate::gui::gallery::{Source, figures_in};
 use crate::gui::model::document::Document;
-use crate::gui::state::{Message, State};
+use crate::gui::model::message::Message;
 
 /// The sequence of the open figure, and its place in it. A new figure comes before the built-in ones.
 fn places(state: &State) -> (Vec<Option<Source>>, usize) {
-    let here = Source::of(&state.document);
+    let here = Source::of(&state.model.document);
     let of_program = || SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect();
     let files = match &here {
         Some(Source::File(path)) => path.parent().and_then(|folder| figures_in(folder).ok()),
@@ -51,8 +52,8 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
 }
 
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
-    state.settle_layout();
-    let mut left = state.document.clone();
+    state.model.settle_layout(state.lesson.is_some());
+    let mut left = state.model.document.clone();
     state.annotations.turn_page(source.clone(), Source::of(&document).as_ref());
     state.take_over(document);
     // What was behind it is kept already.
@@ -65,7 +66,7 @@ fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) 
 /// Moves on to the next figure, or back to the one before. Files that cannot be opened are skipped, and reported.
 /// Returns whether the window shows another figure now.
 pub(in crate::gui) fn step(state: &mut State, forwards: bool) -> bool {
-    state.document.commit();
+    state.model.document.commit();
     let (places, at) = places(state);
     let next = |at: usize| if forwards { Some(at + 1).filter(|next| *next < places.len()) } else { at.checked_sub(1) };
     let mut faults = Vec::new();
@@ -79,14 +80,14 @@ pub(in crate::gui) fn step(state: &mut State, forwards: bool) -> bool {
                 }
                 // Another program may have gone on with the file.
                 state.file_flow.look = true;
-                state.say(passed_over(faults).unwrap_or(Message::Step { number: index + 1, of: places.len() }));
+                state.model.say(passed_over(faults).unwrap_or(Message::Step { number: index + 1, of: places.len() }));
                 return true;
             }
             Err(error) => faults.push(*error),
         }
         candidate = next(index);
     }
-    state.say(passed_over(faults).unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
+    state.model.say(passed_over(faults).unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
     false
 }
 
@@ -117,8 +118,8 @@ mod tests {
             figure_from(b"[camera]\nnear = 0.5\n").unwrap().at(Path::new("/no/such/folder/saved.toml"));
         state.take_over(Document::new(figure, Some(file)).unwrap());
         assert!(step(&mut state, true));
-        assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
+        assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
         assert!(step(&mut state, true));
-        assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[1].name));
+        assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[1].name));
     }
 }

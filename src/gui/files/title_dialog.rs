@@ -3,9 +3,10 @@
 use eframe::egui::{self, Key, Modifiers, RichText};
 
 use crate::figure::{Bilingual, Figure};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::TextField;
-use crate::gui::state::{Dialog, Purpose, State};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, told};
 use crate::limits::{MAX_CAPTION, MAX_TITLE};
@@ -26,8 +27,8 @@ impl TitleForm {
     /// The words of the figure, or none if they are those of a card and the figure is another one by now. `then` is the
     /// file that is asked for next.
     pub(in crate::gui) fn of(state: &State, then: Option<Purpose>) -> Self {
-        let Figure { title, caption, .. } = state.document.figure();
-        if state.document.has_words_of_card() {
+        let Figure { title, caption, .. } = state.model.document.figure();
+        if state.model.document.has_words_of_card() {
             return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
         }
         let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
@@ -88,13 +89,13 @@ pub(in crate::gui) fn show(
 
 fn accept(state: &mut State, form: TitleForm) -> Option<Purpose> {
     let [title, caption] = [form.title, form.caption].map(written);
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     if (&figure.title, &figure.caption) != (&title, &caption) {
-        state.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
-        state.document.commit();
+        state.model.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
+        state.model.document.commit();
     }
     if form.then.is_some() {
-        state.file_flow.titled = Some(state.document.id());
+        state.file_flow.titled = Some(state.model.document.id());
     }
     form.then
 }

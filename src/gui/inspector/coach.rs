@@ -5,11 +5,13 @@ use eframe::egui::{self, Align, Button, Color32, Layout, Rect, Response, RichTex
 
 use crate::camera::ImageSize;
 use crate::figure::{Explanation, Figure};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Dialog;
+use crate::gui::inspector::state::coach::Advice;
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::gui::kit::elide;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Advice, Dialog, State};
 use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 use crate::i18n::window::coach as words;
@@ -29,10 +31,10 @@ pub(in crate::gui) struct Brief {
 impl Brief {
     /// The last advice, until there is more. `None` in a presentation, where the space is for the keys.
     pub(in crate::gui) fn of(state: &State) -> Option<Self> {
-        if state.settings.presentation {
+        if state.model.settings.presentation {
             return None;
         }
-        let lang = state.settings.lang;
+        let lang = state.model.settings.lang;
         let t = words::texts(lang);
         let Some(Advice { diagnosis, health, .. }) = state.coach.newest_advice() else {
             return Some(Self { text: t.looking.to_owned(), level: Level::Good, lang });
@@ -89,18 +91,19 @@ fn color(ui: &Ui, level: Level) -> Color32 {
 /// Whether nothing is visible although there's something to see. With an impossible camera the last good image stays,
 /// and a photograph without a scene is an image too.
 fn is_empty(state: &State, diagnosis: &Diagnosis) -> bool {
-    let is_photograph = state.scene_cache.scene().photograph.is_some()
+    let is_photograph = state.model.scene_cache.scene().photograph.is_some()
         && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);
     diagnosis.visible == 0 && diagnosis.camera_error.is_none() && !is_photograph
 }
 
 /// Explains an empty image over it, with the button of the repair.
 pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
     let Some(finding) = diagnosis.findings.first().filter(|_| is_empty(state, diagnosis)) else { return };
-    let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
+    let (text, repair) =
+        (words::finding(lang, finding, diagnosis, &state.model.document.figure().scene), finding.repair);
     let change = repair.map(|repair| change(state, &repair));
     let room = picture.shrink2(vec2(16.0, 8.0));
     let width = room.width().min(420.0);
@@ -117,7 +120,7 @@ pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
         });
     });
     if let Some(repair) = repair.filter(|_| pressed) {
-        state.apply_repair(repair);
+        state.model.apply_repair(repair);
         ui.request_repaint();
     }
 }
@@ -125,9 +128,9 @@ pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
 /// The changes of a repair.
 fn change(state: &State, repair: &Repair) -> String {
     // The numbers in the fields, which may make no camera.
-    let camera = *state.document.draft();
-    let figure = Figure { camera, ..state.document.figure().without_scene() };
-    words::changes_in_symbols(state.settings.lang, &repair.changes(&figure))
+    let camera = *state.model.document.draft();
+    let figure = Figure { camera, ..state.model.document.figure().without_scene() };
+    words::changes_in_symbols(state.model.settings.lang, &repair.changes(&figure))
 }
 
 /// An action to take.
@@ -140,7 +143,7 @@ enum Wish {
 
 /// The dialog with all there is to say.
 pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
-    let words = words::texts(state.settings.lang);
+    let words = words::texts(state.model.settings.lang);
     ui.heading(words.coach);
     let height = (ui.ctx().content_rect().height() - 150.0).max(120.0);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
@@ -162,11 +165,11 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: boo
         return;
     };
     match wish {
-        Wish::Repair(repair) => state.apply_repair(repair),
-        Wish::Camera(camera) => state.apply_camera(camera),
+        Wish::Repair(repair) => state.model.apply_repair(repair),
+        Wish::Camera(camera) => state.model.apply_camera(camera),
         Wish::Depth => {
             state.file_flow.dialog = None;
-            state.show_explanation(Explanation::Depth);
+            state.model.show_explanation(Explanation::Depth);
         }
     }
     ui.request_repaint();
@@ -178,7 +181,7 @@ fn title(ui: &mut Ui, text: &str) {
 }
 
 fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     title(ui, t.findings);
     let Some(diagnosis) = &advice.diagnosis else {
@@ -189,20 +192,20 @@ fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
     if diagnosis.findings.is_empty() {
-        let ImageSize { width, height } = state.document.figure().image;
+        let ImageSize { width, height } = state.model.document.figure().image;
         let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
         ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
     }
     for finding in &diagnosis.findings {
         let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));
-        if line(ui, &words::finding(lang, finding, diagnosis, &state.document.figure().scene), button) {
+        if line(ui, &words::finding(lang, finding, diagnosis, &state.model.document.figure().scene), button) {
             *wish = finding.repair.map(Wish::Repair);
         }
     }
 }
 
 fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     if !advice.health.is_empty() {
         title(ui, t.health);
@@ -212,7 +215,7 @@ fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) 
         let sign = if health.level == Level::Good { "" } else { "⚠ " };
         let (name, level) = (words::quantity(lang, health.quantity), words::level(lang, health.level));
         ui.label(RichText::new(format!("{sign}{name}: {level}")).color(color));
-        let figure = state.document.figure();
+        let figure = state.model.document.figure();
         let change = |camera| words::changes_in_symbols(lang, &changes(&figure.camera, camera));
         let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
         if line(ui, &words::health(lang, health, &advice.camera, figure.style.depth_format), button) {

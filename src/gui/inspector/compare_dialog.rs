@@ -5,13 +5,15 @@ use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
 use crate::gui::app::focus::at_right;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::inspector::complaint;
+use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::inspector::state::compare::{compared_with, end, in_window, keep_as_a, take};
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{CompareForm, Dialog, Purpose, State};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::compare as words;
@@ -20,16 +22,16 @@ use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 
 /// A button that opens the dialog.
 pub(in crate::gui) fn button(ui: &mut Ui, state: &mut State) {
-    let words = words::texts(state.settings.lang);
+    let words = words::texts(state.model.settings.lang);
     if ui.button(words.command).explained(words.command_hint).clicked() {
-        state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+        state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.model.document.figure())));
     }
 }
 
 /// Shows the dialog in a window of its own, which can be moved. The pictures beside it show what is chosen, and can be
 /// used.
 pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: CompareForm) {
-    let words = words::texts(state.settings.lang);
+    let words = words::texts(state.model.settings.lang);
     let mut open = true;
     let corner = ctx.content_rect().left_bottom() + vec2(8.0, -8.0);
     let mut kept = Some(form);
@@ -51,7 +53,7 @@ pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: Co
 
 /// The content of the window. The form, until it is closed.
 fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> Option<CompareForm> {
-    let words = words::texts(state.settings.lang);
+    let words = words::texts(state.model.settings.lang);
     ui.label(words.text);
     ui.add_space(6.0);
     let mut chosen = others(ui, words, state);
@@ -65,7 +67,7 @@ fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> 
         take(state, figure);
         ui.request_repaint();
     }
-    if let Some(why) = state.impossible_side() {
+    if let Some(why) = state.model.impossible_side() {
         complaint(ui, &why);
     }
     ui.add_space(8.0);
@@ -89,9 +91,9 @@ fn others(ui: &mut Ui, words: &Words, state: &mut State) -> Option<Figure> {
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
             file_flow::ask(ui.ctx(), state, Purpose::CompareWith);
         }
-        let with_saved = ui.add_enabled(state.document.is_changed(), Button::new(words.with_saved));
+        let with_saved = ui.add_enabled(state.model.document.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {
-            chosen = Some(compared_with(state, &state.document.saved().clone()));
+            chosen = Some(compared_with(state, &state.model.document.saved().clone()));
         }
     });
     chosen
@@ -99,7 +101,7 @@ fn others(ui: &mut Ui, words: &Words, state: &mut State) -> Option<Figure> {
 
 /// The ready pairs, and nothing.
 fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     let compared = figure.compare.as_ref();
     let keys: Vec<&str> =
         compared.iter().flat_map(|comparison| &comparison.with).map(|(key, _)| key.as_str()).collect();
@@ -142,7 +144,7 @@ fn give_other_projection(state: &State, figure: &mut Figure) {
         Projection::Perspective => Projection::Parallel,
         Projection::Parallel => Projection::Perspective,
     };
-    if let Ok(camera) = state.document.camera().with_projection(other) {
+    if let Ok(camera) = state.model.document.camera().with_projection(other) {
         let (height, view_angle) = (camera.parameters().height, camera.parameters().view_angle);
         (figure.camera.height, figure.camera.view_angle) = (height, view_angle);
     }
@@ -150,7 +152,7 @@ fn give_other_projection(state: &State, figure: &mut Figure) {
 
 /// θ now and another one.
 fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     let has_angle = figure.camera.projection == Projection::Perspective && figure.camera.window.is_none();
     let is_of_angle = |comparison: &Comparison| comparison.with.iter().any(|(key, _)| key == "camera.view_angle");
     let on = figure.compare.as_ref().is_some_and(|comparison| is_of_angle(comparison) && !comparison.is_of_camera());
@@ -174,7 +176,7 @@ fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut Compar
 
 /// Before and after an operation.
 fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
-    let compared = state.document.figure().compare.as_ref();
+    let compared = state.model.document.figure().compare.as_ref();
     let on = compared.is_some_and(|comparison| !comparison.ops.is_empty());
     let mut chosen = None;
     let (mut why, mut is_typed) = (None, false);
@@ -203,7 +205,7 @@ fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) 
 
 /// Any key and another value of it.
 fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
-    let compared = state.document.figure().compare.as_ref();
+    let compared = state.model.document.figure().compare.as_ref();
     let typed = read::typed_comparison(&form.key);
     let on = matches!((&typed, compared), (Ok(typed), Some(compared)) if typed.with == compared.with);
     let mut chosen = None;
@@ -228,7 +230,7 @@ fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Opt
 
 /// How it is compared.
 fn options(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
-    let compared = state.document.figure().compare.clone();
+    let compared = state.model.document.figure().compare.clone();
     let old = compared.clone().unwrap_or_default();
     let mut new = old.clone();
     let mut swapped = None;

@@ -5,11 +5,12 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::predict;
 use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
+use crate::gui::app::state::State;
+use crate::gui::inspector::state::operations::Scrub;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::motion;
-use crate::gui::state::{Scrub, State};
 use crate::gui::why::context_help::help_topic_row;
 use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
@@ -70,8 +71,8 @@ pub(in crate::gui) fn step_name(freedom: Freedom, t: &Texts) -> String {
 
 /// Shows the operations.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let possible = state.document.problem().is_none();
+    let t = window::texts(state.model.settings.lang);
+    let possible = state.model.document.problem().is_none();
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
         ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, state, written));
@@ -106,14 +107,14 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     // What is to be predicted isn't shown.
-    if state.hover.ghost.is_none()
+    if state.model.hover.ghost.is_none()
         && hovered
         && !state.operations.predict.on
         && !ui.input(|input| input.pointer.any_down())
     {
-        let before = state.document.camera().clone();
+        let before = state.model.document.camera().clone();
         let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
-        state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
+        state.model.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
     }
 }
 
@@ -130,21 +131,21 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Free
     });
     ui.add_enabled_ui(!state.operations.predict.on, |ui| slider(ui, t, state, freedom));
     let is_last = state.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
-    let keeps = is_last && state.operations.led_to(state.document.camera()).is_some();
+    let keeps = is_last && state.operations.led_to(state.model.document.camera()).is_some();
     let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
     if is_last {
         number_field::answer_call(ui, &button, t.keep_operation);
     }
     if button.explained(t.keep_operation_hint).explained_disabled(t.keep_operation_disabled).clicked() {
-        let camera = state.document.camera().clone();
-        state.operations.keep(&camera, &mut state.document.show_mut().operations);
+        let camera = state.model.document.camera().clone();
+        state.operations.keep(&camera, &mut state.model.document.show_mut().operations);
     }
     ui.add_space(3.0);
 }
 
 /// The operations that the figure shows, and the button that takes them out.
 fn kept(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
-    let shown = &state.document.figure().show.operations;
+    let shown = &state.model.document.figure().show.operations;
     if shown.is_empty() {
         return;
     }
@@ -153,7 +154,7 @@ fn kept(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
         let taken_out = ui.button("✕").explained(t.take_out).accessible_name(t.take_out).clicked();
         ui.add(egui::Label::new(format!("{} {}", t.kept_operations, names.join(" · "))).wrap());
         if taken_out {
-            state.document.show_mut().operations.clear();
+            state.model.document.show_mut().operations.clear();
         }
     });
 }
@@ -237,7 +238,7 @@ const STEP: f32 = 58.0;
 
 fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
-    let arrow = motion::arrow(state.document.camera(), freedom, forwards, state.operations.convention);
+    let arrow = motion::arrow(state.model.document.camera(), freedom, forwards, state.operations.convention);
     let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
     let button = egui::Button::new(text).min_size(egui::vec2(BUTTON, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
@@ -298,7 +299,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     let (range, grain) = match freedom.descriptor().amount {
         Amount::Factor => (3.0, 0.05),
         Amount::Length => {
-            let start = state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start);
+            let start = state.operations.scrub.as_ref().map_or(state.model.document.camera(), |s| &s.start);
             (start.distance(), 0.0)
         }
         Amount::Angle if free => (180.0, 0.0),
@@ -316,30 +317,30 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
     springs(ui, response.rect, ((amount + range) / (2.0 * range)).clamp(0.0, 1.0) as f32);
     if response.drag_started() {
-        state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });
+        state.operations.scrub = Some(Scrub { freedom, start: state.model.document.camera().clone(), amount: 0.0 });
     }
     // Where it is let go counts too: the pointer may have moved since the last frame.
     if response.dragged() || response.drag_stopped() {
         let convention = state.operations.convention;
         if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
-            state.hover.ghost =
+            state.model.hover.ghost =
                 Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
                 scrub.amount = amount;
                 let done = if amount == 0.0 {
-                    state.document.set_camera(scrub.start.clone());
+                    state.model.document.set_camera(scrub.start.clone());
                     Ok(())
                 } else {
-                    state.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
+                    state.model.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
                 };
-                state.say_camera_error(done);
+                state.model.say_camera_error(done);
             }
         }
         if response.drag_stopped() && amount != 0.0 {
-            state.operations.last = state.hover.ghost.clone();
+            state.operations.last = state.model.hover.ghost.clone();
         }
     } else if response.changed() {
-        let (before, operation) = (state.document.camera().clone(), pulled(freedom, amount));
+        let (before, operation) = (state.model.document.camera().clone(), pulled(freedom, amount));
         state.operations.last = Some(Ghost { before, operation, convention: state.operations.convention });
         state.operate(operation);
     }

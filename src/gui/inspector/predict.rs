@@ -3,12 +3,13 @@
 use eframe::egui::{self, Button, RichText};
 
 use crate::camera::Operation;
+use crate::gui::app::state::State;
+use crate::gui::inspector::state::predict::{About, Change, Prediction};
 use crate::gui::kit::number_field;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::color;
 use crate::gui::pictures::motion;
-use crate::gui::state::{About, Change, Prediction, State};
 use crate::i18n::learn::exercise_messages;
 use crate::i18n::window::Texts as WindowTexts;
 use crate::i18n::window::predict as words;
@@ -26,7 +27,7 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut St
     if switch.changed() && !predict.on {
         predict.asked = None;
     }
-    let asked = predict.asked.take().filter(|asked| asked.document == state.document.id());
+    let asked = predict.asked.take().filter(|asked| asked.document == state.model.document.id());
     let Some(mut asked) = asked else { return };
     let mut goes_on = true;
     ui.group(|ui| {

@@ -1,4 +1,4 @@
 //! Exercises and lessons, with what they remember.
 
-pub(super) mod exercises;
+pub mod exercises;
 pub(super) mod lesson;

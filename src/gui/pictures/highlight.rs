@@ -6,8 +6,9 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
+use crate::gui::app::state::State;
 use crate::gui::background::memo::Memo;
-use crate::gui::state::{Selected, State};
+use crate::gui::model::scene_tree::Selected;
 use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
@@ -24,12 +25,12 @@ const MOST_EDGES: usize = 400;
 impl Highlight {
     /// The scene that the pictures show.
     pub(in crate::gui) fn scene(&mut self, state: &State) -> SharedScene {
-        let (scene, figure) = (state.scene_cache.scene(), state.document.figure());
-        let Some(selected) = state.tree.selected(&figure.scene) else {
+        let (scene, figure) = (state.model.scene_cache.scene(), state.model.document.figure());
+        let Some(selected) = state.model.tree.selected(&figure.scene) else {
             self.marked.forget();
             return scene.clone();
         };
-        let key = (scene.clone(), selected.clone(), state.tree.also().clone(), state.settings.theme);
+        let key = (scene.clone(), selected.clone(), state.model.tree.also().clone(), state.model.settings.theme);
         let mark = |(scene, selected, also, theme): &(SharedScene, Selected, BTreeSet<String>, Theme)| {
             let color = Palette::of(*theme).probe;
             let mut marked = Scene::clone(scene);

@@ -5,8 +5,8 @@ use std::time::Duration;
 use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
+use crate::gui::app::state::State;
 use crate::gui::background::worker::Running;
-use crate::gui::state::State;
 use crate::i18n::window;
 use crate::i18n::window::canvas as words;
 use crate::i18n::window::{progress, scenes};
@@ -27,11 +27,11 @@ pub(super) struct LongWork {
 impl LongWork {
     /// The longest-running long work.
     pub(super) fn of(canvas: &Canvas, state: &State) -> Option<Self> {
-        let lang = state.settings.lang;
-        let mesh = state
-            .scene_cache
-            .running()
-            .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running));
+        let lang = state.model.settings.lang;
+        let mesh =
+            state.model.scene_cache.running().map(|(path, running)| {
+                (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running)
+            });
         let picture = canvas.rendering.running().and_then(|running| {
             let view = canvas.shot.pictures.get(running.slot)?.kind;
             Some((words::texts(lang).view(view).to_owned(), running))
@@ -61,8 +61,8 @@ impl Canvas {
             if self.rendering.running().is_some_and(is_long) {
                 self.rendering.cancel();
             }
-            if state.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
-                state.scene_cache.cancel();
+            if state.model.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
+                state.model.scene_cache.cancel();
             }
             state.file_flow.cancel(is_long);
         }
@@ -101,7 +101,7 @@ mod tests {
         let path = PathBuf::from("a.png");
         let export = Export::new([[4, 3]; 3], 1.0);
         let (what, to) = (ExportKind::Pictures(export), (path.clone(), Overwrite::Writable));
-        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
         let exporting = Exporting::with(&ctx, task, endless);
         state.file_flow.exporting.push(exporting);
         let mut press = |state: &mut State| {

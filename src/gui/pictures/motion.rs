@@ -5,7 +5,8 @@ use std::time::Duration;
 use eframe::egui::{self, Event};
 
 use crate::camera::{Amount, Camera, Convention, Freedom};
-use crate::gui::state::{DoneStep, Motion, State};
+use crate::gui::app::state::State;
+use crate::gui::inspector::state::operations::{DoneStep, Motion};
 use crate::views::Ghost;
 
 /// Duration of a step, in seconds.
@@ -16,12 +17,12 @@ const SHOWN: f64 = 2.0;
 /// Begins a step; at once at its end where motion is to be reduced, or where it leads to no camera.
 pub(in crate::gui) fn begin(state: &mut State, freedom: Freedom, amount: f64) {
     finish(state);
-    let (start, convention) = (state.document.camera().clone(), state.operations.convention);
+    let (start, convention) = (state.model.document.camera().clone(), state.operations.convention);
     let operation = freedom.by(amount);
     let ghost = Ghost { before: start.clone(), operation, convention };
     state.operations.last = Some(ghost.clone());
     state.operations.done = Some(DoneStep { ghost, since: None });
-    if state.settings.reduce_motion || operation.apply(&start, convention).is_err() {
+    if state.model.settings.reduce_motion || operation.apply(&start, convention).is_err() {
         state.operate(operation);
     } else {
         state.operations.motion = Some(Motion { start, freedom, amount, convention, began: None });
@@ -47,7 +48,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
         return;
     }
     // The end is a camera; a place on the way that is none is passed over.
-    let _ = state.document.operate_from(&motion.start, motion.at(share), motion.convention);
+    let _ = state.model.document.operate_from(&motion.start, motion.at(share), motion.convention);
     state.operations.motion = Some(motion);
     ctx.request_repaint();
 }
@@ -58,7 +59,7 @@ pub(in crate::gui) fn show_done(ctx: &egui::Context, state: &mut State) {
     let now = ctx.input(|input| input.time);
     let left = *done.since.get_or_insert(now) + SHOWN - now;
     if left > 0.0 && state.operations.scrub.is_none() {
-        state.hover.ghost = Some(done.ghost.clone());
+        state.model.hover.ghost = Some(done.ghost.clone());
         ctx.request_repaint_after(Duration::from_secs_f64(left));
     } else {
         state.operations.done = None;
@@ -68,9 +69,9 @@ pub(in crate::gui) fn show_done(ctx: &egui::Context, state: &mut State) {
 /// Puts the camera at the end of the step, as one change.
 pub(in crate::gui) fn finish(state: &mut State) {
     let Some(motion) = state.operations.motion.take() else { return };
-    let done = state.document.operate_from(&motion.start, motion.at(1.0), motion.convention);
-    state.document.commit();
-    state.say_camera_error(done);
+    let done = state.model.document.operate_from(&motion.start, motion.at(1.0), motion.convention);
+    state.model.document.commit();
+    state.model.say_camera_error(done);
 }
 
 /// The apparent motion of the camera. An arrow for its place, its look or its turn; `None` without a sideways motion.

@@ -4,7 +4,8 @@
 use eframe::egui::{self, Label, RichText};
 
 use crate::gui::app::focus::with_room_before;
-use crate::gui::state::{State, about_session};
+use crate::gui::app::state::State;
+use crate::gui::model::message::about_session;
 use crate::gui::storage::session::News;
 use crate::i18n::window;
 
@@ -13,7 +14,7 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
     if state.file_flow.news.is_empty() {
         return;
     }
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = window::texts(lang);
     let mut closed = None;
     egui::Panel::top("session news").show(ui, |ui| {

@@ -7,7 +7,7 @@ use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
 use crate::figure::Measured;
 use crate::gui::kit::mathematics::{Both, Formula as Typeset, Links, chain};
-use crate::gui::state::Matrices;
+use crate::gui::model::matrices::Matrices;
 use crate::gui::why::context_help::help_topic;
 use crate::i18n::Lang;
 use crate::i18n::why::explain as words;

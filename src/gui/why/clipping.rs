@@ -5,10 +5,11 @@ use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State};
+use crate::gui::model::action::AfterSave;
 use crate::i18n::why::explain;
 use crate::i18n::window::gallery;
 use crate::i18n::{told, window};
@@ -16,8 +17,8 @@ use crate::pipeline::divide_before_clip::divided_first;
 
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().reveal;
+    let t = window::texts(state.model.settings.lang);
+    let old = state.model.document.figure().reveal;
     let mut reveal = old;
     let outsides = [
         (Outside::Usual, t.outside_usual),
@@ -36,12 +37,12 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         ui.label(eframe::egui::RichText::new(hint).small().weak());
     }
     if reveal != old {
-        state.document.edit(|figure| figure.reveal = reveal);
+        state.model.document.edit(|figure| figure.reveal = reveal);
     }
     dead_end(ui, state);
-    let words = explain::texts(state.settings.lang);
+    let words = explain::texts(state.model.settings.lang);
     if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {
-        state.show_explanation(Explanation::Triangle);
+        state.model.show_explanation(Explanation::Triangle);
     }
 }
 
@@ -50,14 +51,14 @@ const SHOWS_IT: &str = "divide-first";
 
 /// Where dividing before clipping does no harm to the scene, offers a figure in which it does.
 fn dead_end(ui: &mut Ui, state: &mut State) {
-    if !state.document.figure().reveal.divide_first {
+    if !state.model.document.figure().reveal.divide_first {
         return;
     }
-    let camera = state.document.camera();
-    let key = (state.scene_cache.scene().clone(), *camera.parameters());
+    let camera = state.model.document.camera();
+    let key = (state.model.scene_cache.scene().clone(), *camera.parameters());
     let is_right = *state.explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
     let Some(figure) = ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let [title, caption] = figure.told();
     let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
     if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {

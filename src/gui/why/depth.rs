@@ -9,6 +9,7 @@ use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
 use crate::figure::Depth;
+use crate::gui::app::state::State;
 use crate::gui::export::chart_export;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::numerics::color_of;
@@ -17,7 +18,6 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::window::{coach as words, compare};
 use crate::i18n::{Lang, window};
 use crate::numerics::health::{suggested_planes, with_planes};
@@ -37,47 +37,47 @@ const WIDE_RANGE: f64 = 50.0;
 /// Shows it for the camera of the figure.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     depth_view(ui, state);
-    let camera = state.document.camera().clone();
+    let camera = state.model.document.camera().clone();
     if let Some(wanted) = of_camera(ui, state, &camera) {
-        state.apply_camera(wanted);
+        state.model.apply_camera(wanted);
         ui.request_repaint();
     }
 }
 
 /// The image in colours, or the depth buffer in its place.
 fn depth_view(ui: &mut Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().reveal.depth;
+    let t = window::texts(state.model.settings.lang);
+    let old = state.model.document.figure().reveal.depth;
     let mut depth = old;
     let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
     row(ui, "", t.depth_view, t.depth_view_hint, |ui| choice(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths));
     if depth != old {
-        state.document.edit(|figure| figure.reveal.depth = depth);
+        state.model.document.edit(|figure| figure.reveal.depth = depth);
     }
-    let t = compare::texts(state.settings.lang);
-    let old = state.document.figure().style.depth_format;
+    let t = compare::texts(state.model.settings.lang);
+    let old = state.model.document.figure().style.depth_format;
     let mut format = old;
     let formats =
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
-    let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(state.settings.lang, name));
+    let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(state.model.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &choices));
     if format != old {
-        state.document.edit(|figure| figure.style.depth_format = format);
+        state.model.document.edit(|figure| figure.style.depth_format = format);
     }
     compare_dialog::button(ui, state);
 }
 
 /// Shows what follows from a camera. Gives one with other planes where that is wanted.
 fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Parameters> {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     let [near, far] = [camera.near(), camera.far()];
-    let probe = match state.probe {
+    let probe = match state.model.probe {
         Some(Probe::Point(p)) => Some(-camera.view_point(p).z).filter(|depth| (near..=far).contains(depth)),
         Some(Probe::Window(_)) | None => None,
     };
-    let space = camera.possible_clip_space(state.settings.conventions.ndc);
+    let space = camera.possible_clip_space(state.model.settings.conventions.ndc);
     let said = words::depth_in(lang, space.ndc());
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
     plot(ui, lang, camera, space.ndc(), probe);
@@ -97,7 +97,7 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
         ui.label(format!("{}; {place} {}", t.scene_units, n(depth)));
     });
     formats(ui, lang, &resolutions(&space, depth, state.coach.gap));
-    let planes = suggested_planes(camera, state.scene_cache.scene().bounds()?)?;
+    let planes = suggested_planes(camera, state.model.scene_cache.scene().bounds()?)?;
     let mut wanted = None;
     ui.horizontal_wrapped(|ui| {
         ui.label(format!("{} F = {}, B = {}", t.suggested, n(planes[0]), n(planes[1])));

@@ -26,12 +26,13 @@ use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 
 pub(in crate::gui) use subject::object_transform;
 
-use super::state::{Question, State};
 use crate::figure::Explanation;
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::app::state::State;
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises;
+use crate::gui::model::explained::Question;
 use crate::i18n::why::explain;
 use crate::i18n::why::explain::Texts;
 pub(super) use triangle::clicked;
@@ -129,22 +130,24 @@ pub(super) fn all(t: &Texts) -> impl Iterator<Item = (Explanation, &'static str,
 
 /// Shows the questions, the explanations of the one that is open, and the explanation that is chosen.
 pub fn ui(ui: &mut Ui, state: &mut State) {
-    let t = explain::texts(state.settings.lang);
+    let t = explain::texts(state.model.settings.lang);
     ui.add_space(2.0);
     questions(ui, t, state);
-    let Some(question) = QUESTIONS.iter().find(|row| row.question == state.explain.question()) else { return };
+    let Some(question) = QUESTIONS.iter().find(|row| row.question == state.model.explained.question()) else { return };
     ui.horizontal_wrapped(|ui| {
         for row in question.answers {
             let (name, hint) = (row.words)(t);
-            let chosen = state.explain.shown() == row.explanation;
+            let chosen = state.model.explained.shown() == row.explanation;
             let button = Button::selectable(chosen, name).frame_when_inactive(true);
             if ui.add(button).explained(hint).clicked() {
-                state.explain.show(row.explanation);
+                state.model.explained.show(row.explanation);
             }
         }
     });
     ui.add_space(2.0);
-    let Some(row) = question.answers.iter().find(|row| row.explanation == state.explain.shown()) else { return };
+    let Some(row) = question.answers.iter().find(|row| row.explanation == state.model.explained.shown()) else {
+        return;
+    };
     if let Some(head) = row.head {
         head(ui, state);
         ui.separator();
@@ -180,12 +183,12 @@ fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
             for (row, share) in two.iter().zip(shares) {
                 let size = vec2((room * share).floor(), height);
                 let (name, hint) = (row.words)(t);
-                let open = state.explain.question() == row.question;
+                let open = state.model.explained.question() == row.question;
                 let text = RichText::new(name).text_style(font.clone());
                 let text = if open { text.strong() } else { text };
                 let button = Button::selectable(open, text).frame_when_inactive(true).wrap().min_size(size);
                 if ui.add_sized(size, button).explained(hint).clicked() {
-                    state.explain.ask(row.question);
+                    state.model.explained.ask(row.question);
                 }
             }
         });

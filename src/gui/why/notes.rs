@@ -7,11 +7,12 @@ use super::answer::{self, Writing};
 use super::stages;
 use super::subject::ExplainedSetting;
 use crate::explain::{Axis, Component, Symbol};
+use crate::gui::app::state::State;
 use crate::gui::kit::mathematics;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Notes, State};
+use crate::gui::why::state::notes::Notes;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;
 use crate::i18n::why::notes;
@@ -28,7 +29,7 @@ const LIST: f32 = 0.36;
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let height = (ui.ctx().content_rect().height() * LIST).max(96.0);
     search(ui, t, &mut state.explain.notes);
     ScrollArea::vertical().id_salt("list of notes").max_height(height).auto_shrink([false, true]).show(ui, |ui| {
@@ -153,10 +154,10 @@ fn numbers(ui: &mut Ui, state: &State, note: &Note) {
     if symbols.is_empty() {
         return;
     }
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let subject = ExplainedSetting::of(state);
     let setting = subject.setting(state);
-    let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
+    let writing = Writing { setting: &setting, lang: state.model.settings.lang, digits: state.model.settings.digits };
     ui.label(RichText::new(t.in_this_figure).small().weak());
     for symbol in symbols {
         answer::of_symbol(ui, writing, symbol);

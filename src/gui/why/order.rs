@@ -14,11 +14,14 @@ use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, excha
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
+use crate::gui::app::state::State;
 use crate::gui::inspector::{choice, complaint, section};
 use crate::gui::kit::mathematics;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Message, Order, Own, Selected, State};
+use crate::gui::model::message::Message;
+use crate::gui::model::scene_tree::Selected;
+use crate::gui::why::state::order::{Order, Own};
 use crate::i18n::why::order as words;
 use crate::i18n::why::order::Texts;
 use crate::scene::edit::descendants;
@@ -26,7 +29,7 @@ use crate::scene::transform::{Trs, put_on_chain};
 
 /// Shows the part that stays in sight above the list: its object, and the button that applies the list.
 pub(super) fn head(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let selected = subject::selected(state);
     state.explain.order.follow(own(selected.as_ref()));
     let calls = state.explain.order.calls();
@@ -55,9 +58,9 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let selected = subject::selected(state);
-    state.explain.placed.clear();
+    state.model.explained.placed.clear();
     let mut order = std::mem::take(&mut state.explain.order);
     order.follow(own(selected.as_ref()));
     tab(ui, state, t, (&mut order, selected.as_ref()));
@@ -179,7 +182,7 @@ fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Readin
         equation(ui, "", &[call]);
         let subject = ExplainedSetting::of(state);
         let setting = subject.setting(state);
-        let writing = Writing { setting: &setting, lang: t.lang, digits: state.settings.digits.min(5) };
+        let writing = Writing { setting: &setting, lang: t.lang, digits: state.model.settings.digits.min(5) };
         let entries = call.entries();
         numbers(ui, &matrix, &number, |i, j| {
             let formula = &entries.as_ref()?[i][j];
@@ -194,7 +197,7 @@ fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Readin
 
 /// A number with few digits. A matrix has to fit.
 fn writer(state: &State) -> impl Fn(f64) -> String {
-    let (mark, digits) = (state.settings.lang.mark(), state.settings.digits.min(5));
+    let (mark, digits) = (state.model.settings.lang.mark(), state.model.settings.digits.min(5));
     move |value: f64| mark.number(value, digits)
 }
 
@@ -227,7 +230,7 @@ fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
 
 /// Shows an object in the world where a part of the list puts it; without one, a cube.
 fn place(state: &mut State, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
-    let scene = &state.document.figure().scene;
+    let scene = &state.model.document.figure().scene;
     let (parent, now, objects) = match selected {
         None => (DMat4::IDENTITY, DMat4::IDENTITY, BTreeSet::new()),
         Some((name, placement)) => {
@@ -243,7 +246,7 @@ fn place(state: &mut State, selected: OrderedObject<'_>, stage: Stage, wrong: bo
         Some(Ray { origin: parent.transform_point3(axis.origin), direction })
     });
     if change.is_finite() {
-        state.explain.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
+        state.model.explained.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
     }
 }
 
@@ -292,7 +295,7 @@ fn other(
 /// The button. The object that is to get the list. Greyed with the reason where there is none, or the list is not one
 /// of transforms.
 fn take(ui: &mut Ui, state: &State, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
-    let (name, why) = match state.tree.selected(&state.document.figure().scene) {
+    let (name, why) = match state.model.tree.selected(&state.model.document.figure().scene) {
         Some(Selected::Object(name)) => (Some(name.clone()), String::new()),
         Some(Selected::OfPreset(_)) => (None, t.take_preset.to_owned()),
         Some(Selected::Light(_)) | None => (None, t.take_nothing.to_owned()),
@@ -306,9 +309,9 @@ fn take(ui: &mut Ui, state: &State, t: &'static Texts, unbalanced: Option<Unbala
 /// Gives the object of the figure the whole list, with groups above it where it needs them.
 fn take_over(state: &mut State, t: &'static Texts, name: &str, links: &[Link]) {
     let trs: Vec<Trs> = links.iter().map(|link| link.trs).collect();
-    let mut changed = state.document.figure().scene.clone();
+    let mut changed = state.model.document.figure().scene.clone();
     match put_on_chain(&mut changed, name, &trs, t.group) {
-        Ok(()) => state.document.edit(|figure| figure.scene = changed),
-        Err(error) => state.say(Message::Scene(error)),
+        Ok(()) => state.model.document.edit(|figure| figure.scene = changed),
+        Err(error) => state.model.say(Message::Scene(error)),
     }
 }

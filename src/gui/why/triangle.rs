@@ -5,11 +5,12 @@ use glam::DVec3;
 
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
+use crate::gui::app::state::State;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Covered, State};
 use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::why::state::triangle::Covered;
 use crate::i18n::pictures::labels;
 use crate::i18n::why::notes;
 use crate::i18n::why::triangle as words;
@@ -47,15 +48,15 @@ fn whole_number(ui: &mut Ui, lang: Lang, (name, hint): (&str, &str), now: u32, l
 
 /// Shows the chooser, and the steps of the chosen triangle.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     ui.label(RichText::new(t.heading).strong());
     ui.label(RichText::new(t.hint).weak());
-    let labels = labels(state.settings.lang);
+    let labels = labels(state.model.settings.lang);
     chooser(ui, t, state);
     let Some((steps, covered)) = found(ui.ctx(), state) else { return };
-    let Some(mut shown) = state.shown().triangle.clone() else { return };
+    let Some(mut shown) = state.model.shown().triangle.clone() else { return };
     choose_step(ui, t, &mut shown.step);
-    let page = Page { t, labels, mark: state.settings.lang.mark(), digits: state.settings.digits };
+    let page = Page { t, labels, mark: state.model.settings.lang.mark(), digits: state.model.settings.digits };
     let step = shown.step;
     let top = ui.cursor().min;
     let pixels = match covered {
@@ -73,7 +74,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         TriangleStep::Divide => page.divide(ui, &steps),
         TriangleStep::Viewport => page.viewport(ui, &steps),
         TriangleStep::Pixels => page.pixels(ui, pixels.as_deref()),
-        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), state.document.figure().image, &mut shown.pixel),
+        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), state.model.document.figure().image, &mut shown.pixel),
     }
     let row = egui::Rect::from_min_max(top, egui::pos2(ui.max_rect().right(), ui.cursor().min.y));
     help_topic_row(ui, row, notes::of_stage(stage_of(step)));
@@ -82,8 +83,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
 
 /// Goes on with the chosen step, or pixel.
 fn follow(ui: &Ui, state: &mut State, shown: ShownTriangle) {
-    if state.shown().triangle.as_ref() != Some(&shown) {
-        state.document.show_mut().triangle = Some(shown);
+    if state.model.shown().triangle.as_ref() != Some(&shown) {
+        state.model.document.show_mut().triangle = Some(shown);
         ui.ctx().request_repaint();
     }
 }
@@ -92,7 +93,8 @@ fn follow(ui: &Ui, state: &mut State, shown: ShownTriangle) {
 fn found(ctx: &egui::Context, state: &mut State) -> Option<(TriangleSteps, Covered)> {
     // They do not depend on the size.
     let size = Size { width: 1, height: 1, scale: 1.0 };
-    let (document, scene, labels) = (&state.document, state.scene_cache.scene(), labels(state.settings.lang));
+    let (document, scene, labels) =
+        (&state.model.document, state.model.scene_cache.scene(), labels(state.model.settings.lang));
     let request = Request::of(document.figure(), View::Image, document.camera(), scene, labels, size);
     state.explain.triangle.found(ctx, &request)
 }
@@ -111,14 +113,14 @@ fn stage_of(step: TriangleStep) -> Stage {
 }
 
 fn chooser(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let scene = state.scene_cache.scene().clone();
+    let scene = state.model.scene_cache.scene().clone();
     let objects: Vec<(&str, usize)> = scene
         .objects
         .iter()
         .filter(|object| object.faces && !object.mesh.triangles.is_empty())
         .map(|object| (object.name.as_str(), object.mesh.triangles.len()))
         .collect();
-    let shown = state.shown().triangle.clone();
+    let shown = state.model.shown().triangle.clone();
     let mut chosen = shown.as_ref().map(|shown| (shown.object.clone(), shown.index));
     ui.horizontal_wrapped(|ui| {
         let name = chosen.as_ref().map_or("–", |(name, _)| name).to_owned();
@@ -153,9 +155,9 @@ fn chooser(ui: &mut Ui, t: &Texts, state: &mut State) {
 
 /// Follows another triangle at the same step, or none.
 fn choose(state: &mut State, chosen: Option<(String, u32)>) {
-    let step = state.shown().triangle.as_ref().map(|shown| shown.step).unwrap_or_default();
+    let step = state.model.shown().triangle.as_ref().map(|shown| shown.step).unwrap_or_default();
     let triangle = chosen.map(|(object, index)| ShownTriangle { object, index, step, pixel: None });
-    state.document.show_mut().triangle = triangle;
+    state.model.document.show_mut().triangle = triangle;
 }
 
 fn choose_step(ui: &mut Ui, t: &Texts, step: &mut TriangleStep) {
@@ -345,14 +347,14 @@ pub(in crate::gui) fn clicked(
     triangle: Option<(usize, u32)>,
 ) -> bool {
     let pixel = image_pixel(request, pointer);
-    let shown = state.shown().triangle.clone();
+    let shown = state.model.shown().triangle.clone();
     let at_depth = shown.filter(|shown| shown.step == TriangleStep::Depth);
     let covered = at_depth.and_then(|shown| match found(ctx, state)?.1 {
         Covered::Found(Some(pixels)) if pixel.is_some_and(|pixel| pixels.covers(pixel)) => Some(shown),
         Covered::Found(_) | Covered::Searched => None,
     });
     if let Some(shown) = covered {
-        state.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
+        state.model.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
     } else if let Some((object, index)) = triangle {
         let name = &request.scene.objects[object].name;
         if request.scene.place_of(name) != Some(object) {

@@ -10,10 +10,11 @@ use std::time::Duration;
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::app::state::State;
 use crate::gui::export::chart_export;
 use crate::gui::files::file_flow;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State};
+use crate::gui::model::action::AfterSave;
 use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
@@ -68,7 +69,7 @@ pub fn ui(ui: &mut Ui, state: &mut State) {
 
 /// The studies, each with a mark where it has been measured, and the button that measures.
 fn studies(ui: &mut Ui, state: &mut State) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.vertical(|ui| {
         ui.set_width(LIST - 12.0);
@@ -103,7 +104,7 @@ fn studies(ui: &mut Ui, state: &mut State) {
 
 /// The question of a study, before it has been measured.
 fn nothing_yet(ui: &mut Ui, state: &State) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     ui.vertical(|ui| {
         ui.add_space(8.0);
         ui.label(RichText::new(words::title(lang, state.numerics.study)).strong());
@@ -117,7 +118,7 @@ fn nothing_yet(ui: &mut Ui, state: &State) {
 
 /// The chart of one case. Gives the row whose point was clicked.
 fn chart(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     let cases = findings.cases();
     let case = cases.get(state.numerics.case).copied().unwrap_or_default();
@@ -148,7 +149,7 @@ fn chart(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
 
 /// The methods at one parameter. Gives the row whose camera is to be opened.
 fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     let case = findings.cases().get(state.numerics.case).copied().unwrap_or_default().to_owned();
     let rows: Vec<&Row> = findings.rows.iter().filter(|row| row.case == case).collect();

@@ -6,10 +6,10 @@ use super::free_window::{closed, opened};
 use super::{Number, ParameterForm, VectorParameter, lens_menu, row};
 use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
+use crate::gui::app::state::State;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
 use crate::i18n::window::Texts;
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
@@ -70,7 +70,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
             if form.preset == Preset::Exercise52 && form.parameters.projection == Projection::Parallel {
                 erratum(ui, t, t.erratum_52);
             }
-            let follows = state.settings.aspect_follows_image;
+            let follows = state.model.settings.aspect_follows_image;
             ui.add_enabled_ui(!follows, |ui| {
                 form.number(
                     ui,

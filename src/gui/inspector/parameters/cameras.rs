@@ -6,11 +6,11 @@ use super::{complaint, row};
 use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
 use crate::figure::{Comparison, NamedCamera};
+use crate::gui::app::state::State;
 use crate::gui::inspector::section;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::window;
 use crate::i18n::window::cameras::{self, Texts};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
@@ -19,8 +19,8 @@ use crate::views::{OtherCamera, Palette};
 
 /// Shows the list, and the buttons that add to it.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = cameras::texts(state.settings.lang);
-    let count = state.document.figure().cameras.len();
+    let t = cameras::texts(state.model.settings.lang);
+    let count = state.model.document.figure().cameras.len();
     // It opens when the first camera comes, or when one of its buttons was searched for.
     let (id, opens) = match (count > 0, state.cameras.was_called) {
         (true, _) => ("cameras", true),
@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         }
         for index in 0..count {
             // A camera that is removed leaves the list shorter in the same frame.
-            if index < state.document.figure().cameras.len() {
+            if index < state.model.document.figure().cameras.len() {
                 other(ui, state, t, index);
             }
         }
@@ -45,7 +45,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
 fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     let mut asked = (false, false);
     let mut is_beside = is_beside(state, index);
-    let own = state.document.figure().cameras[index].name.clone();
+    let own = state.model.document.figure().cameras[index].name.clone();
     name_row(ui, state, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
         let look = ui.button(t.look).explained(t.look_hint).accessible_name(of(t.look));
@@ -54,14 +54,14 @@ fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     });
     let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
     if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
-        let compare = is_beside.then(|| Comparison::of_camera(&state.document.figure().cameras[index].name));
-        state.document.edit_cameras(|figure| figure.compare = compare);
+        let compare = is_beside.then(|| Comparison::of_camera(&state.model.document.figure().cameras[index].name));
+        state.model.document.edit_cameras(|figure| figure.compare = compare);
     }
     match asked {
         (true, _) => state.look_through(index),
         (_, true) => {
             state.cameras.typing = None;
-            state.document.edit_cameras(|figure| figure.remove_camera(index));
+            state.model.document.edit_cameras(|figure| figure.remove_camera(index));
         }
         _ => {}
     }
@@ -69,7 +69,7 @@ fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
 
 /// True if the image of this camera stands beside that of the current one.
 fn is_beside(state: &State, index: usize) -> bool {
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     let name = figure.compare.as_ref().and_then(|comparison| comparison.camera.as_ref());
     name.is_some_and(|name| figure.cameras[index].name == *name)
 }
@@ -106,14 +106,14 @@ fn is_refused(state: &State, index: Option<usize>) -> bool {
 }
 
 fn is_free(state: &State, name: &str, index: Option<usize>) -> bool {
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     let is_own = index.is_none() && figure.tag.name.as_deref() == Some(name);
     is_own || figure.may_name_camera(name, index)
 }
 
 fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) {
-    let palette = Palette::of(state.settings.theme);
-    let figure = state.document.figure();
+    let palette = Palette::of(state.model.settings.theme);
+    let figure = state.model.document.figure();
     let given = index.map_or(figure.tag.color, |i| figure.cameras[i].color);
     let now = match index {
         Some(i) => OtherCamera::color_at(given, i, palette),
@@ -126,7 +126,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
     if picker.changed() {
         let [r, g, b] = chosen;
         let chosen = Some(Rgba::rgb(r, g, b));
-        state.document.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
+        state.model.document.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
             Some(NamedCamera { color, .. }) => *color = chosen,
             None => figure.tag.color = chosen,
         });
@@ -135,14 +135,14 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
 
 /// The field of a name. It takes effect with Enter, or when it is left.
 fn name_field(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) {
-    let figure = state.document.figure();
+    let figure = state.model.document.figure();
     let old = index.map_or_else(|| figure.tag.name.clone(), |i| Some(figure.cameras[i].name.clone()));
     let old = old.unwrap_or_default();
     let kept = state.cameras.typing.take_if(|(of, ..)| *of == index);
     let (_, mut text, was_left) = kept.unwrap_or_else(|| (index, old.clone(), false));
     let id = egui::Id::unique(("camera name", index));
     let field = TextField::line(&mut text, MAX_CAMERA_NAME).with(|edit| edit.id(id).desired_width(98.0));
-    let response = field.show(ui, state.settings.lang).explained(t.name_hint);
+    let response = field.show(ui, state.model.settings.lang).explained(t.name_hint);
     let response = response.accessible_name(format!("{}: {}", t.name, escaped(&old)));
     let left = response.lost_focus();
     let wanted = text.trim().to_owned();
@@ -151,7 +151,7 @@ fn name_field(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usi
             state.cameras.typing = Some((index, text, false));
         }
     } else if left && is_free(state, &wanted, index) {
-        state.document.edit_cameras(|figure| figure.rename_camera(index, &wanted));
+        state.model.document.edit_cameras(|figure| figure.rename_camera(index, &wanted));
     } else if response.has_focus() || left || was_left {
         state.cameras.typing = Some((index, text, left || was_left));
     }
@@ -167,13 +167,13 @@ fn add(ui: &mut egui::Ui, state: &mut State, t: &Texts, has_room: bool) {
             button.explained(hint).explained_disabled(t.full)
         };
         if button(ui, t.add, t.add_hint).clicked() {
-            let name = state.document.figure().free_camera_name();
-            state.keep_camera(&name);
+            let name = state.model.document.figure().free_camera_name();
+            state.model.keep_camera(&name);
         }
         if button(ui, t.before, t.before_hint).clicked() {
-            state.keep_camera(t.before_name);
+            state.model.keep_camera(t.before_name);
         }
-        let is_perspective = state.document.camera().projection() == Projection::Perspective;
+        let is_perspective = state.model.document.camera().projection() == Projection::Perspective;
         let pair = ui.add_enabled(has_room && is_perspective, egui::Button::new(format!("{} ▾", t.pair)));
         let pair = pair.explained(t.pair_hint).accessible_name(t.pair);
         number_field::answer_call(ui, &pair, t.pair);
@@ -187,8 +187,8 @@ fn add(ui: &mut egui::Ui, state: &mut State, t: &Texts, has_room: bool) {
 
 /// The menu of the stereo pair: its baseline and its two kinds.
 fn stereo(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let words = window::texts(state.settings.lang);
-    let mut baseline = state.cameras.baseline.unwrap_or(state.document.camera().distance() / 30.0);
+    let words = window::texts(state.model.settings.lang);
+    let mut baseline = state.cameras.baseline.unwrap_or(state.model.document.camera().distance() / 30.0);
     row(ui, "", t.baseline, t.baseline_hint, |ui| {
         let field = NumberField::new(t.baseline, Step::Multiply(1.1)).positive().hint(t.baseline_hint).width(92.0);
         let before = baseline;
@@ -201,7 +201,7 @@ fn stereo(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         [(Convergence::ShiftedWindows, t.shifted, t.shifted_hint), (Convergence::ToeIn, t.toe_in, t.toe_in_hint)]
     {
         if ui.button(text).explained(hint).clicked() {
-            state.make_stereo(baseline, convergence);
+            state.model.make_stereo(baseline, convergence);
             ui.close();
         }
     }

@@ -18,10 +18,12 @@ use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::app::state::State;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{State, Tab, symbols_of};
+use crate::gui::model::layout::Tab;
+use crate::gui::model::matrices::symbols_of;
 use crate::gui::why::context_help::{has_focus, help_topic_row};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
@@ -34,8 +36,8 @@ use crate::scene::Preset;
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     tabs(ui, state);
-    let scroll = egui::ScrollArea::vertical().id_salt(state.settings.tab).auto_shrink(false);
-    match state.settings.tab {
+    let scroll = egui::ScrollArea::vertical().id_salt(state.model.settings.tab).auto_shrink(false);
+    match state.model.settings.tab {
         Tab::Camera => {
             scroll.show(ui, |ui| {
                 camera_tab(ui, state);
@@ -55,21 +57,21 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 
 /// The heads of the tabs, side by side.
 fn tabs(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let drawing = scenes::texts(state.settings.lang).drawing;
+    let t = window::texts(state.model.settings.lang);
+    let drawing = scenes::texts(state.model.settings.lang).drawing;
     ui.add_space(2.0);
     ui.columns(3, |columns| {
         let all = [(Tab::Camera, t.camera), (Tab::Scene, t.scene), (Tab::Drawing, drawing)];
         for (column, (tab, text)) in columns.iter_mut().zip(all) {
             let command = Command::Tab(tab);
-            let keys = written(column.ctx(), &command.shortcut(), state.settings.lang);
+            let keys = written(column.ctx(), &command.shortcut(), state.model.settings.lang);
             let hint = format!("{} ({keys})", command.hint(t));
-            let impossible = tab == Tab::Camera && state.document.problem().is_some();
+            let impossible = tab == Tab::Camera && state.model.document.problem().is_some();
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
             column.vertical_centered_justified(|ui| {
-                let button = egui::Button::selectable(state.settings.tab == tab, text).frame_when_inactive(true);
+                let button = egui::Button::selectable(state.model.settings.tab == tab, text).frame_when_inactive(true);
                 if ui.add(button).explained(hint).accessible_name(command.label(t)).clicked() {
-                    state.settings.tab = tab;
+                    state.model.settings.tab = tab;
                 }
             });
         }
@@ -79,30 +81,30 @@ fn tabs(ui: &mut egui::Ui, state: &mut State) {
 
 fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     let mut form = ParameterForm::new(state);
-    if form.error.is_some() && state.problem_out_of_sight {
+    if form.error.is_some() && state.model.problem_out_of_sight {
         form.problem(ui);
         form.said = false;
     }
     camera::placement(ui, &mut form);
     camera::projection(ui, &mut form, state);
     camera::window(ui, &mut form);
-    state.hover.measured = form.measured;
-    state.hover.pointed = form.pointed;
-    state.problem_out_of_sight = form.error.is_some() && !form.said;
+    state.model.hover.measured = form.measured;
+    state.model.hover.pointed = form.pointed;
+    state.model.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
-        Some(camera) => state.document.set_camera(camera),
-        None => state.document.set_parameters(form.parameters),
+        Some(camera) => state.model.document.set_camera(camera),
+        None => state.model.document.set_parameters(form.parameters),
     }
     if let Some(lens) = form.new_lens {
-        state.document.set_lens(lens);
+        state.model.document.set_lens(lens);
     }
     if let Some(point) = form.follows {
-        state.follow_point(point);
-        state.show_explanation(Explanation::Point);
+        state.model.follow_point(point);
+        state.model.show_explanation(Explanation::Point);
     }
     if let Some(measure) = form.keeps {
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
-        state.document.edit_labels(|labels| labels.measure(measure, shown));
+        state.model.document.edit_labels(|labels| labels.measure(measure, shown));
     }
     cameras::ui(ui, state);
     image::ui(ui, state);
@@ -139,20 +141,20 @@ struct ParameterForm {
 impl ParameterForm {
     fn new(state: &State) -> Self {
         Self {
-            t: window::texts(state.settings.lang),
-            lang: state.settings.lang,
-            preset: state.document.figure().scene.preset,
-            parameters: *state.document.draft(),
-            error: state.document.problem().cloned(),
-            good: state.document.camera().clone(),
-            lens: state.document.figure().lens_in_force(),
+            t: window::texts(state.model.settings.lang),
+            lang: state.model.settings.lang,
+            preset: state.model.document.figure().scene.preset,
+            parameters: *state.model.document.draft(),
+            error: state.model.document.problem().cloned(),
+            good: state.model.document.camera().clone(),
+            lens: state.model.document.figure().lens_in_force(),
             new_lens: None,
-            image: state.document.figure().image,
+            image: state.model.document.figure().image,
             replaced: None,
             said: false,
             measured: Vec::new(),
             pointed: Vec::new(),
-            kept: state.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
+            kept: state.model.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
             keeps: None,
             follows: None,
         }

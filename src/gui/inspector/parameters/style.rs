@@ -5,15 +5,15 @@ use eframe::egui;
 use super::row;
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
+use crate::gui::app::state::State;
 use crate::gui::inspector::{choice, more, section};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().style;
+    let t = window::texts(state.model.settings.lang);
+    let old = state.model.document.figure().style;
     let mut style = old;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
@@ -54,9 +54,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         });
     });
     if style != old {
-        state.document.edit(|figure| figure.style = style);
+        state.model.document.edit(|figure| figure.style = style);
     }
     if opens {
-        state.show_explanation(Explanation::HiddenSurfaces);
+        state.model.show_explanation(Explanation::HiddenSurfaces);
     }
 }

@@ -4,9 +4,13 @@ use eframe::egui;
 use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Purpose;
+use crate::gui::inspector::state::insert::{free_place, rounded};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
+use crate::gui::model::action::MeshFor;
+use crate::gui::model::scene_tree::Selected;
 use crate::i18n::window::scenes::Texts;
 use crate::numbers;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
@@ -70,19 +74,19 @@ fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
 
 /// Adds an object at PF, in a size that suits the view.
 fn add(state: &mut State, object: ObjectSpec) {
-    let camera = state.document.camera();
+    let camera = state.model.document.camera();
     let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
     let place = match object.shape {
         // A grid lies where the scene stands, and a group has no body.
         None | Some(Shape::Grid) => rounded(camera.focal_point(), size / 10.0),
-        Some(_) => free_place(camera, state.scene_cache.scene(), size),
+        Some(_) => free_place(camera, state.model.scene_cache.scene(), size),
     };
     let object = ObjectSpec { translate: place, scale: DVec3::splat(size), ..object };
-    state.insert(object);
+    state.model.insert(object);
 }
 
 fn add_light(state: &mut State, light: Light) {
-    let camera = state.document.camera();
+    let camera = state.model.document.camera();
     let light = match light.kind {
         LightKind::Directional => light,
         // Above the focal point, as a lamp hangs.
@@ -91,9 +95,9 @@ fn add_light(state: &mut State, light: Light) {
             Light::point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
         }
     };
-    let index = state.document.figure().scene.lights.len();
-    state.document.edit(|figure| figure.scene.lights.push(light));
-    state.tree.select(Some(Selected::Light(index)));
+    let index = state.model.document.figure().scene.lights.len();
+    state.model.document.edit(|figure| figure.scene.lights.push(light));
+    state.model.tree.select(Some(Selected::Light(index)));
 }
 
 /// 1, 2 or 5 times a power of ten, about a fifth of the visible height at PF above the middle.

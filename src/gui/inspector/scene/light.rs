@@ -5,10 +5,10 @@ use glam::DVec3;
 
 use super::{Edit, SceneForm};
 use crate::figure::ShadowReveal;
+use crate::gui::app::state::State;
 use crate::gui::inspector::{VectorField, choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::window::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
@@ -50,7 +50,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
 
 /// The inner work of shadows, in all pictures.
 fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let now = state.document.figure().reveal.shadows;
+    let now = state.model.document.figure().reveal.shadows;
     let mut chosen = now;
     let all = [
         (None, t.shadow_plain),
@@ -62,7 +62,7 @@ fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         choice(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
     });
     if chosen != now {
-        state.document.edit(|figure| figure.reveal.shadows = chosen);
+        state.model.document.edit(|figure| figure.reveal.shadows = chosen);
     }
 }
 

@@ -14,10 +14,13 @@ use super::{choice, row, section};
 use crate::explain::{Component, Symbol};
 use crate::figure::Measured;
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Dialog;
 use crate::gui::kit::number_field::FieldOutput;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Draft, Message, Selected, State, Typing};
+use crate::gui::model::message::Message;
+use crate::gui::model::scene_tree::{Draft, Selected, Typing};
 use crate::gui::why::context_help::{has_focus, help_topic_row};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
@@ -48,7 +51,7 @@ enum Edit {
 
 /// Shows the tab.
 pub(in crate::gui) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = scenes::texts(state.settings.lang);
+    let t = scenes::texts(state.model.settings.lang);
     named_scene(ui, state);
     ui.horizontal(|ui| {
         add::menu(ui, state, t);
@@ -67,8 +70,8 @@ pub(in crate::gui) fn ui(ui: &mut egui::Ui, state: &mut State) {
 }
 
 fn named_scene(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().scene.preset;
+    let t = window::texts(state.model.settings.lang);
+    let old = state.model.document.figure().scene.preset;
     let mut preset = old;
     let presets = [
         (Preset::Empty, t.scene_empty),
@@ -84,7 +87,7 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
     ];
     row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
     if preset != old {
-        state.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
+        state.model.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
         // An empty scene has nothing to frame: the viewpoint stays.
         if preset != Preset::Empty {
             show_from_its_best_side(state, preset);
@@ -96,46 +99,46 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
 /// aspect.
 fn show_from_its_best_side(state: &mut State, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
-    if state.settings.aspect_follows_image {
-        let n = state.document.figure().image.height;
+    if state.model.settings.aspect_follows_image {
+        let n = state.model.document.figure().image.height;
         let m = (f64::from(n) * camera.aspect).round();
         // An image that would be too wide stays as it is, and A follows it.
         if (1.0..=f64::from(MAX_SIDE)).contains(&m) {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-            state.document.edit(|figure| figure.image.width = m as u32);
+            state.model.document.edit(|figure| figure.image.width = m as u32);
         }
-        camera.aspect = f64::from(state.document.figure().image.width) / f64::from(n);
+        camera.aspect = f64::from(state.model.document.figure().image.width) / f64::from(n);
     }
-    state.document.set_parameters(camera);
-    *state.document.observers_mut() = Default::default();
+    state.model.document.set_parameters(camera);
+    *state.model.document.observers_mut() = Default::default();
 }
 
 /// The button that expands the named scene into a list of objects. It tells before and after what the list cannot
 /// express.
 fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let preset = state.document.figure().scene.preset;
+    let preset = state.model.document.figure().scene.preset;
     if preset == Preset::Empty {
         return;
     }
-    let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(state.settings.lang, preset));
+    let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(state.model.settings.lang, preset));
     if !ui.button(t.edit_copy).explained(hint.trim()).clicked() {
         return;
     }
-    let (theme, lang) = (state.settings.theme, state.settings.lang);
+    let (theme, lang) = (state.model.settings.theme, state.model.settings.lang);
     let called = |name: &str| scenes::preset_object(lang, name);
     let mut names = BTreeMap::new();
-    state.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
-    if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
-        state.tree.select(names.remove(&name).map(Selected::Object));
+    state.model.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
+    if let Some(Selected::OfPreset(name)) = state.model.tree.selected.clone() {
+        state.model.tree.select(names.remove(&name).map(Selected::Object));
     }
-    state.say(Message::WrittenOut(preset));
+    state.model.say(Message::WrittenOut(preset));
 }
 
 /// The selection, with its fields. Returns the request of its buttons.
 fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
-    let scene = &state.document.figure().scene;
+    let scene = &state.model.document.figure().scene;
     let mut form = SceneForm::new(state);
-    let asked = match state.tree.selected(scene).cloned() {
+    let asked = match state.model.tree.selected(scene).cloned() {
         None => {
             ui.add(egui::Label::new(RichText::new(t.nothing_selected).weak()).wrap());
             None
@@ -178,9 +181,9 @@ struct SceneForm {
 
 impl SceneForm {
     fn new(state: &State) -> Self {
-        let lang = state.settings.lang;
-        let base = state.document.figure().scene.clone();
-        let draft = state.tree.draft.as_ref().filter(|draft| draft.base == base);
+        let lang = state.model.settings.lang;
+        let base = state.model.document.figure().scene.clone();
+        let draft = state.model.tree.draft.as_ref().filter(|draft| draft.base == base);
         Self {
             t: scenes::texts(lang),
             window: window::texts(lang),
@@ -188,7 +191,7 @@ impl SceneForm {
             scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
             error: draft.map(|draft| draft.error.clone()),
             base,
-            step: crate::numbers::power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0),
+            step: crate::numbers::power_of_ten(state.model.document.camera().distance() / 10.0).unwrap_or(1.0),
             measured: Vec::new(),
             pointed: Vec::new(),
         }
@@ -226,18 +229,18 @@ impl SceneForm {
 
     /// Takes the scene over where it is possible. Otherwise the fields keep it, and the figure the last one that was.
     fn finish(self, state: &mut State) {
-        state.hover.measured.extend_from_slice(&self.measured);
-        state.hover.pointed.extend_from_slice(&self.pointed);
+        state.model.hover.measured.extend_from_slice(&self.measured);
+        state.model.hover.pointed.extend_from_slice(&self.pointed);
         if self.scene == self.base {
-            state.tree.draft = None;
+            state.model.tree.draft = None;
             return;
         }
         match check(&self.scene) {
             Ok(()) => {
-                state.tree.draft = None;
-                state.document.edit(|figure| figure.scene = self.scene);
+                state.model.tree.draft = None;
+                state.model.document.edit(|figure| figure.scene = self.scene);
             }
-            Err(error) => state.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
+            Err(error) => state.model.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
         }
     }
 }
@@ -257,7 +260,7 @@ const SCALE: TransformPart = TransformPart { key: "scale", symbol: Symbol::Scale
 
 /// Deletes an object, reports it, and selects its parent.
 pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, children: Children) {
-    let mut scene = state.document.figure().scene.clone();
+    let mut scene = state.model.document.figure().scene.clone();
     let before = scene.objects.len();
     let tops = topmost(&scene, names);
     let Some(name) = tops.first() else { return };
@@ -271,29 +274,29 @@ pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, childr
     }
     let others = before - scene.objects.len();
     let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
-    state.document.edit(|figure| figure.scene = scene);
-    state.tree.select(selected.map(Selected::Object));
-    state.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
+    state.model.document.edit(|figure| figure.scene = scene);
+    state.model.tree.select(selected.map(Selected::Object));
+    state.model.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
 }
 
 fn perform(state: &mut State, edit: Edit) {
     match edit {
         Edit::Hang { name, parent } => {
-            let mut scene = state.document.figure().scene.clone();
-            let stay = !state.tree.moves_with_parent;
+            let mut scene = state.model.document.figure().scene.clone();
+            let stay = !state.model.tree.moves_with_parent;
             // A parent that it cannot hang on is not offered.
             let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
-            state.document.edit(|figure| figure.scene = scene);
+            state.model.document.edit(|figure| figure.scene = scene);
             if !stayed {
-                state.say(Message::Shear);
+                state.model.say(Message::Shear);
             }
             if let Some(parent) = parent {
-                state.tree.folded.remove(&parent);
+                state.model.tree.folded.remove(&parent);
             }
         }
         Edit::Remove { names, children } => remove(state, &names, children),
         Edit::AskRemove(names) => {
-            let below = below(&state.document.figure().scene, &names);
+            let below = below(&state.model.document.figure().scene, &names);
             if below == 0 {
                 remove(state, &names, Children::Removed);
             } else {
@@ -301,13 +304,13 @@ fn perform(state: &mut State, edit: Edit) {
             }
         }
         Edit::RemoveLight(index) => {
-            state.document.edit(|figure| {
+            state.model.document.edit(|figure| {
                 if index < figure.scene.lights.len() {
                     figure.scene.lights.remove(index);
                 }
             });
-            state.tree.select(None);
-            state.say(Message::LightDeleted(index));
+            state.model.tree.select(None);
+            state.model.say(Message::LightDeleted(index));
         }
     }
 }
@@ -330,5 +333,5 @@ fn text_field(
 /// The text being typed for an object.
 fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
     let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
-    if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
+    if state.model.tree.typing.as_ref().is_some_and(is_it) { state.model.tree.typing.take() } else { None }
 }

@@ -8,11 +8,14 @@ use glam::DVec3;
 use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, text_field, texture, typing};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::{VectorField, complaint, row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
+use crate::gui::model::action::MeshFor;
+use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
 use crate::gui::why::context_help::{help_topic, help_topic_row};
 use crate::i18n::messages;
 use crate::i18n::messages::faults;
@@ -31,7 +34,7 @@ use crate::views::Transforming;
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
-    let together = state.tree.names(&form.scene).len();
+    let together = state.model.tree.names(&form.scene).len();
     if together > 1 {
         let words = format!("{together} {} {}", t.several, escaped(&name));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
@@ -39,7 +42,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
     rename(ui, state, form, &name);
     kind(ui, form, index);
     let mut asked = parent(ui, state, form, index);
-    transform_fields(ui, form, index, &mut state.tree.transforming);
+    transform_fields(ui, form, index, &mut state.model.tree.transforming);
     if form.scene.objects[index].shape.is_some() || !descendants(&form.scene, &name).is_empty() {
         color(ui, state, form, index);
     }
@@ -51,7 +54,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
         if ui.button(t.duplicate).explained(t.duplicate_hint).clicked() {
             duplicate(state, form);
         }
-        asked = asked.take().or(delete(ui, form, &state.tree.names(&form.scene)));
+        asked = asked.take().or(delete(ui, form, &state.model.tree.names(&form.scene)));
     });
     matrix(ui, form, &name);
     asked
@@ -59,8 +62,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
 
 /// The properties of an object of the named scene, which cannot be edited.
 pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, name: &str) {
-    let t = scenes::texts(state.settings.lang);
-    let preset = preset_objects(state.document.figure().scene.preset);
+    let t = scenes::texts(state.model.settings.lang);
+    let preset = preset_objects(state.model.document.figure().scene.preset);
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
     ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
     row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
@@ -73,7 +76,7 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, 
         (ROTATE, "R", t.rotate, t.rotate_hint, object.rotate, "°"),
         (SCALE, "S", t.scale, t.scale_hint, object.scale, ""),
     ] {
-        let mark = state.settings.lang.mark();
+        let mark = state.model.settings.lang.mark();
         let components = v.to_array().map(|x| format!("{}{unit}", mark.number(x, 5)));
         let text = format!("({})", components.join(mark.separator()));
         let place = ui.scope(|ui| row(ui, symbol, name, hint, |ui| ui.label(text)));
@@ -103,7 +106,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
         Some(t.name_empty.to_owned())
     } else {
         let renamed = edit::rename(&mut form.scene.clone(), name, &wanted);
-        renamed.err().map(|error| faults::scene_error(state.settings.lang, &error))
+        renamed.err().map(|error| faults::scene_error(state.model.settings.lang, &error))
     };
     typing.left |= left;
     match problem {
@@ -112,17 +115,17 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
             // The draft of impossible numbers, if there is one, goes on under the new name.
             let mut base = form.base.clone();
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
-                state.document.edit(|figure| figure.scene = base.clone());
-                state.document.show_mut().rename_object(name, &wanted);
-                state.document.edit_labels(|labels| labels.rename_object(name, &wanted));
+                state.model.document.edit(|figure| figure.scene = base.clone());
+                state.model.document.show_mut().rename_object(name, &wanted);
+                state.model.document.edit_labels(|labels| labels.rename_object(name, &wanted));
                 form.base = base;
-                state.tree.select(Some(Selected::Object(wanted)));
+                state.model.tree.select(Some(Selected::Object(wanted)));
             }
             return;
         }
         _ => {}
     }
-    state.tree.typing = Some(typing);
+    state.model.tree.typing = Some(typing);
 }
 
 /// Another shape with the same transform. A shape with data of its own is not offered.
@@ -190,9 +193,9 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &SceneForm, index: usize) 
         });
     });
     help_topic_row(ui, place.response.rect, notes::of_matrix(Matrix::Model));
-    let mut stay = !state.tree.moves_with_parent;
+    let mut stay = !state.model.tree.moves_with_parent;
     ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
-    state.tree.moves_with_parent = !stay;
+    state.model.tree.moves_with_parent = !stay;
     (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
 }
 
@@ -238,7 +241,7 @@ fn gizmo(ui: &mut egui::Ui, form: &SceneForm, transforming: &mut Transforming) {
 fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
-    let shown = state.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
+    let shown = state.model.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
         ObjectPaint::Solid(color) if o.owner() == owner => Some(color),
         ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => None,
     });
@@ -270,9 +273,9 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usiz
             Ok(color) if left => chosen = Some(color),
             Err(_) if left || typing.left => {
                 complaint(ui, t.color_bad);
-                state.tree.typing = Some(Typing { left: true, ..typing });
+                state.model.tree.typing = Some(Typing { left: true, ..typing });
             }
-            _ if editing || typing.left => state.tree.typing = Some(typing),
+            _ if editing || typing.left => state.model.tree.typing = Some(typing),
             _ => {}
         }
     }
@@ -394,18 +397,18 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
         *path = text;
     } else if !left && text != *path {
-        state.tree.typing = Some(typing);
+        state.model.tree.typing = Some(typing);
     }
-    let problem = state.scene_cache.problem_of(owner);
-    let unread = state.scene_cache.unread_of(owner);
+    let problem = state.model.scene_cache.problem_of(owner);
+    let unread = state.model.scene_cache.unread_of(owner);
     let mut is_outside = matches!(&problem, Some(SceneError::Mesh { error, .. }) if error.is_outside());
     for error in unread {
-        complaint(ui, &messages::without_colors(state.settings.lang, error));
+        complaint(ui, &messages::without_colors(state.model.settings.lang, error));
         is_outside |= error.is_outside();
     }
     let is_lacking = problem.is_some() || !unread.is_empty();
     if let Some(error) = problem {
-        complaint(ui, &faults::scene_error(state.settings.lang, &error));
+        complaint(ui, &faults::scene_error(state.model.settings.lang, &error));
     }
     let [outside, lacking] = texture::notices(ui, state, owner);
     texture::mend(ui, state, [is_outside || outside, is_lacking || lacking]);
@@ -413,10 +416,10 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
 
 /// Duplicates the selection. The copies are selected then.
 fn duplicate(state: &mut State, form: &mut SceneForm) {
-    let names = state.tree.names(&form.scene);
+    let names = state.model.tree.names(&form.scene);
     let mut copies = transform::duplicate(&mut form.scene, &names);
     let first = copies.pop_first();
-    state.tree.select_all(first.map(Selected::Object), copies);
+    state.model.tree.select_all(first.map(Selected::Object), copies);
 }
 
 /// The delete button. A menu where the selection has children.

@@ -4,11 +4,13 @@ use eframe::egui::{self, Key, RichText};
 
 use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Purpose, State, Typing};
+use crate::gui::model::scene_tree::Typing;
 use crate::i18n::messages;
 use crate::limits::{MAX_TEXTURE_SCALE, MAX_TYPED};
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
@@ -22,7 +24,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
     if let Some(TextureSource::File(_)) = &form.scene.objects[index].texture {
         file(ui, state, form, index);
     }
-    let scene = state.scene_cache.scene();
+    let scene = state.model.scene_cache.scene();
     let is_textured = |object: &crate::scene::Object| matches!(object.paint, ObjectPaint::Texture(_));
     if scene.objects.iter().any(|object| object.owner() == owner && is_textured(object)) {
         wrap_and_filter(ui, form, index, is_mesh);
@@ -44,8 +46,8 @@ fn has_faces(shape: &Shape) -> bool {
 /// read again.
 pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2] {
     let mut found = [false; 2];
-    for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
-        let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
+    for (_, notice) in state.model.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
+        let words = format!("⚠ {}", messages::mesh_notice(state.model.settings.lang, notice));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
         if let MeshNotice::Texture(error) = notice {
             found = [found[0] || error.is_outside(), true];
@@ -56,14 +58,14 @@ pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2
 
 /// The buttons by which the user mends what could not be read.
 pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
-    let t = crate::i18n::window::scenes::texts(state.settings.lang);
+    let t = crate::i18n::window::scenes::texts(state.model.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
-        state.document.allow_files();
-        state.message = None;
+        state.model.document.allow_files();
+        state.model.message = None;
     }
     if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-        state.scene_cache.read_again();
-        state.message = None;
+        state.model.scene_cache.read_again();
+        state.model.message = None;
     }
 }
 
@@ -124,7 +126,7 @@ fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
     if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
         *path = text;
     } else if !left && text != *path {
-        state.tree.typing = Some(typing);
+        state.model.tree.typing = Some(typing);
     }
 }
 
@@ -163,7 +165,7 @@ fn or_unsaid<T: Copy + PartialEq>(
 
 /// The inner work of texturing, in all pictures.
 fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::window::scenes::Texts) {
-    let now = state.document.figure().reveal.texture;
+    let now = state.model.document.figure().reveal.texture;
     let mut chosen = now;
     let all = [
         (TextureReveal::Affine, t.texture_affine),
@@ -175,7 +177,7 @@ fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::window::scenes:
         choice(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
     });
     if chosen != now {
-        state.document.edit(|figure| figure.reveal.texture = chosen);
+        state.model.document.edit(|figure| figure.reveal.texture = chosen);
     }
 }
 

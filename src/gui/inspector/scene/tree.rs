@@ -11,8 +11,9 @@ use eframe::egui::{
 use super::Edit;
 use crate::appearance::Rgba;
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::app::state::State;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Selected, State, preset_objects};
+use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::i18n::window::scenes::{Texts, preset_object};
 use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
@@ -46,9 +47,9 @@ struct Dragged(String);
 /// Shows the tree, up to `height`, and returns the edits.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height: f32) -> Vec<Edit> {
     let mut edits = Vec::new();
-    let scene = state.document.figure().scene.clone();
-    let rows = rows(&scene, state.scene_cache.scene(), &state.tree.folded, t);
-    let selected = state.tree.selected(&scene).cloned();
+    let scene = state.model.document.figure().scene.clone();
+    let rows = rows(&scene, state.model.scene_cache.scene(), &state.model.tree.folded, t);
+    let selected = state.model.tree.selected(&scene).cloned();
     let dragged = egui::DragAndDrop::payload::<Dragged>(ui.ctx());
     let frame = egui::Frame::NONE
         .fill(ui.visuals().extreme_bg_color)
@@ -63,7 +64,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
                     ui.advance_cursor_after_rect(place);
                     continue;
                 }
-                let is_also = matches!(&row.what, Some(Selected::Object(name)) if state.tree.also().contains(name));
+                let is_also =
+                    matches!(&row.what, Some(Selected::Object(name)) if state.model.tree.also().contains(name));
                 let is_selected = row.what.is_some() && row.what == selected || is_also;
                 let response = show(ui, row, is_selected);
                 if let (Selected::Object(name), true) =
@@ -91,7 +93,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
 /// Clicks and keys on a row.
 fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &Response, edits: &mut Vec<Edit>) {
     if response.clicked() {
-        state.select(row.what.clone(), ui.input(|input| input.modifiers.command));
+        state.model.select(row.what.clone(), ui.input(|input| input.modifiers.command));
         response.request_focus();
         ui.ctx().request_repaint();
     }
@@ -105,7 +107,7 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &R
     if let Some(open) = row.open.filter(|_| row.what.is_some()) {
         let triangle = ui.interact(triangle_place(row, response.rect), response.id.with("fold"), Sense::CLICK);
         if triangle.clicked() || response.double_clicked() {
-            fold(&mut state.tree.folded, open);
+            fold(&mut state.model.tree.folded, open);
             ui.ctx().request_repaint();
         }
     }
@@ -116,13 +118,13 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &R
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let pressed = |key| ui.input(|input| input.key_pressed(key));
     if row.open.is_some() && (pressed(Key::ArrowLeft) || pressed(Key::ArrowRight)) {
-        fold(&mut state.tree.folded, pressed(Key::ArrowLeft));
+        fold(&mut state.model.tree.folded, pressed(Key::ArrowLeft));
         ui.ctx().request_repaint();
     }
     if pressed(Key::Delete) {
         match &row.what {
             Some(Selected::Object(name)) => {
-                let mut names = state.tree.names(&state.document.figure().scene);
+                let mut names = state.model.tree.names(&state.model.document.figure().scene);
                 if !names.contains(name) {
                     names = BTreeSet::from([name.clone()]);
                 }

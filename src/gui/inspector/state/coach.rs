@@ -8,8 +8,9 @@ use eframe::egui;
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, Reveal};
+use crate::gui::app::state::State;
 use crate::gui::background::memo::Latest;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::numerics::diagnosis::{
     Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
 };
@@ -96,21 +97,23 @@ impl State {
             return;
         }
         // Until then the scene is not whole.
-        if self.scene_cache.loading().is_empty() {
-            let Figure { style, reveal, image, .. } = *self.document.figure();
-            let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
+        if self.model.scene_cache.loading().is_empty() {
+            let Figure { style, reveal, image, .. } = *self.model.document.figure();
+            let impossible = self.model.document.problem().cloned().map(|error| ImpossibleCamera {
                 error,
-                parameters: *self.document.draft(),
+                parameters: *self.model.document.draft(),
                 style,
                 reveal,
                 image,
             });
-            let (camera, scene) = (self.document.camera().clone(), self.scene_cache.scene().clone());
+            let (camera, scene) = (self.model.document.camera().clone(), self.model.scene_cache.scene().clone());
             let request = HealthRequest { camera, scene, style, reveal, image, impossible };
             self.coach.advice.ask(ctx, request);
         }
     }
+}
 
+impl Model {
     /// Changes the figure as a repair has it, as one step that can be undone.
     pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
         self.apply_camera(repair.camera);

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
 use crate::files;
-use crate::gui::state::{Dialog, Message, State};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Dialog;
+use crate::gui::model::message::Message;
 
 /// The values of the dialog that no figure has yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,16 +36,16 @@ impl CompareForm {
 
 /// Ends the comparison: the views show the figure alone, framed as before.
 pub(in crate::gui) fn end(state: &mut State) {
-    if state.document.figure().compare.is_some() {
-        state.document.edit(|figure| figure.compare = None);
-        state.document.commit();
+    if state.model.document.figure().compare.is_some() {
+        state.model.document.edit(|figure| figure.compare = None);
+        state.model.document.commit();
     }
 }
 
 /// Keeps the camera of the figure as A.
 pub(in crate::gui) fn keep_as_a(state: &mut State) {
-    state.camera_a = Some(Arc::new(state.document.figure().clone()));
-    state.say(Message::CameraKept);
+    state.camera_a = Some(Arc::new(state.model.document.figure().clone()));
+    state.model.say(Message::CameraKept);
 }
 
 /// Swaps the sides of the comparison; without one, compares with A.
@@ -52,11 +54,11 @@ pub(in crate::gui) fn swap(state: &mut State) {
     let swapped = match (&figure.compare, state.camera_a.clone()) {
         (Some(comparison), _) => comparison.swapped(&figure),
         (None, Some(a)) => Some(compared_with(state, &a)),
-        (None, None) => return state.say(Message::NothingToSwap),
+        (None, None) => return state.model.say(Message::NothingToSwap),
     };
     if let Some(figure) = swapped {
         take(state, figure);
-        state.document.commit();
+        state.model.document.commit();
     }
 }
 
@@ -64,16 +66,16 @@ pub(in crate::gui) fn swap(state: &mut State) {
 pub(in crate::gui) fn with_file(state: &mut State, path: &Path) {
     match files::open_figure_with_any_camera(path) {
         Ok((opened, _)) => {
-            let is_same_scene = opened.figure.scene == state.document.figure().scene;
+            let is_same_scene = opened.figure.scene == state.model.document.figure().scene;
             let figure = compared_with(state, &opened.figure);
             take(state, figure);
-            state.document.commit();
-            state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+            state.model.document.commit();
+            state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.model.document.figure())));
             if !is_same_scene {
-                state.say(Message::OtherScene(path.to_owned()));
+                state.model.say(Message::OtherScene(path.to_owned()));
             }
         }
-        Err(error) => state.say(Message::File(path.to_owned(), error)),
+        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
     }
 }
 
@@ -86,22 +88,22 @@ pub(in crate::gui) fn compared_with(state: &State, other: &Figure) -> Figure {
 
 /// The figure with the convention of the window, which is not in it.
 pub(in crate::gui) fn in_window(state: &State) -> Figure {
-    let mut figure = state.document.figure().clone();
-    figure.show.ndc = Some(state.settings.conventions.ndc);
+    let mut figure = state.model.document.figure().clone();
+    figure.show.ndc = Some(state.model.settings.conventions.ndc);
     figure
 }
 
 /// Makes a figure that differs in its comparison and in what belongs to it that of the window.
 pub(in crate::gui) fn take(state: &mut State, figure: Figure) {
     let Figure { camera, image, undistorted, photograph, viewport, style, reveal, world, show, compare, .. } = figure;
-    if camera != state.document.figure().camera {
+    if camera != state.model.document.figure().camera {
         // Only then: what is being typed stays.
-        state.document.set_parameters(camera);
+        state.model.document.set_parameters(camera);
     }
-    state.document.edit(|figure| {
+    state.model.document.edit(|figure| {
         (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
         figure.photograph = photograph;
         (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
     });
-    *state.document.show_mut() = show;
+    *state.model.document.show_mut() = show;
 }

@@ -8,12 +8,13 @@ use super::{Sheet, check};
 use crate::clock;
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
+use crate::gui::app::state::State;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::mathematics;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{State, is_whole, joined};
+use crate::gui::learn::exercises::state::{is_whole, joined};
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::{Lang, messages};
 use crate::limits::MAX_ANSWER;
@@ -331,11 +332,11 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
 /// A camera as text, and the button that takes the one of the window.
 fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
     let t = sheet.t;
-    if state.document.figure().scene != sheet.exercise.subject.figure.scene {
+    if state.model.document.figure().scene != sheet.exercise.subject.figure.scene {
         ui.add(egui::Label::new(RichText::new(t.other_figure).weak()).wrap());
     }
     if ui.button(t.take_camera).explained(t.take_camera_hint).clicked() {
-        let set = Answer::Camera(Box::new(*state.document.camera().parameters()));
+        let set = Answer::Camera(Box::new(*state.model.document.camera().parameters()));
         *text = said::understood(t.lang, ask, &set);
     }
     let field = TextField::lines(text, MAX_ANSWER).refused_beyond().with(|edit| {

@@ -7,7 +7,7 @@ pub(in crate::gui) mod list;
 mod own;
 mod progress;
 mod solution;
-pub(in crate::gui) mod state;
+pub mod state;
 mod statement;
 mod verdict;
 
@@ -17,9 +17,10 @@ use eframe::egui::{self, Key, Modifiers, Ui};
 
 use crate::clock;
 use crate::exercises::{self, Ask, Entry, Exercise};
+use crate::gui::app::state::State;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Checked, Chosen, Done, State, joined};
+use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
 use crate::i18n::learn::exercise_messages as messages;
 use crate::i18n::learn::exercise_window as words;
 use crate::i18n::learn::exercise_window::Texts;
@@ -35,7 +36,7 @@ struct Sheet<'a> {
 
 /// The part that stays in sight above the list, and above an exercise.
 pub(in crate::gui) fn head(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let open = state.exercises.open.clone();
     if open.is_none() {
         list::search(ui, t, &mut state.exercises);
@@ -73,7 +74,7 @@ pub(in crate::gui) fn head(ui: &mut Ui, state: &mut State) {
 
 /// Shows the list, or the exercise that is worked on.
 pub(in crate::gui) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let Some((entry, exercise)) = state.exercises.exercise() else {
         list::ui(ui, t, &mut state.exercises);
         own::ui(ui, t, state);
@@ -125,7 +126,7 @@ fn question(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_sa
 
 /// Shows the questions of the exercise that is worked on, without its statement: a step of a lesson asks them.
 pub(in crate::gui) fn questions(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let Some((entry, exercise)) = state.exercises.exercise() else { return };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
     let just_said = state.exercises.take_said();

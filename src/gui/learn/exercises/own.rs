@@ -3,17 +3,18 @@
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
 use crate::files::BadExercise;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Purpose, State};
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::messages;
 use crate::sanitize;
 
 /// The part below the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
-    if state.in_browser {
+    if state.model.in_browser {
         return;
     }
     ui.add_space(6.0);

@@ -3,10 +3,11 @@
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Purpose, State};
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::learn::exercises as said;
 use crate::sanitize;

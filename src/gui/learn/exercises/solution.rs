@@ -10,12 +10,13 @@ use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, reco
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
 use crate::expression::{Dimension, evaluate_with};
+use crate::gui::app::state::State;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::mathematics::{Both, Links, chain};
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Described, NotCamera, State};
+use crate::gui::learn::exercises::state::{Described, NotCamera};
 use crate::i18n::Lang;
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::why::dialects;
@@ -87,7 +88,7 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
     }
     let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
     let camera = camera.map(Box::new);
-    if camera.is_ok() && *state.document.figure() != figure::with_camera(exercise, right) {
+    if camera.is_ok() && *state.model.document.figure() != figure::with_camera(exercise, right) {
         state.show_figure_of_exercise(figure::with_camera(exercise, right));
     }
     state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
@@ -243,7 +244,7 @@ fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, (step
     let lang = sheet.t.lang;
     ui.add_space(2.0);
     prose::show(ui, &said::step_heading(lang, exercise, step));
-    let style = |notation| Style { notation, mark: lang.mark(), digits: state.settings.digits };
+    let style = |notation| Style { notation, mark: lang.mark(), digits: state.model.settings.digits };
     let lines = step.lines(style(Notation::Latex), true);
     let last = lines.len().saturating_sub(1);
     for (k, (latex, text)) in lines.into_iter().zip(step.lines(style(Notation::Text), true)).enumerate() {

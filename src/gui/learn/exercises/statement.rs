@@ -3,12 +3,13 @@
 use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State};
+use crate::gui::model::action::AfterSave;
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
@@ -56,7 +57,7 @@ fn lesson(ui: &mut Ui, state: &mut State, Sheet { t, entry, .. }: Sheet<'_>) {
 fn target(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
     let Some(wanted) = exercise.figure_to_match() else { return };
-    if let Some(texture) = figure::target(ui, wanted, (state.settings.theme, t.lang)) {
+    if let Some(texture) = figure::target(ui, wanted, (state.model.settings.theme, t.lang)) {
         ui.add_space(4.0);
         let name = messages::texts(t.lang).target;
         ui.label(RichText::new(name).small().weak());

@@ -5,9 +5,11 @@ use eframe::egui::{self, RichText, Ui};
 use super::answers::color;
 use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
-use crate::gui::state::{AfterSave, Chosen, State, joined};
+use crate::gui::learn::exercises::state::{Chosen, joined};
+use crate::gui::model::action::AfterSave;
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, lesson_of};
 

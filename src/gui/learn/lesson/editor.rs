@@ -5,11 +5,13 @@ use eframe::egui::{Button, Id, RichText, Ui};
 
 use super::task_fields;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State, StepChange};
+use crate::gui::learn::lesson::writing::StepChange;
+use crate::gui::model::action::AfterSave;
 use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, messages};
@@ -66,7 +68,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
 
 /// The fields of the step, of its task, or of the whole lesson.
 pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
+    let (lang, now) = (state.model.settings.lang, ui.input(|input| input.time));
     let Some(playing) = state.lesson.as_mut() else { return };
     // A task asks about the figure of its step, even while the author tries another camera.
     let figure = playing.now().map(|step| step.figure.clone());

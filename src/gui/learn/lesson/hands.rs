@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
+use crate::gui::app::state::State;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::color;
-use crate::gui::state::State;
 use crate::i18n::learn::exercises as said;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, told};
@@ -56,7 +56,7 @@ pub(super) fn question_with_choices(step: &Step) -> Option<(Exercise, usize)> {
 
 /// Counts hands by keys: a letter raises one for its choice, Shift and the letter lower one.
 pub(super) fn count(ctx: &Context, state: &mut State) {
-    let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
+    let listens = state.model.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
     let Some(playing) = state.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
     let Some((_, choices)) = playing.now().and_then(question_with_choices) else { return };
     let step = playing.step;

@@ -3,10 +3,12 @@
 use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, Ui};
 
 use crate::gui::app::focus::at_right;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Dialog;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, Dialog, State};
+use crate::gui::model::action::AfterSave;
 use crate::i18n::learn::lessons as words;
 use crate::i18n::told;
 use crate::i18n::window::gallery;
@@ -17,7 +19,7 @@ pub(in crate::gui) const WIDTH: f32 = 620.0;
 
 /// Shows the list. A lesson that is chosen is played.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.lessons);
     ui.add_space(4.0);

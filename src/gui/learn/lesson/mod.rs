@@ -21,11 +21,14 @@ use crate::figure::{Bilingual, Explanation};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Dialog;
 use crate::gui::kit::prose;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, Chosen, Dialog, State};
+use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::model::action::AfterSave;
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
 use crate::i18n::learn::lessons::Texts;
@@ -78,12 +81,12 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
 /// command that is to be done.
 pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
+    let is_fresh = state.model.document.path().is_none() && state.lesson.is_none() && !state.model.settings.bare;
     if !(state.welcome && is_fresh) {
         return None;
     }
     let first = lessons::shipped().first()?.lesson.clone();
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let mut command = None;
     let shown = egui::Panel::top("welcome").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -96,7 +99,7 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
                     state.welcome = false;
-                    state.settings.welcomed = true;
+                    state.model.settings.welcomed = true;
                 }
             });
             plays
@@ -109,19 +112,19 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
     }
     // It stays if the question about changes does.
     if state.lesson.is_some() || command.is_some() {
-        (state.welcome, state.settings.welcomed) = (false, true);
+        (state.welcome, state.model.settings.welcomed) = (false, true);
     }
     command
 }
 
 /// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
-    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
+    let is_fresh = state.model.document.path().is_none() && state.lesson.is_none() && !state.model.settings.bare;
     let next = state.next_lesson().and_then(|place| lessons::shipped().get(place));
     let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.goes_on && is_fresh) else {
         return;
     };
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let (t, step) = (words::texts(lang), state.step_to_go_on(&lesson));
     let mut open = None;
     egui::Panel::top("go on").show(ui, |ui| {
@@ -136,7 +139,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
             {
                 state.exercises.work_on(next.clone());
                 state.exercises.why = Some((next, why));
-                state.show_explanation(Explanation::Exercises);
+                state.model.show_explanation(Explanation::Exercises);
                 state.goes_on = false;
             }
             ui.label("·");
@@ -159,7 +162,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
 fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
-    let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
+    let listens = state.model.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
     let Some(playing) = state.lesson.as_mut().filter(|_| listens) else { return };
     // In their order, and each as often as it was pressed: a slow frame brings several.
     ctx.input_mut(|input| {
@@ -193,10 +196,10 @@ const DIGITS: [Key; 10] =
 pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let playing = state.lesson.as_ref()?;
     let key = (playing.lesson.id.clone(), playing.step);
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
-    let (writes, presents) = (state.writes_lesson(), state.settings.presentation);
+    let (writes, presents) = (state.writes_lesson(), state.model.settings.presentation);
     let share = match (writes, presents && asks) {
         (true, _) => SHARE_WRITTEN,
         (false, true) => SHARE_ASKED,
@@ -292,7 +295,7 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 /// One line: title, number of the step, the ways on.
 fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
     let lang = t.lang;
-    let writes_own = state.plays_own_lesson() && !state.settings.presentation;
+    let writes_own = state.plays_own_lesson() && !state.model.settings.presentation;
     let playing = state.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
@@ -300,7 +303,7 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         playing.step,
         lesson.steps.len(),
         playing.may_go_on(),
-        state.document.is_changed() && playing.moving.is_none(),
+        state.model.document.is_changed() && playing.moving.is_none(),
     );
     let mut command = None;
     let mut go_to = None;
@@ -402,12 +405,12 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     // What is written is shown in the language of its fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers are those of what is on the screen.
-    let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(state.model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
         Some(report) => words::filled_from(lang, text, report),
         None => told(lang, text).to_owned(),
     };
-    let presents = state.settings.presentation;
+    let presents = state.model.settings.presentation;
     let say = |ui: &mut Ui| {
         if !presents {
             ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
@@ -448,7 +451,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
 
 /// Buttons that lead from the step to notes, exercises and lessons.
 fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
-    if links.is_empty() || state.settings.presentation {
+    if links.is_empty() || state.model.settings.presentation {
         return;
     }
     let lang = t.lang;
@@ -467,7 +470,7 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                     let Some(entry) = crate::exercises::entry(id) else { continue };
                     if ui.link(format!("{}: {}", t.practise, exercises::title(lang, entry))).clicked() {
                         state.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
-                        state.show_explanation(Explanation::Exercises);
+                        state.model.show_explanation(Explanation::Exercises);
                     }
                 }
                 Link::Lesson(id, step) => {

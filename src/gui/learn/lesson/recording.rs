@@ -5,7 +5,10 @@ use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
 use crate::files::{self, FileError};
-use crate::gui::state::{Agreed, Dialog, Message, Side, State};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::{Agreed, Dialog};
+use crate::gui::model::layout::Side;
+use crate::gui::model::message::Message;
 use crate::i18n::learn::lessons as words;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::views::View;
@@ -23,13 +26,15 @@ impl State {
         }
         match added(self, path, agreed) {
             Ok(lesson) => self.step_is_added(path, lesson),
-            Err(error) => self.say(Message::File(path.to_owned(), error)),
+            Err(error) => self.model.say(Message::File(path.to_owned(), error)),
         }
     }
 
     /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
     pub(in crate::gui) fn is_recorded(&mut self) -> bool {
-        let Some(path) = self.lesson_file.as_deref().filter(|_| self.document.path().is_none()) else { return false };
+        let Some(path) = self.lesson_file.as_deref().filter(|_| self.model.document.path().is_none()) else {
+            return false;
+        };
         let Ok((lesson, _)) = files::read_lesson(path) else { return false };
         if self.title_to_record(Some(&lesson)).is_some() {
             return false;
@@ -41,10 +46,10 @@ impl State {
 
     /// The title that the user gave the figure, if no step of the lesson has it yet.
     pub(in crate::gui) fn title_to_record(&self, lesson: Option<&Lesson>) -> Option<Bilingual> {
-        let title = self.document.figure().title.as_ref()?;
+        let title = self.model.document.figure().title.as_ref()?;
         let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
-        let is_of_step = self.lesson.is_some() && self.document.saved().title.as_ref() == Some(title);
-        let is_new = !is_of_step && !self.document.has_words_of_card() && steps.all(|step| step.title != *title);
+        let is_of_step = self.lesson.is_some() && self.model.document.saved().title.as_ref() == Some(title);
+        let is_new = !is_of_step && !self.model.document.has_words_of_card() && steps.all(|step| step.title != *title);
         is_new.then(|| title.clone())
     }
 
@@ -60,7 +65,7 @@ impl State {
     /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
     pub(in crate::gui) fn step_is_added(&mut self, path: &Path, lesson: Lesson) {
         self.lesson_file = Some(path.to_owned());
-        self.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
+        self.model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
         if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
             // The steps before it have their places.
             playing.lesson = Arc::new(lesson);
@@ -76,10 +81,10 @@ impl State {
     /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
     pub(in crate::gui) fn look_for_lessons(&mut self) {
         let folders =
-            [self.lesson_file.as_deref().and_then(Path::parent), self.document.folder(), self.gallery.folder()];
+            [self.lesson_file.as_deref().and_then(Path::parent), self.model.document.folder(), self.gallery.folder()];
         let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
         // A folder that cannot be read has none.
-        let found = folder.filter(|_| !self.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
+        let found = folder.filter(|_| !self.model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
         self.own_lessons = found.unwrap_or_default().lessons;
     }
 
@@ -108,14 +113,14 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
 /// The figure as it is on the screen: explanations, views and panel. If you haven't turned a view, its viewpoint isn't
 /// stored, so that it's fitted when the step is played.
 pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
-    let seen = state.as_seen();
-    let panel = state.settings.panels().is_shown(Side::Explain).then(|| state.explain.shown());
-    let pictures = View::ALL.map(|view| state.layout.is_shown(view));
-    let figure = state.document.figure();
+    let seen = state.model.as_seen();
+    let panel = state.model.settings.panels().is_shown(Side::Explain).then(|| state.model.explained.shown());
+    let pictures = View::ALL.map(|view| state.model.layout.is_shown(view));
+    let figure = state.model.document.figure();
     let screen = Screen {
         pictures: Some(pictures),
         panel: Some(panel),
-        arrangement: Some(state.layout.arrangement),
+        arrangement: Some(state.model.layout.arrangement),
         ..figure.screen
     };
     Figure { show: seen.show, screen, ..figure.clone() }

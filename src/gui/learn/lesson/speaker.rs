@@ -6,9 +6,9 @@ use eframe::egui::{
 
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::at_right;
+use crate::gui::app::state::State;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
 use crate::lessons::{self, Task};
@@ -19,7 +19,7 @@ const SIZE: [f32; 2] = [520.0, 460.0];
 /// True if the notes have a window of their own. In a page of a browser they're below the pictures, and so they are if
 /// the only screen is the projection.
 pub(super) fn has_window(ctx: &Context, state: &State) -> bool {
-    let is_alone = state.settings.presentation && state.other_screen.is_none_or(|screen| screen.is_none());
+    let is_alone = state.model.settings.presentation && state.other_screen.is_none_or(|screen| screen.is_none());
     !ctx.embed_viewports() && !is_alone
 }
 
@@ -29,7 +29,7 @@ pub(in crate::gui) fn window(ctx: &Context, state: &mut State) -> Option<Command
     if !is_wanted || !has_window(ctx, state) {
         return None;
     }
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(state.model.settings.lang);
     let mut builder = ViewportBuilder::default().with_title(t.notes_command).with_inner_size(SIZE);
     if let Some(Some(corner)) = state.other_screen {
         builder = builder.with_position(corner + vec2(60.0, 60.0));
@@ -66,7 +66,7 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> 
     let playing = state.lesson.as_ref()?;
     let step = playing.now()?;
     // The numbers are those of what is on the screen.
-    let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(state.model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let filled =
         |text| report.as_ref().map_or_else(|| told(lang, text).to_owned(), |r| words::filled_from(lang, text, r));
     let mut command = None;

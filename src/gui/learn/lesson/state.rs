@@ -11,10 +11,14 @@ use crate::camera::{Camera, Operation, Parameters};
 use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
+use crate::gui::app::state::State;
 use crate::gui::gallery::Source;
+use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::learn::lesson::writing::Writing;
 use crate::gui::model::document::Document;
 use crate::gui::model::history::Revision;
-use crate::gui::state::{Chosen, Message, Panels, State, Writing};
+use crate::gui::model::layout::Panels;
+use crate::gui::model::message::Message;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 use crate::numbers::round_to;
 use crate::share;
@@ -77,7 +81,7 @@ pub struct Playing {
 
 /// A move from one step to another.
 #[derive(Debug)]
-pub struct Moving {
+pub(crate) struct Moving {
     passage: Passage,
     /// The step's document, as it is at the end.
     target: Box<Document>,
@@ -165,7 +169,7 @@ impl State {
     /// `Playing::is_work`.
     #[must_use]
     pub fn has_unsaved(&self) -> bool {
-        self.is_work(&self.document) || self.is_rearranged()
+        self.is_work(&self.model.document) || self.model.is_rearranged(self.lesson.is_some())
     }
 
     fn is_work(&self, document: &Document) -> bool {
@@ -179,7 +183,7 @@ impl State {
         let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
         let held = left.chain(of_lesson).flat_map(|document| std::iter::once(document).chain(document.behind()));
         held.filter(|document| document.is_changed())
-            .chain(self.document.behind().filter(|document| self.is_work(document)))
+            .chain(self.model.document.behind().filter(|document| self.is_work(document)))
             .collect()
     }
 
@@ -202,18 +206,18 @@ impl State {
 
     /// Keeps the work behind the figure.
     pub(in crate::gui) fn keep_behind(&mut self) {
-        let mut behind = self.document.take_behind();
+        let mut behind = self.model.document.take_behind();
         behind.retain(|document| self.is_work(document));
         self.keep(behind);
     }
 
     /// Has the work in the figure, or behind it, wait in the step that is left.
     pub(in crate::gui) fn leave_step(&mut self) {
-        let mut left = Some(self.document.clone());
+        let mut left = Some(self.model.document.clone());
         while let Some(document) = left.take_if(|document| !self.is_work(document)) {
             left = document.into_behind();
         }
-        self.document.take_behind();
+        self.model.document.take_behind();
         if let (Some(document), Some(playing)) = (left, &mut self.lesson) {
             playing.worked_on.insert(playing.step, document);
         }
@@ -235,7 +239,7 @@ impl State {
     /// The panels at the sides as the user wants them without a lesson.
     #[must_use]
     pub fn own_panels(&self) -> &Panels {
-        self.lesson.as_ref().map_or(&self.settings.panels, |playing| &playing.panels_before)
+        self.lesson.as_ref().map_or(&self.model.settings.panels, |playing| &playing.panels_before)
     }
 
     /// The number of steps of a lesson that ask for something, and of those that are done.
@@ -294,7 +298,7 @@ impl State {
             step,
             moving: None,
             shows_text: true,
-            shows_question: !self.settings.presentation,
+            shows_question: !self.model.settings.presentation,
             shows_notes: false,
             writing: None,
             was_written: false,
@@ -325,7 +329,7 @@ impl State {
     /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
     pub(in crate::gui) fn close_lesson(&mut self) {
         if let Some(playing) = self.lesson.take() {
-            self.settings.panels.wanted = playing.panels_before.wanted;
+            self.model.settings.panels.wanted = playing.panels_before.wanted;
             self.keep(playing.worked_on.into_values().collect());
         }
         self.exercises.of_lesson.clear();
@@ -336,7 +340,7 @@ impl State {
     pub fn step_again(&mut self) {
         self.end_move();
         let Some(playing) = self.lesson.take() else { return };
-        let mut document = self.document.clone();
+        let mut document = self.model.document.clone();
         if let Some(step) = playing.now()
             && document.replace((*step.figure).clone()).is_ok()
         {
@@ -373,18 +377,18 @@ impl State {
         if !forwards {
             match step.checked_sub(1) {
                 Some(before) => self.go_to_step(before),
-                None => self.say(Message::FirstStep),
+                None => self.model.say(Message::FirstStep),
             }
             return;
         }
         if !playing.may_go_on() && playing.warned != Some(step) {
             playing.warned = Some(step);
             playing.shows_question = true;
-            return self.say(Message::TaskFirst);
+            return self.model.say(Message::TaskFirst);
         }
         playing.passed.insert(step);
         if playing.is_last() {
-            return self.say(Message::LastStep);
+            return self.model.say(Message::LastStep);
         }
         self.go_to_step(step + 1);
     }
@@ -405,9 +409,9 @@ impl State {
         if let Some(playing) = &mut self.lesson {
             playing.shown.insert(playing.step);
         }
-        let seen = self.document.figure().observers;
-        let done = self.document.replace(Figure { observers: seen, ..after.figure });
-        self.say_camera_error(done);
+        let seen = self.model.document.figure().observers;
+        let done = self.model.document.replace(Figure { observers: seen, ..after.figure });
+        self.model.say_camera_error(done);
     }
 
     /// Shows a step and brings back the changes you tried in it, either at once or with a camera move.
@@ -423,7 +427,7 @@ impl State {
             Ok(document) => self.show_in_step(playing, step, document, moves),
             Err(error) => {
                 self.lesson = Some(playing);
-                self.say(Message::Camera(error));
+                self.model.say(Message::Camera(error));
             }
         }
     }
@@ -431,15 +435,15 @@ impl State {
     /// Shows this document in a step.
     fn show_in_step(&mut self, mut playing: Playing, step: usize, document: Document, moves: bool) {
         let Some(shown) = playing.lesson.steps.get(step) else { return };
-        let seconds = if self.settings.reduce_motion { 0.0 } else { shown.seconds };
-        let seen = self.as_seen();
-        let from = Figure { observers: seen.observers, show: seen.show, ..self.document.figure().clone() };
+        let seconds = if self.model.settings.reduce_motion { 0.0 } else { shown.seconds };
+        let seen = self.model.as_seen();
+        let from = Figure { observers: seen.observers, show: seen.show, ..self.model.document.figure().clone() };
         let from = Arc::new(from);
         let to = Arc::new(document.figure().clone());
         playing.step = step;
         playing.warned = None;
         playing.looked_at = None;
-        playing.shows_question = !self.settings.presentation;
+        playing.shows_question = !self.model.settings.presentation;
         let question = match &shown.task {
             Some(Task::Question(entry)) => Some((**entry).clone()),
             _ => None,
@@ -455,14 +459,14 @@ impl State {
             goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
         let tries = goal.is_some();
         self.take_over(document.clone());
-        self.settings.panels.wanted = [tries && !operates, operates, self.settings.panels.wanted[2]];
+        self.model.settings.panels.wanted = [tries && !operates, operates, self.model.settings.panels.wanted[2]];
         if let Some(entry) = question {
             self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
             self.exercises.of_lesson = vec![entry];
         }
         if let Some(chosen) = exercise {
             self.exercises.work_on(chosen);
-            self.show_explanation(crate::figure::Explanation::Exercises);
+            self.model.show_explanation(crate::figure::Explanation::Exercises);
         }
         let passage = Passage::new(from, to);
         if moves && seconds > 0.0 && !passage.is_at_once() {
@@ -499,14 +503,14 @@ impl State {
         let Ok(document) = Document::of_lesson(Figure::clone(&seen), playing.path.as_deref()) else { return false };
         self.leave_step();
         let Some(mut playing) = self.lesson.take() else { return false };
-        let shown = self.as_seen();
-        let from = Figure { observers: shown.observers, show: shown.show, ..self.document.figure().clone() };
+        let shown = self.model.as_seen();
+        let from = Figure { observers: shown.observers, show: shown.show, ..self.model.document.figure().clone() };
         let passage = Passage::new(Arc::new(from), seen);
         // The question stays open under the other figure.
         let (of_lesson, open) = (std::mem::take(&mut self.exercises.of_lesson), self.exercises.open.take());
         self.take_over(document.clone());
         (self.exercises.of_lesson, self.exercises.open) = (of_lesson, open);
-        if !self.settings.reduce_motion && !passage.is_at_once() {
+        if !self.model.settings.reduce_motion && !passage.is_at_once() {
             playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds: SEEN, began: None });
         }
@@ -531,17 +535,17 @@ impl State {
         let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
         // Of numbers that change with every frame, few digits can be read.
         if let Ok(camera) = Camera::new(&few_digits(figure.camera)).or_else(|_| Camera::new(&figure.camera)) {
-            self.document.set_camera(camera);
+            self.model.document.set_camera(camera);
         }
-        *self.document.observers_mut() = figure.observers;
-        *self.document.show_mut() = figure.show;
+        *self.model.document.observers_mut() = figure.observers;
+        *self.model.document.show_mut() = figure.show;
         true
     }
 
     /// Ends the move to the step, where there is one. The step is there exactly.
     pub(in crate::gui) fn end_move(&mut self) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
-        let (now, target) = (self.document.figure(), moving.target.figure());
+        let (now, target) = (self.model.document.figure(), moving.target.figure());
         let is_changed = now.scene != target.scene
             || now.points != target.points
             || now.labels != target.labels
@@ -549,10 +553,11 @@ impl State {
         if is_changed {
             // The figure was changed meanwhile: only the camera arrives.
             let target = moving.target.figure();
-            (*self.document.observers_mut(), *self.document.show_mut()) = (target.observers, target.show.clone());
-            self.document.set_camera(moving.target.camera().clone());
+            (*self.model.document.observers_mut(), *self.model.document.show_mut()) =
+                (target.observers, target.show.clone());
+            self.model.document.set_camera(moving.target.camera().clone());
         } else {
-            self.document = *moving.target;
+            self.model.document = *moving.target;
         }
         true
     }
@@ -564,19 +569,19 @@ impl State {
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {
             _ if playing.is_done() || playing.moving.is_some() => false,
             Some(Task::Question(_) | Task::Exercise { .. }) => self.is_answered(&playing),
-            Some(Task::Try(goal)) if !playing.has_looked_at(&self.document) => {
+            Some(Task::Try(goal)) if !playing.has_looked_at(&self.model.document) => {
                 // Once for each figure: pixels are counted.
                 let subject = Subject {
-                    figure: self.document.figure(),
-                    camera: self.document.camera(),
-                    scene: self.scene_cache.scene(),
+                    figure: self.model.document.figure(),
+                    camera: self.model.document.camera(),
+                    scene: self.model.scene_cache.scene(),
                 };
                 let goal = goal.clone();
                 // The scene of a step that has just begun is built after this.
-                let is_ready = self.scene_cache.is_of(&self.document, self.settings.theme);
+                let is_ready = self.model.scene_cache.is_of(&self.model.document, self.model.settings.theme);
                 if is_ready {
-                    let Figure { observers, show, .. } = self.document.figure();
-                    playing.looked_at = Some((self.document.version(), *observers, show.clone()));
+                    let Figure { observers, show, .. } = self.model.document.figure();
+                    playing.looked_at = Some((self.model.document.version(), *observers, show.clone()));
                 }
                 is_ready && goal.is_reached(subject, &mut playing.seen)
             }

@@ -4,10 +4,11 @@ use eframe::egui::{RichText, Ui};
 
 use super::hands;
 use crate::figure::{Bilingual, Explanation};
+use crate::gui::app::state::State;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises;
-use crate::gui::state::{Chosen, State};
+use crate::gui::learn::exercises::state::Chosen;
 use crate::i18n::learn::exercises::title;
 use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};
@@ -23,7 +24,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
     }
     ui.add_space(4.0);
     match task {
-        Task::Question(_) if state.settings.presentation && hands::show(ui, t, state, step) => {}
+        Task::Question(_) if state.model.settings.presentation && hands::show(ui, t, state, step) => {}
         Task::Question(entry) => {
             let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 0 };
             // Another exercise may have been opened meanwhile.
@@ -35,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
         }
         Task::Exercise { id, seed } => {
             let chosen = Chosen { id: id.clone(), seed: *seed };
-            let is_open = state.exercises.open.as_ref() == Some(&chosen) && state.shows_exercises();
+            let is_open = state.exercises.open.as_ref() == Some(&chosen) && state.model.shows_exercises();
             let name = crate::exercises::entry(id).map_or("", |entry| title(t.lang, entry));
             ui.horizontal_wrapped(|ui| {
                 let is_said = is_open && !is_done;
@@ -44,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
                     ui.label(t.exercise_at_side);
                 } else if !is_open && ui.button(t.open_exercise).clicked() {
                     state.exercises.work_on(chosen);
-                    state.show_explanation(Explanation::Exercises);
+                    state.model.show_explanation(Explanation::Exercises);
                 }
                 said(ui, t, is_done);
             });

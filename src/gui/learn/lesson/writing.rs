@@ -7,7 +7,9 @@ use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError};
-use crate::gui::state::{Agreed, Message, State};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Agreed;
+use crate::gui::model::message::Message;
 use crate::gui::storage::session::UnsavedText;
 use crate::i18n::Lang;
 use crate::lessons::{
@@ -151,7 +153,7 @@ const MINUTES_DIGITS: usize = 4;
 
 /// A change of the steps of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepChange {
+pub(crate) enum StepChange {
     /// The step comes before the one above it.
     Earlier,
     /// The step comes after the next one.
@@ -169,13 +171,13 @@ impl State {
     #[must_use]
     pub fn plays_own_lesson(&self) -> bool {
         let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
-        path.is_some_and(|path| share::link_of(path).is_none()) && !self.in_browser
+        path.is_some_and(|path| share::link_of(path).is_none()) && !self.model.in_browser
     }
 
     /// True if the step is written: in a presentation the class sees it as it will be.
     #[must_use]
     pub fn writes_lesson(&self) -> bool {
-        !self.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
+        !self.model.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
     }
 
     /// Begins to write the step that is shown, or ends it.
@@ -183,7 +185,7 @@ impl State {
         if !self.save_text() || !self.plays_own_lesson() {
             return;
         }
-        let lang = self.settings.lang;
+        let lang = self.model.settings.lang;
         let Some(playing) = &mut self.lesson else { return };
         if playing.writing.take().is_some() {
             return;
@@ -197,7 +199,7 @@ impl State {
                 self.lesson_file = Some(path);
                 self.follow_writing();
             }
-            Err(error) => self.say(Message::File(path, error)),
+            Err(error) => self.model.say(Message::File(path, error)),
         }
     }
 
@@ -210,7 +212,7 @@ impl State {
                 self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step });
                 self.write_lesson();
             }
-            Err(error) => self.say(Message::File(path, error)),
+            Err(error) => self.model.say(Message::File(path, error)),
         }
     }
 
@@ -243,7 +245,7 @@ impl State {
         let Ok(lesson) = crate::lessons::parse(&text) else { return };
         let step = step.min(lesson.steps.len().saturating_sub(1));
         self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
-        let lang = self.settings.lang;
+        let lang = self.model.settings.lang;
         if let Some(playing) = &mut self.lesson {
             (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
         }
@@ -253,9 +255,9 @@ impl State {
         }
         self.lesson_file = Some(path);
         self.text_edited(0.0);
-        if self.document.figure() != &shown {
-            let done = self.document.replace(shown);
-            self.say_camera_error(done);
+        if self.model.document.figure() != &shown {
+            let done = self.model.document.replace(shown);
+            self.model.say_camera_error(done);
         }
     }
 
@@ -292,7 +294,7 @@ impl State {
         let step = writing.step;
         let Some(text) = writing.ahead.clone() else {
             let fault = writing.fault.clone().map(FileError::Figure);
-            fault.into_iter().for_each(|fault| self.say(Message::StepNotKept(path.clone(), fault)));
+            fault.into_iter().for_each(|fault| self.model.say(Message::StepNotKept(path.clone(), fault)));
             return false;
         };
         let is_kept = self.store(&path, text, step);
@@ -317,7 +319,7 @@ impl State {
         let Some(writing) = &mut playing.writing else { return true };
         let Some(text) = writing.ahead.clone() else { return false };
         if let Err(error) = files::save(path, text.as_bytes(), agreed.overwrite()) {
-            self.say(Message::File(path.to_owned(), error));
+            self.model.say(Message::File(path.to_owned(), error));
             return false;
         }
         playing.path = Some(path.to_owned());
@@ -345,7 +347,7 @@ impl State {
                     self.step_is_added(path, lesson);
                 }
             }
-            Err(fault) => self.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
+            Err(fault) => self.model.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
         }
     }
 
@@ -382,7 +384,7 @@ impl State {
                     self.go_on_changed(lesson, change, step, then);
                 }
             }
-            Err(fault) => self.say(Message::StepNotKept(path, FileError::Figure(fault))),
+            Err(fault) => self.model.say(Message::StepNotKept(path, FileError::Figure(fault))),
         }
     }
 
@@ -430,7 +432,7 @@ impl State {
                 }
                 self.write_lesson();
             }
-            Err(error) => self.say(Message::File(path.to_owned(), error)),
+            Err(error) => self.model.say(Message::File(path.to_owned(), error)),
         }
     }
 
@@ -439,7 +441,7 @@ impl State {
         let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
         let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
         if !is_ours && files::disk::exists(path) {
-            self.say(Message::LessonChanged(path.to_owned()));
+            self.model.say(Message::LessonChanged(path.to_owned()));
             return false;
         }
         match files::save(path, text.as_bytes(), Agreed::default().overwrite()) {
@@ -453,7 +455,7 @@ impl State {
                 true
             }
             Err(error) => {
-                self.say(Message::File(path.to_owned(), error));
+                self.model.say(Message::File(path.to_owned(), error));
                 false
             }
         }
@@ -469,7 +471,7 @@ impl State {
                 writing.into_iter().for_each(|writing| writing.text.clone_from(&text));
                 self.play_changed(lesson, step);
             }
-            Err(error) => self.say(Message::File(path, error)),
+            Err(error) => self.model.say(Message::File(path, error)),
         }
     }
 
@@ -477,11 +479,11 @@ impl State {
     fn go_on_changed(&mut self, lesson: Lesson, change: StepChange, step: usize, then: usize) {
         self.end_move();
         // A step has no caption.
-        let has_caption = self.document.figure().caption != self.document.saved().caption;
+        let has_caption = self.model.document.figure().caption != self.model.document.saved().caption;
         if change == StepChange::Remove {
             self.leave_step();
         } else if has_caption && matches!(change, StepChange::Screen | StepChange::Another) {
-            self.keep(vec![self.document.clone()]);
+            self.keep(vec![self.model.document.clone()]);
         }
         let Some(playing) = &mut self.lesson else { return };
         let new_place = |place: usize| match change {

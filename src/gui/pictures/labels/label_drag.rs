@@ -5,10 +5,10 @@ use glam::DVec2;
 
 use crate::figure::labels::note_name;
 use crate::figure::{Labels, Note, NotePlace};
+use crate::gui::app::state::State;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::labels as words;
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
@@ -32,28 +32,28 @@ impl LabelDrag {
     ) -> Option<Self> {
         let label = label_at(labels, from)?.clone();
         let grip = label.center - from;
-        Some(Self { label, view, grip, before: state.document.figure().labels.clone() })
+        Some(Self { label, view, grip, before: state.model.document.figure().labels.clone() })
     }
 
     /// The label goes where the pointer is (pixels).
     pub(in crate::gui::pictures) fn follow(&self, state: &mut State, to: DVec2, ctx: &Context) {
         let by = self.label.moved_to(to + self.grip);
         state.label_mode.choose(Some((self.view, self.label.name.clone())));
-        if state.document.figure().labels.change(&self.label.name, self.view).by != Some(by) {
-            state.document.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
+        if state.model.document.figure().labels.change(&self.label.name, self.view).by != Some(by) {
+            state.model.document.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
             ctx.request_repaint();
         }
     }
 
     /// Puts it back where it was.
     pub(in crate::gui::pictures) fn give_up(self, state: &mut State) {
-        state.document.edit_labels(|labels| *labels = self.before);
+        state.model.document.edit_labels(|labels| *labels = self.before);
     }
 
     /// Its text, and how far it is from its point.
     pub(in crate::gui::pictures) fn line(&self, state: &State) -> String {
-        let mark = state.settings.lang.mark();
-        let by = state.document.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
+        let mark = state.model.settings.lang.mark();
+        let by = state.model.document.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
         let [x, y] = by.to_array().map(|v| mark.number(v, 3));
         format!("{}: ({x}, {y}) em", crate::sanitize::escaped(&self.label.text))
     }
@@ -74,7 +74,7 @@ impl Canvas {
         place: Pos2,
         status: &mut Status,
     ) {
-        let t = words::texts(state.settings.lang);
+        let t = words::texts(state.model.settings.lang);
         status.message = if state.label_mode.adding { t.adding } else { t.idle }.to_owned();
         if state.label_mode.adding {
             ui.set_cursor_icon(CursorIcon::Crosshair);
@@ -123,7 +123,7 @@ impl Canvas {
         let Some(label) = labels.iter().find(|label| label.name == name) else { return false };
         let step = if modifiers.shift { 1.0 } else { 0.25 } * label.em;
         let by = label.moved_to(label.center + DVec2::new(arrow.x, -arrow.y) * step);
-        state.document.edit_labels(|labels| labels.move_to(&name, pane.view, by));
+        state.model.document.edit_labels(|labels| labels.move_to(&name, pane.view, by));
         true
     }
 
@@ -157,7 +157,7 @@ impl Canvas {
 /// Puts a note at a place (pixels) of a picture, and chooses it.
 fn add_note(state: &mut State, pane: &Pane, pixel: DVec2) {
     state.label_mode.adding = false;
-    let count = state.document.figure().labels.notes.len();
+    let count = state.model.document.figure().labels.notes.len();
     if count >= MAX_LABELS {
         return;
     }
@@ -165,9 +165,9 @@ fn add_note(state: &mut State, pane: &Pane, pixel: DVec2) {
     let (request, place) = pane.side_of(pixel);
     let at = note_place(&request, place, pane.rect.pixels(handle_drag::REACH));
     let view = matches!(at, NotePlace::Picture(_)).then_some(pane.view);
-    let text = words::texts(state.settings.lang).note.to_owned();
+    let text = words::texts(state.model.settings.lang).note.to_owned();
     let note = Note { view, at, by: None, text, size: None, color: None };
-    state.document.edit_labels(|labels| labels.notes.push(note));
+    state.model.document.edit_labels(|labels| labels.notes.push(note));
     state.label_mode.choose(Some((pane.view, note_name(count))));
     state.label_mode.is_new = true;
 }

@@ -9,11 +9,11 @@ use crate::appearance::Rgba;
 use crate::figure::labels::{LEGEND, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
+use crate::gui::app::state::State;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::labels as words;
 use crate::i18n::window::labels::Texts;
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
@@ -30,7 +30,7 @@ impl Canvas {
         state.label_mode.is_typing = false;
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
         let Some(room) = room.filter(|_| state.label_mode.on) else { return };
-        let t = words::texts(state.settings.lang);
+        let t = words::texts(state.model.settings.lang);
         let window = Window::new(t.title).id(Id::unique("card of labels")).constrain_to(room).resizable(false);
         let window =
             window.default_width(250.0).pivot(Align2::RIGHT_BOTTOM).default_pos(room.right_bottom() - vec2(8.0, 8.0));
@@ -43,8 +43,8 @@ impl Canvas {
             ui.separator();
             measures(ui, state, t);
             whole(ui, state, t);
-            for (name, near) in unknown_labels(&self.shot, state.scene_cache.scene()) {
-                let text = words::unknown(state.settings.lang, &name, near.as_deref());
+            for (name, near) in unknown_labels(&self.shot, state.model.scene_cache.scene()) {
+                let text = words::unknown(state.model.settings.lang, &name, near.as_deref());
                 ui.colored_label(ui.visuals().warn_fg_color, text);
             }
         });
@@ -78,7 +78,7 @@ impl Canvas {
 
     /// The author's wishes for a label.
     fn chosen(&self, ui: &mut Ui, state: &mut State, (view, name): (View, &str), t: &Texts) {
-        let change = state.document.figure().labels.change(name, view);
+        let change = state.model.document.figure().labels.change(name, view);
         let (size, color) = (change.size, change.color);
         let place = self.pictures.iter().flat_map(|picture| &picture.labels).find(|label| label.name == name);
         let own = change.text.map(str::to_owned).or_else(|| place.map(|place| place.text.clone()));
@@ -92,31 +92,31 @@ impl Canvas {
                 if ui.button(text).explained(words).accessible_name(format!("{} {words}", t.size)).clicked() {
                     let next = ((now * factor).clamp(least, most) * 100.0).round() / 100.0;
                     let next = Some(next).filter(|next| (next - 1.0).abs() > 0.02);
-                    state.document.edit_labels(|labels| labels.style(name, next, color));
+                    state.model.document.edit_labels(|labels| labels.style(name, next, color));
                 }
             }
-            ui.label(format!("{} %", state.settings.lang.mark().number(100.0 * now, 3)));
+            ui.label(format!("{} %", state.model.settings.lang.mark().number(100.0 * now, 3)));
             ui.add_space(8.0);
             ui.label(t.color);
             let Rgba { r, g, b, .. } = color.or(place.map(|place| place.color)).unwrap_or(Rgba::rgb(0, 0, 0));
             let mut bytes = [r, g, b];
             if ui.color_edit_button_srgb(&mut bytes).accessible_name(t.color).changed() {
                 let [r, g, b] = bytes;
-                state.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
+                state.model.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
             }
         });
         ui.horizontal_wrapped(|ui| {
             let hide = if note_index(name).is_some() { t.delete } else { t.hide };
             if ui.button(hide).clicked() {
-                state.document.edit_labels(|labels| labels.hide(name));
+                state.model.document.edit_labels(|labels| labels.hide(name));
                 state.label_mode.choose(None);
             }
             if is_in_legend(name) && ui.button(t.hide_legend).explained(t.legend_hint).clicked() {
-                state.document.edit_labels(|labels| labels.hide(LEGEND));
+                state.model.document.edit_labels(|labels| labels.hide(LEGEND));
                 state.label_mode.choose(None);
             }
             if ui.button(t.automatic).explained(t.automatic_hint).clicked() {
-                state.document.edit_labels(|labels| labels.reset(name));
+                state.model.document.edit_labels(|labels| labels.reset(name));
                 state.label_mode.typed = None;
             }
         });
@@ -124,7 +124,7 @@ impl Canvas {
 
     /// The field of its text, which becomes the figure's as far as it can be one.
     fn text(&self, ui: &mut Ui, state: &mut State, (name, own): (&str, String), t: &Texts) {
-        let lang = state.settings.lang;
+        let lang = state.model.settings.lang;
         let mut typed = state.label_mode.typed.clone().unwrap_or_else(|| own.clone());
         let response = ui
             .horizontal(|ui| {
@@ -143,7 +143,7 @@ impl Canvas {
         state.label_mode.is_typing = response.has_focus() || response.lost_focus();
         if response.changed() {
             if set_text(&typed).is_ok() {
-                state.document.edit_labels(|labels| labels.rename(name, Some(&typed)));
+                state.model.document.edit_labels(|labels| labels.rename(name, Some(&typed)));
             }
             state.label_mode.typed = Some(typed);
         } else if let Err(error) = set_text(&typed) {
@@ -181,11 +181,11 @@ fn measures(ui: &mut Ui, state: &mut State, t: &Texts) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(t.measures);
         for measure in Measure::ALL {
-            let is_shown = state.document.figure().labels.measures.iter().any(|shown| shown.measure == measure);
+            let is_shown = state.model.document.figure().labels.measures.iter().any(|shown| shown.measure == measure);
             let button = ui.add(egui::Button::new(measure.symbol()).selected(is_shown));
             if button.explained(t.measures_hint).clicked() {
                 let shown = (!is_shown).then(MeasureText::default);
-                state.document.edit_labels(|labels| labels.measure(measure, shown));
+                state.model.document.edit_labels(|labels| labels.measure(measure, shown));
             }
         }
     });
@@ -193,7 +193,7 @@ fn measures(ui: &mut Ui, state: &mut State, t: &Texts) {
 
 /// The text of the chosen label, where it is that of one of these.
 fn text_of_measure(ui: &mut Ui, state: &mut State, name: &str, t: &Texts) {
-    let shown = &state.document.figure().labels.measures;
+    let shown = &state.model.document.figure().labels.measures;
     let measure = value(DIMENSIONS, name);
     let Some(labelled) = shown.iter().find(|labelled| Some(labelled.measure) == measure).copied() else { return };
     ui.horizontal(|ui| {
@@ -202,7 +202,7 @@ fn text_of_measure(ui: &mut Ui, state: &mut State, name: &str, t: &Texts) {
             [(MeasureText::Symbol, t.symbol), (MeasureText::Value, t.value), (MeasureText::Both, t.both)]
         {
             if ui.selectable_label(labelled.shown == text, words).clicked() {
-                state.document.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
+                state.model.document.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
             }
         }
     });
@@ -210,7 +210,7 @@ fn text_of_measure(ui: &mut Ui, state: &mut State, name: &str, t: &Texts) {
 
 /// The part for all labels.
 fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
-    let labels = &state.document.figure().labels;
+    let labels = &state.model.document.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
     if !hidden.is_empty() {
@@ -218,14 +218,14 @@ fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
             ui.label(t.hidden);
             for name in &hidden {
                 if ui.button(escaped(name)).explained(t.show_again).clicked() {
-                    state.document.edit_labels(|labels| labels.show(name));
+                    state.model.document.edit_labels(|labels| labels.show(name));
                 }
             }
         });
     }
     if ui.checkbox(&mut is_mathematics, t.mathematics).explained(t.mathematics_hint).changed() {
         let letters = if is_mathematics { Letters::Mathematics } else { Letters::Plain };
-        state.document.edit_labels(|labels| labels.letters = letters);
+        state.model.document.edit_labels(|labels| labels.letters = letters);
     }
     ui.horizontal_wrapped(|ui| {
         let has_room = notes < MAX_LABELS;
@@ -234,7 +234,7 @@ fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
             state.label_mode.adding ^= true;
         }
         if ui.button(t.all_automatic).explained(t.all_automatic_hint).clicked() {
-            state.document.edit_labels(|labels| labels.reset_all());
+            state.model.document.edit_labels(|labels| labels.reset_all());
             state.label_mode.typed = None;
         }
         if ui.button(t.leave).clicked() {

@@ -4,10 +4,10 @@ use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 use super::tool::Drawn;
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
+use crate::gui::app::state::State;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::why::photograph as steps;
 use crate::i18n::window;
 use crate::i18n::window::photograph as words;
@@ -21,7 +21,7 @@ impl Canvas {
     pub(in crate::gui::pictures) fn photograph_card(ui: &Ui, state: &mut State, panes: &[Pane]) {
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
         let Some(room) = room.filter(|_| state.photograph.on) else { return };
-        let t = words::texts(state.settings.lang);
+        let t = words::texts(state.model.settings.lang);
         let whole = ui.ctx().content_rect();
         let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(whole).resizable(false);
         // Beside the pictures, over the panel there: all of the photograph is to be seen.
@@ -30,13 +30,13 @@ impl Canvas {
             ui.set_width(WIDTH);
             drawn(ui, state, t);
             ui.separator();
-            let given = *state.document.camera().parameters();
-            let found = state.photograph.camera(state.document.figure().image, &given);
+            let given = *state.model.document.camera().parameters();
+            let found = state.photograph.camera(state.model.document.figure().image, &given);
             let scroll = ScrollArea::vertical().max_height((room.height() - 230.0).max(80.0));
             scroll.show(ui, |ui| match &found {
                 Ok(found) => account(ui, state, found),
                 Err(error) => {
-                    let reason = format!("⚠ {}", steps::error(state.settings.lang, *error));
+                    let reason = format!("⚠ {}", steps::error(state.model.settings.lang, *error));
                     ui.add(egui::Label::new(RichText::new(reason).weak()).wrap());
                 }
             });
@@ -61,9 +61,9 @@ impl Canvas {
 
 /// The thing that the next drag draws, and the coordinate of the known length.
 fn drawn(ui: &mut Ui, state: &mut State, t: &Texts) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
-    if state.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
+    if state.model.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
         ui.colored_label(ui.visuals().warn_fg_color, t.beside);
     }
     ui.horizontal_wrapped(|ui| {
@@ -101,7 +101,7 @@ fn length(ui: &mut Ui, state: &mut State, t: &Texts) {
         ui.label("=");
         let field = NumberField::new(t.coordinate, Step::Multiply(1.1)).hint(t.known_hint).width(92.0);
         let before = coordinate;
-        field.show(ui, window::texts(state.settings.lang), &mut coordinate);
+        field.show(ui, window::texts(state.model.settings.lang), &mut coordinate);
         // 0 is the origin.
         if coordinate == 0.0 {
             coordinate = before;
@@ -115,7 +115,7 @@ fn length(ui: &mut Ui, state: &mut State, t: &Texts) {
 
 /// The arithmetic, as the command line prints it, and what the photograph doesn't say.
 fn account(ui: &mut Ui, state: &State, found: &PhotographCamera) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     for (number, step) in steps::steps(lang, found).iter().enumerate() {
         ui.add(egui::Label::new(format!("{}. {step}", number + 1)).wrap());
     }
@@ -129,9 +129,9 @@ fn account(ui: &mut Ui, state: &State, found: &PhotographCamera) {
 fn use_camera(state: &mut State, found: &PhotographCamera) {
     match Camera::new(&found.parameters) {
         Ok(camera) => {
-            state.document.commit();
-            state.document.set_camera(camera);
+            state.model.document.commit();
+            state.model.document.set_camera(camera);
         }
-        Err(error) => state.say_camera_error(Err(error)),
+        Err(error) => state.model.say_camera_error(Err(error)),
     }
 }

@@ -10,10 +10,10 @@ use glam::DVec2;
 use super::tool::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
+use crate::gui::app::state::State;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::photograph as words;
 use crate::views::{Palette, View};
 
@@ -41,8 +41,8 @@ impl Canvas {
         if let Some(grip) = removed {
             state.photograph.remove(grip);
         }
-        let parameters = *state.document.camera().parameters();
-        let found = state.photograph.camera(state.document.figure().image, &parameters).ok();
+        let parameters = *state.model.document.camera().parameters();
+        let found = state.photograph.camera(state.model.document.figure().image, &parameters).ok();
         paint(ui, state, pane, &place, found.as_ref());
     }
 }
@@ -115,7 +115,7 @@ fn drag(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace, (grip, at):
 
 /// The name of a grip for screen readers.
 fn name(state: &State, grip: Grip) -> String {
-    let (lang, tool) = (state.settings.lang, &state.photograph);
+    let (lang, tool) = (state.model.settings.lang, &state.photograph);
     match grip {
         Grip::End(line, end) => words::end(lang, (line + 1, tool.marks.lines[line].axis), end == 0),
         Grip::Origin => words::texts(lang).origin.to_owned(),
@@ -156,7 +156,7 @@ fn stroke(painter: &Painter, ends: [Pos2; 2], width: f32, [color, paper]: [Color
 }
 
 fn paint(ui: &Ui, state: &State, pane: &Pane, place: &ImagePlace, found: Option<&PhotographCamera>) {
-    let palette = Palette::of(state.settings.theme);
+    let palette = Palette::of(state.model.settings.theme);
     let painter = ui.painter().with_clip_rect(pane.rect.rect);
     let paper = color_of(palette.paper);
     let marks = &state.photograph.marks;
@@ -191,7 +191,7 @@ fn paint(ui: &Ui, state: &State, pane: &Pane, place: &ImagePlace, found: Option<
             Grip::End(line, 1) => marks.lines[line].axis.name().to_owned(),
             Grip::End(..) => continue,
             Grip::Origin => "O".to_owned(),
-            Grip::Length => words::length(state.settings.lang, state.photograph.length),
+            Grip::Length => words::length(state.model.settings.lang, state.photograph.length),
         };
         label(ui, &painter, middle, &name, [color, paper]);
     }

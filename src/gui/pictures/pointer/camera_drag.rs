@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::camera::{Camera, Convention, Operation, Parameters, Projection};
-use crate::gui::state::State;
+use crate::gui::app::state::State;
 use crate::views::{Request, pick};
 
 /// Degrees for one point of a drag.
@@ -47,12 +47,12 @@ impl CameraDrag {
             return false;
         }
         match self.pans {
-            None => state.document.set_parameters(orbited(&self.start, points)),
+            None => state.model.document.set_parameters(orbited(&self.start, points)),
             Some(per_pixel) => {
                 let by = -pixels * per_pixel;
                 let pan = Operation::Pan { dx: by.x, dy: by.y };
-                let done = state.document.operate_from(&self.start, pan, Convention::RightHand);
-                state.say_camera_error(done);
+                let done = state.model.document.operate_from(&self.start, pan, Convention::RightHand);
+                state.model.say_camera_error(done);
             }
         }
         true

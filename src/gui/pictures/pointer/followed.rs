@@ -3,9 +3,9 @@
 use eframe::egui::Context;
 use glam::{DVec2, DVec3};
 
+use crate::gui::app::state::State;
 use crate::gui::pictures::Pane;
 use crate::gui::pictures::pointer::handle_drag;
-use crate::gui::state::State;
 use crate::i18n::why::explain_point;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
@@ -30,20 +30,20 @@ impl PointDrag {
     /// The point goes where the pointer is (pixels).
     pub(in crate::gui::pictures) fn follow(&self, state: &mut State, to: DVec2, ctx: &Context) {
         let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
-        let Some(point) = state.document.figure().points.get(self.index) else { return };
+        let Some(point) = state.model.document.figure().points.get(self.index) else { return };
         if point.position == moved {
             return;
         }
         let name = point.name.clone();
-        if state.follow.index(&state.document.figure().points) != Some(self.index) {
-            state.follow.choose(&name);
+        if state.model.follow.index(&state.model.document.figure().points) != Some(self.index) {
+            state.model.follow.choose(&name);
         }
         self.put(state, moved);
         ctx.request_repaint();
     }
 
     fn put(&self, state: &mut State, p: DVec3) {
-        state.document.edit(|figure| {
+        state.model.document.edit(|figure| {
             if let Some(point) = figure.points.get_mut(self.index) {
                 point.position = p;
             }
@@ -73,8 +73,8 @@ pub(in crate::gui::pictures) fn hovered(
 }
 
 fn lines(index: usize, state: &State) -> Vec<String> {
-    let (lang, digits) = (state.settings.lang, state.settings.digits.min(6));
-    let Some(point) = state.document.figure().points.get(index) else { return Vec::new() };
+    let (lang, digits) = (state.model.settings.lang, state.model.settings.digits.min(6));
+    let Some(point) = state.model.document.figure().points.get(index) else { return Vec::new() };
     let place = handle_drag::point(point.position, digits, lang.mark());
     vec![format!("{} = {place}", escaped(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
 }

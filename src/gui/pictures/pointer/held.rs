@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::camera_drag::CameraDrag;
 use super::followed::PointDrag;
 use crate::figure::Observer;
+use crate::gui::app::state::State;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::LabelDrag;
 use crate::gui::pictures::pointer::handle_drag;
@@ -14,7 +15,6 @@ use crate::gui::pictures::pointer::handle_drag::HandleDrag;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::messages::faults::camera_error;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::i18n::window::scenes;
@@ -113,7 +113,7 @@ impl Canvas {
                 return Some(Drag::Point(picture, Box::new(held)));
             }
             let pans = !primary || modifiers.shift;
-            let held = is_own.then(|| CameraDrag::taken(request, state.document.camera(), from, pans));
+            let held = is_own.then(|| CameraDrag::taken(request, state.model.document.camera(), from, pans));
             return held.flatten().map(|held| Drag::Camera(picture, Box::new(held)));
         }
         if *view == View::World && primary && is_own {
@@ -124,7 +124,7 @@ impl Canvas {
             if let Some(movable) = Movable::selected(state)
                 && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let (observer, before) = (request.observer, state.document.figure().scene.clone());
+                let (observer, before) = (request.observer, state.model.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
                 return Some(Drag::Gizmo(picture, Box::new(held)));
             }
@@ -160,8 +160,8 @@ impl Canvas {
             Some(Drag::Handle(_, held)) => {
                 let modifiers = ui.input(|i| i.modifiers);
                 let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
-                if let Some(parameters) = moved.filter(|p| p != state.document.draft()) {
-                    state.document.set_parameters(parameters);
+                if let Some(parameters) = moved.filter(|p| p != state.model.document.draft()) {
+                    state.model.document.set_parameters(parameters);
                     ui.request_repaint();
                 }
             }
@@ -183,8 +183,8 @@ impl Canvas {
                 // Where the scene cannot be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
-                if state.document.figure().scene != scene {
-                    state.document.edit(|figure| figure.scene = scene);
+                if state.model.document.figure().scene != scene {
+                    state.model.document.edit(|figure| figure.scene = scene);
                     ui.request_repaint();
                 }
             }
@@ -194,7 +194,7 @@ impl Canvas {
     /// The pictures whose observers turn with that of one.
     pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, state: &State) -> Vec<usize> {
         let turns =
-            |(i, other): &(usize, &Picture)| *i == picture || (state.layout.linked && other.kind != View::Image);
+            |(i, other): &(usize, &Picture)| *i == picture || (state.model.layout.linked && other.kind != View::Image);
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
@@ -210,11 +210,11 @@ impl Canvas {
                 }
             }
             Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
-            Some(Drag::Handle(_, held)) => state.document.set_camera(held.before()),
-            Some(Drag::Gizmo(_, held)) => state.document.edit(|figure| figure.scene = held.before),
+            Some(Drag::Handle(_, held)) => state.model.document.set_camera(held.before()),
+            Some(Drag::Gizmo(_, held)) => state.model.document.edit(|figure| figure.scene = held.before),
             Some(Drag::Point(_, held)) => held.give_up(state),
             Some(Drag::Label(_, held)) => held.give_up(state),
-            Some(Drag::Camera(_, held)) => state.document.set_camera(held.before()),
+            Some(Drag::Camera(_, held)) => state.model.document.set_camera(held.before()),
         }
     }
 
@@ -225,7 +225,7 @@ impl Canvas {
         status: &mut Status,
         texts: &CanvasTexts,
     ) {
-        let digits = state.settings.digits.min(6);
+        let digits = state.model.settings.digits.min(6);
         match &self.drag {
             None => {}
             Some(Drag::Orbit { picture, .. }) => {
@@ -240,11 +240,11 @@ impl Canvas {
             }
             Some(Drag::Handle(_, held)) => {
                 self.hover.hovered = Some(held.handle());
-                let camera = state.document.camera();
+                let camera = state.model.document.camera();
                 let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
                     Some(error) => {
-                        let reason = format!("{} {}", texts.stopped, camera_error(state.settings.lang, error));
+                        let reason = format!("{} {}", texts.stopped, camera_error(state.model.settings.lang, error));
                         lines.push(reason.clone());
                         status.warning = true;
                         reason
@@ -265,7 +265,7 @@ impl Canvas {
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
             Some(Drag::Camera(_, held)) => {
-                let camera = state.document.camera();
+                let camera = state.model.document.camera();
                 let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
                 status.message = handle_drag::readout(moved, camera, digits, texts);
                 ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
@@ -276,7 +276,7 @@ impl Canvas {
                 }
                 let mut lines = gizmo_lines(state, digits);
                 if held.is_sheared {
-                    scenes::texts(state.settings.lang).sheared.clone_into(&mut lines[1]);
+                    scenes::texts(state.model.settings.lang).sheared.clone_into(&mut lines[1]);
                     status.warning = true;
                 }
                 status.message = lines.join(" · ");
@@ -301,12 +301,12 @@ pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
 
 /// Length of one step of a move while the modifier is held: a tenth of D, as a power of ten.
 fn snap_length(state: &State) -> f64 {
-    power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0)
+    power_of_ten(state.model.document.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
 /// The transform of the selection that the gizmo changes, and how it is dragged.
 pub(in crate::gui::pictures) fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
-    let t = scenes::texts(state.settings.lang);
+    let t = scenes::texts(state.model.settings.lang);
     let Some(movable) = Movable::selected(state) else { return Default::default() };
     let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {
         (true, Transforming::Turn) => ("L", movable.place, t.drag_parallel_light),

@@ -13,12 +13,13 @@ use super::pixel::pixel_of;
 use super::probe_steps::Click;
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
+use crate::gui::app::state::State;
+use crate::gui::model::layout::ObserverChange;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
-use crate::gui::state::{ObserverChange, State};
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
@@ -58,10 +59,10 @@ impl Canvas {
             }
         } else if escape {
             // One thing after the other.
-            if state.pinned().is_none() && !self.is_probing() && state.release_shown() {
+            if state.model.pinned().is_none() && !self.is_probing() && state.model.release_shown() {
                 ui.request_repaint();
             }
-            state.pin(None);
+            state.model.pin(None);
             self.stop_probing();
         }
         let mut hovered = None;
@@ -92,7 +93,7 @@ impl Canvas {
             self.say_drag(ui, state, &mut status, texts);
         }
         if status.message.is_empty()
-            && let Some(why) = state.impossible_side()
+            && let Some(why) = state.model.impossible_side()
         {
             (status.message, status.warning) = (why, true);
         }
@@ -117,7 +118,7 @@ impl Canvas {
         }
         if response.double_clicked_by(PointerButton::Primary) {
             self.stop_probing();
-            state.pin(self.pinned_before);
+            state.model.pin(self.pinned_before);
             toggle_maximized(state, pane.view);
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary)
@@ -127,13 +128,13 @@ impl Canvas {
         {
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
-            self.pinned_before = state.pinned();
+            self.pinned_before = state.model.pinned();
             self.stop_probing();
             let unanswered = self.hover_pick.take().filter(|pick| hovered.is_none() && pick.is_heavy());
             match unanswered.filter(|pick| self.picker.found(&response.ctx, pick).is_none()) {
                 // It is pinned when it is found.
                 Some(pick) => self.clicked_pick = Some(pick),
-                None => state.pin(hovered),
+                None => state.model.pin(hovered),
             }
             self.clicked = Click::in_picture(state, pane);
         }
@@ -151,7 +152,7 @@ impl Canvas {
         if pane.view == View::Image {
             let is_own = pane.response.hover_pos().is_some_and(|place| pane.is_own(place));
             if factor != 1.0 && is_own {
-                state.operate(camera_drag::dollied(state.document.camera(), factor));
+                state.operate(camera_drag::dollied(state.model.document.camera(), factor));
             }
             return;
         }
@@ -179,7 +180,7 @@ impl Canvas {
         let place = pane.response.hover_pos()?;
         let (ref request, pointer) = pane.under(place);
         let is_own = pane.is_own(place);
-        let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
+        let (camera, digits) = (state.model.document.camera(), state.model.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
         if state.label_mode.on {
             self.label_hover(ui, state, pane, place, status);
@@ -243,7 +244,7 @@ impl Canvas {
             },
             View::World | View::Canonical => texts.pointer_in_space.to_owned(),
         };
-        if pane.view == View::Canonical && state.is_on_the_way() {
+        if pane.view == View::Canonical && state.model.is_on_the_way() {
             return None;
         }
         let what = PickQuery::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
@@ -291,7 +292,7 @@ impl Canvas {
             self.probing = (!is_on).then_some((pane.picture, asked));
             self.probe_steps.clear();
             if is_on {
-                state.pin(None);
+                state.model.pin(None);
             } else {
                 self.probe_steps.push_back((pane.picture, step(asked, DVec2::ZERO)));
             }
@@ -318,9 +319,9 @@ impl Canvas {
             (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
             (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
             (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
-            (Key::T, View::World) => state.tree.transforming = Transforming::Move,
-            (Key::R, View::World) => state.tree.transforming = Transforming::Turn,
-            (Key::S, View::World) => state.tree.transforming = Transforming::Scale,
+            (Key::T, View::World) => state.model.tree.transforming = Transforming::Move,
+            (Key::R, View::World) => state.model.tree.transforming = Transforming::Turn,
+            (Key::S, View::World) => state.model.tree.transforming = Transforming::Scale,
             _ if arrow != DVec2::ZERO => self.arrow(state, pane, arrow, modifiers),
             _ => {}
         }
@@ -357,7 +358,7 @@ impl Canvas {
 
 /// C and PF are points of the world, and so can be probed.
 fn probed(handle: Handle, state: &State) -> Option<Probe> {
-    let camera = state.document.camera();
+    let camera = state.model.document.camera();
     match handle {
         Handle::FocalPoint => Some(Probe::Point(camera.focal_point())),
         Handle::Position | Handle::ViewUp | Handle::Near | Handle::Far => None,

@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::handle_drag;
+use crate::gui::app::state::State;
 use crate::gui::pictures::Pane;
-use crate::gui::state::State;
 use crate::i18n::window::cameras;
 use crate::sanitize::escaped;
 use crate::views::{Request, View, camera_at};
@@ -17,8 +17,8 @@ pub(in crate::gui::pictures) fn hovered(request: &Request, pointer: DVec2, pane:
 
 /// Its name, and the effect of a click.
 pub(in crate::gui::pictures) fn lines(index: usize, state: &State) -> [String; 2] {
-    let name = state.document.figure().cameras.get(index).map_or("", |other| &other.name);
-    [escaped(name), cameras::texts(state.settings.lang).click.to_owned()]
+    let name = state.model.document.figure().cameras.get(index).map_or("", |other| &other.name);
+    [escaped(name), cameras::texts(state.model.settings.lang).click.to_owned()]
 }
 
 /// Looks through the camera that was clicked. False if there is none.

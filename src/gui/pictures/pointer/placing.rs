@@ -4,10 +4,11 @@
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
 
+use crate::gui::app::state::State;
+use crate::gui::learn::exercises::state::Placing;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::{Placing, State};
 use crate::views::{View, pick};
 
 /// Half a side of the cross, and the radius of the rings, in points.

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DVec3};
 
 use crate::geometry::{Angle, try_unit};
-use crate::gui::state::{Selected, State};
+use crate::gui::app::state::State;
+use crate::gui::model::scene_tree::Selected;
 use crate::numbers::round_to;
 use crate::scene::edit::placement;
 use crate::scene::transform::{Transform, frame, transform, turned};
@@ -44,11 +45,13 @@ enum MovedThing {
 impl Movable {
     /// The selection, where it can be changed.
     pub(in crate::gui) fn selected(state: &State) -> Option<Self> {
-        let scene = &state.document.figure().scene;
-        match state.tree.selected(scene)? {
-            Selected::Object(name) => Self::objects(scene, name, state.tree.names(scene), state.tree.transforming),
+        let scene = &state.model.document.figure().scene;
+        match state.model.tree.selected(scene)? {
+            Selected::Object(name) => {
+                Self::objects(scene, name, state.model.tree.names(scene), state.model.tree.transforming)
+            }
             Selected::Light(index) => {
-                let middle = state.scene_cache.scene().bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
+                let middle = state.model.scene_cache.scene().bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
                 Some(Self::light(*index, *scene.lights.get(*index)?, middle))
             }
             Selected::OfPreset(_) => None,

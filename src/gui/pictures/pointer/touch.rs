@@ -2,9 +2,9 @@
 
 use eframe::egui::Ui;
 
+use crate::gui::app::state::State;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::views::View;
 
 impl Canvas {

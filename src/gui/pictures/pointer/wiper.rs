@@ -3,8 +3,8 @@
 use eframe::egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
 
+use crate::gui::app::state::State;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::compare as words;
 use crate::views::{Request, Side};
 
@@ -50,7 +50,7 @@ impl Canvas {
             };
             let moved = wiper(ui, state, pane, compared.comparison.wiper);
             if let Some(share) = moved {
-                state.document.edit(|figure| {
+                state.model.document.edit(|figure| {
                     if let Some(comparison) = &mut figure.compare {
                         comparison.wiper = share;
                     }
@@ -63,7 +63,7 @@ impl Canvas {
 
 /// Shows a wiper. Gives its new place where it has been moved.
 fn wiper(ui: &Ui, state: &State, pane: &Pane, share: f64) -> Option<f64> {
-    let words = words::texts(state.settings.lang);
+    let words = words::texts(state.model.settings.lang);
     let Rect { min, max } = pane.rect.rect;
     #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
     let x = min.x + (max.x - min.x) * share as f32;

@@ -50,7 +50,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
 /// The place of each visible picture, in the pixels of style sheets.
 fn pictures(page: &Page) -> Result<Object, JsValue> {
     let all = Object::new();
-    let zoom = page.app.state.settings.zoom;
+    let zoom = page.app.state.model.settings.zoom;
     for (view, place) in page.app.canvas.places() {
         let place = place * zoom;
         let one = Object::new();

@@ -2,7 +2,8 @@
 
 use toml_edit::{Array, DocumentMut, InlineTable, Value};
 
-use crate::gui::state::{Chosen, State, Typed};
+use crate::gui::app::state::State;
+use crate::gui::learn::exercises::state::{Chosen, Typed};
 
 /// The prefix of the keys.
 const PREFIX: &str = "answers ";

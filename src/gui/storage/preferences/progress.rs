@@ -12,7 +12,9 @@ use toml_edit::{DocumentMut, Value};
 use super::answers::{self, NOTHING};
 use super::shared_file::{Change, MAX_WAIT, SharedFile};
 use crate::exercises::Progress;
-use crate::gui::state::{Chosen, Done, Message, State, Typed};
+use crate::gui::app::state::State;
+use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
+use crate::gui::model::message::Message;
 use crate::gui::storage::session::{Keeping, News};
 
 /// The progress of one window.
@@ -151,8 +153,8 @@ impl KeptProgress {
         self.take(state, MAX_WAIT);
         let aside = self.file.path.with_extension("bak");
         match self.file.put_aside(&aside) {
-            Err(error) => return state.say(Message::File(self.file.path.clone(), error)),
-            Ok(true) => state.say(Message::ProgressDeleted(aside)),
+            Err(error) => return state.model.say(Message::File(self.file.path.clone(), error)),
+            Ok(true) => state.model.say(Message::ProgressDeleted(aside)),
             Ok(false) => {}
         }
         state.exercises.forget();

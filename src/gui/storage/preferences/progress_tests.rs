@@ -8,7 +8,8 @@ use eframe::egui;
 
 use super::store::tests::Folder;
 use crate::exercises::{Free, Stage, check, entry};
-use crate::gui::state::{Chosen, Done, State, Typed};
+use crate::gui::app::state::State;
+use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
 use crate::gui::storage::session::News;
 
 fn basis() -> Chosen {
@@ -86,7 +87,7 @@ fn what_preferences_kept_before_is_read_once() {
     next.exercises.forgets = true;
     preferences.keep(&egui::Context::default(), &mut next);
     assert!(next.exercises.progress.is_empty() && next.exercises.typed.is_empty());
-    assert!(matches!(&next.message, Some(message) if !message.is_error()));
+    assert!(matches!(&next.model.message, Some(message) if !message.is_error()));
     assert_eq!((file(&folder, "progress.toml"), file(&folder, "progress.bak")), (String::new(), kept));
     // The same answer, typed again, is written again.
     next.exercises.typed.insert(basis(), typed("1"));

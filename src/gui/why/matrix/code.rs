@@ -4,15 +4,15 @@ use eframe::egui::{self, FontId, TextStyle};
 
 use crate::explain::Setting;
 use crate::explain::code::CodeTarget;
+use crate::gui::app::state::State;
 use crate::gui::inspector::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::why::{code, dialects, explain};
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = explain::texts(lang);
     let targets = CodeTarget::ALL.map(|target| (target, target.name()));
     let text = written(state);
@@ -33,12 +33,12 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
 
 /// The code for the camera as it is, in the language of the window.
 fn written(state: &State) -> String {
-    let camera = state.document.camera();
-    let figure = state.document.figure();
+    let camera = state.model.document.camera();
+    let figure = state.model.document.figure();
     let target = state.explain.code;
     if let Some(limitation) = target.limitation(camera) {
-        return dialects::limitation(state.settings.lang, limitation);
+        return dialects::limitation(state.model.settings.lang, limitation);
     }
     let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
-    target.code(&setting, &code::comments(state.settings.lang, target, &target.conventions(camera)))
+    target.code(&setting, &code::comments(state.model.settings.lang, target, &target.conventions(camera)))
 }

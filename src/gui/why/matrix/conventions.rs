@@ -3,17 +3,17 @@
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
+use crate::gui::app::state::State;
 use crate::gui::inspector::{choice, complaint, row, values};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::i18n::why::conventions;
 use crate::i18n::why::conventions::{Texts, finite_instead};
 
 /// Shows the choices, and below them the numbers that depend on them.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = conventions::texts(state.settings.lang);
-    let camera = state.document.camera();
-    let shown = &mut state.settings.conventions;
+    let t = conventions::texts(state.model.settings.lang);
+    let camera = state.model.document.camera();
+    let shown = &mut state.model.settings.conventions;
     let mut ndc = Some(shown.ndc);
     one(ui, t, (t.ndc, t.ndc_hint), &mut ndc, false);
     shown.ndc = ndc.unwrap_or_default();

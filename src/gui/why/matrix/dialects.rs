@@ -7,11 +7,11 @@ use crate::camera::{Camera, Parameters, Projection};
 use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
 use crate::explain::{Axis, Component, Symbol};
 use crate::figure::Measured;
+use crate::gui::app::state::State;
 use crate::gui::inspector::{complaint, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::gui::why::context_help::{has_focus, help_topic, help_topic_row};
 use crate::gui::why::measures::of_symbol;
 use crate::i18n::why::dialects;
@@ -20,7 +20,7 @@ use crate::numbers::{is_rest, power_of_ten};
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = dialects::texts(state.settings.lang);
+    let t = dialects::texts(state.model.settings.lang);
     for vocabulary in Vocabulary::ALL {
         let (title, id) = dialects::title(t.lang, vocabulary);
         let title = section(ui, title, id, true, |ui| words(ui, state, vocabulary));
@@ -65,8 +65,8 @@ const fn note_on(quantity: CameraNumber, vocabulary: Vocabulary) -> &'static str
 
 /// The lines of a vocabulary.
 fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
-    let lang = state.settings.lang;
-    let (camera, image) = (state.document.camera().clone(), state.document.figure().image);
+    let lang = state.model.settings.lang;
+    let (camera, image) = (state.model.document.camera().clone(), state.model.document.figure().image);
     let lines = match vocabulary.lines(&camera, image) {
         Ok(lines) => lines,
         Err(limitation) => {
@@ -106,10 +106,10 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
 
 /// A button that makes the camera a perspective one.
 fn to_perspective(ui: &mut egui::Ui, state: &mut State, camera: &Camera) {
-    let t = dialects::texts(state.settings.lang);
+    let t = dialects::texts(state.model.settings.lang);
     if ui.button(t.to_perspective).explained(t.to_perspective_hint).clicked() {
         match camera.with_projection(Projection::Perspective) {
-            Ok(camera) => state.document.set_camera(camera),
+            Ok(camera) => state.model.document.set_camera(camera),
             // What is impossible stays in the draft, with the reason beside its fields.
             Err(_) => take(state, Parameters { projection: Projection::Perspective, ..*camera.parameters() }),
         }
@@ -156,7 +156,7 @@ fn numbers(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary, line: &
             }
         });
         if let Some(error) = error.take() {
-            complaint(ui, &error.text(state.settings.lang));
+            complaint(ui, &error.text(state.model.settings.lang));
         }
     }
     set
@@ -182,13 +182,13 @@ fn light(state: &mut State, quantity: CameraNumber) {
         CameraNumber::PrincipalPoint(_) => &[Symbol::Bottom, Symbol::Top],
         CameraNumber::Translation(c) => {
             // u · C, v · C and n · C, but for their signs.
-            state.hover.measured.push(Measured::OriginAlong(c.index()));
+            state.model.hover.measured.push(Measured::OriginAlong(c.index()));
             &[]
         }
         CameraNumber::Direction(_) | CameraNumber::Fixed => &[],
     };
-    state.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
-    state.hover.pointed.extend_from_slice(symbols);
+    state.model.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
+    state.model.hover.pointed.extend_from_slice(symbols);
 }
 
 /// A number: a field, or a label where it cannot be set.
@@ -200,14 +200,14 @@ fn number(
     argument: &Argument,
     width: f32,
 ) -> (Option<f64>, FieldOutput) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = dialects::texts(lang);
     // A name before the line is not repeated.
     let prefix = if line.name == argument.name { "" } else { argument.name };
     let greatest = line.arguments.iter().fold(0.0_f64, |greatest, a| greatest.max(a.value.abs()));
     if argument.quantity == CameraNumber::Fixed {
         let value = if is_rest(argument.value, greatest) { 0.0 } else { argument.value };
-        let text = format!("{prefix} {}", lang.mark().number(value, state.settings.digits));
+        let text = format!("{prefix} {}", lang.mark().number(value, state.model.settings.digits));
         let job = theme::lowered(ui, text.trim(), &egui::TextStyle::Body, ui.visuals().weak_text_color());
         let label = egui::Label::new(job).truncate();
         let label = ui.add_sized([width, ui.spacing().interact_size.y], label).explained(t.fixed_hint);

@@ -7,12 +7,13 @@ use eframe::egui::{self, RichText, Ui};
 use super::entries::{self, Cell};
 use crate::camera::{Ndc, Projection};
 use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
+use crate::gui::app::state::State;
 use crate::gui::inspector::erratum;
 use crate::gui::kit::mathematics::Both;
 use crate::gui::kit::prose;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Matrices, Reading, State};
+use crate::gui::model::matrices::{Matrices, Reading};
 use crate::gui::why::answer;
 use crate::gui::why::answer::Writing;
 use crate::gui::why::context_help::help_topic;
@@ -25,11 +26,11 @@ use crate::numbers::without_rests;
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    choices(ui, t, &mut state.explain.matrices);
+    let t = words::texts(state.model.settings.lang);
+    choices(ui, t, &mut state.model.explained.matrices);
     let subject = ExplainedSetting::of(state);
-    let matrix = state.explain.matrices.shown();
-    if state.explain.matrices.matrix == Matrix::Model {
+    let matrix = state.model.explained.matrices.shown();
+    if state.model.explained.matrices.matrix == Matrix::Model {
         match &subject.object {
             None => {
                 ui.label(t.select_object);
@@ -41,43 +42,47 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
     let setting = subject.setting(state);
     let formulas = MatrixFormula::new(matrix, &setting);
     heading(ui, state, &setting, &formulas);
-    let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
-    let values = values(&setting, matrix, state.settings.digits);
+    let writing = Writing { setting: &setting, lang: state.model.settings.lang, digits: state.model.settings.digits };
+    let values = values(&setting, matrix, state.model.settings.digits);
     if values.iter().flatten().any(|value| !value.is_finite()) {
         ui.label(t.no_inverse);
         return;
     }
     let now = ui.input(|input| input.time);
-    let object = subject.object.as_ref().filter(|_| state.explain.matrices.matrix == Matrix::Model);
-    state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
-    let (reading, glow) = (state.explain.matrices.reading, &state.explain.matrices.glow);
+    let object = subject.object.as_ref().filter(|_| state.model.explained.matrices.matrix == Matrix::Model);
+    state.model.explained.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
+    let (reading, glow) = (state.model.explained.matrices.reading, &state.model.explained.matrices.glow);
     let written = (matrix.text(), &formulas.entries, reading);
     let cells = cells(state, writing, written, &values, |entry| glow.strength(entry, now));
-    let Matrices { entry, wants_focus, .. } = state.explain.matrices;
+    let Matrices { entry, wants_focus, .. } = state.model.explained.matrices;
     let pointed = entries::show(ui, &cells, (entry, wants_focus), note_on(&formulas));
-    state.explain.matrices.wants_focus = false;
+    state.model.explained.matrices.wants_focus = false;
     if let Some(chosen) = pointed.chosen {
-        state.explain.matrices.entry = chosen;
+        state.model.explained.matrices.entry = chosen;
     }
-    if state.explain.matrices.glow.is_seen(now) {
-        ui.ctx().request_repaint_after(Duration::from_millis(if state.settings.reduce_motion { 250 } else { 40 }));
+    if state.model.explained.matrices.glow.is_seen(now) {
+        ui.ctx().request_repaint_after(Duration::from_millis(if state.model.settings.reduce_motion {
+            250
+        } else {
+            40
+        }));
     }
     copy(ui, t, matrix, &cells);
     ui.separator();
-    let [row, column] = pointed.hovered.unwrap_or(state.explain.matrices.entry);
+    let [row, column] = pointed.hovered.unwrap_or(state.model.explained.matrices.entry);
     let name = entry_name(matrix, row, column);
     let place = words::entry(t.lang, matrix.text(), row, column);
     let heading = theme::lowered(ui, &place, &egui::TextStyle::Body, ui.visuals().strong_text_color());
     ui.label(heading).accessible_name(place);
     let formula = formulas.entry(row, column);
-    let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
+    let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.model.explained.matrices);
     let lights = answer::lights(formula, lit);
     if let Some(why) = entry_reasons::reason(t.lang, matrix, &setting, [row, column]) {
         ui.add_space(4.0);
         prose::show(ui, &why);
     }
     used_in(ui, state, &setting, writing, (matrix, row, column));
-    state.hover.measured.extend(lights);
+    state.model.hover.measured.extend(lights);
 }
 
 /// The note on the equation in force; where there is none, on the matrix.
@@ -93,8 +98,8 @@ fn used_in(
     writing: Writing<'_>,
     (matrix, row, column): (Matrix, usize, usize),
 ) {
-    let points = &state.document.figure().points;
-    let Some(point) = state.follow.index(points).and_then(|index| points.get(index)) else { return };
+    let points = &state.model.document.figure().points;
+    let Some(point) = state.model.follow.index(points).and_then(|index| points.get(index)) else { return };
     let followed = setting.clone().with_point_seen_from_object(point.position);
     for step in forward(&followed).into_iter().filter(|step| step.by == Some(matrix)) {
         let (Some(symbol), Some(formula), Some(value)) =
@@ -152,7 +157,7 @@ fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
 
 /// The matrix, the equation in force and its place, and the errata of the notes.
 fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixFormula) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let (t, ndc) = (window::texts(lang), setting.space().ndc());
     ui.horizontal_wrapped(|ui| {
         ui.label(words::matrix(lang, formulas.matrix));
@@ -167,7 +172,7 @@ fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixF
             erratum(ui, t, t.erratum_parallel);
         }
     });
-    let shown = state.settings.conventions;
+    let shown = state.model.settings.conventions;
     if shown.row_vectors || shown.left_handed {
         ui.label(RichText::new(words::texts(lang).as_in_the_notes).small().weak());
     }
@@ -206,7 +211,7 @@ pub(in crate::gui::why) fn cells(
     values: &[[f64; 4]; 4],
     glow: impl Fn([usize; 2]) -> f64,
 ) -> [[Cell; 4]; 4] {
-    let pointed = &state.hover.pointed;
+    let pointed = &state.model.hover.pointed;
     let depends = |formula: &Formula| {
         !pointed.is_empty() && leaves(formula, writing.setting).iter().any(|symbol| pointed.contains(symbol))
     };
@@ -221,7 +226,7 @@ pub(in crate::gui::why) fn cells(
             let name = format!("{}: {text}", words::entry(writing.lang, name, i, j));
             let strength = glow([i, j]);
             #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
-            let glow = if state.settings.reduce_motion { strength.ceil() } else { strength } as f32;
+            let glow = if state.model.settings.reduce_motion { strength.ceil() } else { strength } as f32;
             Cell { latex, text, name, depends: depends(formula), glow }
         })
     })

@@ -7,12 +7,12 @@ use crate::camera::{
     RecoveryError, Stated, camera_names, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
+use crate::gui::app::state::State;
 use crate::gui::inspector::{choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
 use crate::i18n::why::conventions;
 use crate::i18n::why::dialects;
@@ -35,14 +35,15 @@ pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'s
 
 /// Takes parameters over. Where they have an aspect of their own, it no longer follows the image.
 pub(in crate::gui::why) fn take(state: &mut State, parameters: Parameters) {
-    let own = parameters.window.is_none() && parameters.aspect.to_bits() != state.document.draft().aspect.to_bits();
-    state.settings.aspect_follows_image &= !own;
-    state.document.set_parameters(parameters);
+    let own =
+        parameters.window.is_none() && parameters.aspect.to_bits() != state.model.document.draft().aspect.to_bits();
+    state.model.settings.aspect_follows_image &= !own;
+    state.model.document.set_parameters(parameters);
 }
 
 /// Shows a field for a matrix, and the camera that has it.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = dialects::texts(lang);
     ui.label(RichText::new(t.pasted_hint).weak());
     choices(ui, state, t);
@@ -68,7 +69,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let Some(camera) = cameras.get(state.explain.pasted.camera).or(cameras.first()) else { return };
     let mut stated = stated(state);
     stated.image = state.explain.pasted.image.or(camera.image).unwrap_or(stated.image);
-    match recognise(camera, &stated, state.document.draft()) {
+    match recognise(camera, &stated, state.model.document.draft()) {
         Err(error) => refused(ui, state, camera, &stated, &error),
         Ok(found) => recognised(ui, state, t, &found),
     }
@@ -82,12 +83,12 @@ fn take_all(state: &mut State, cameras: &[Pasted], stated: &Stated) {
     let Some(first) = cameras.first() else { return };
     let image = state.explain.pasted.image.or(first.image).unwrap_or(stated.image);
     let stated = Stated { image, ..*stated };
-    let Ok(found) = recognise(first, &stated, state.document.draft()) else { return };
-    if first.image.is_some() && image != state.document.figure().image {
-        state.document.edit(|figure| figure.image = image);
+    let Ok(found) = recognise(first, &stated, state.model.document.draft()) else { return };
+    if first.image.is_some() && image != state.model.document.figure().image {
+        state.model.document.edit(|figure| figure.image = image);
     }
     take(state, found.best().found.parameters);
-    state.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
+    state.model.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
 }
 
 /// A choice among the cameras of a file. A text with one camera has none.
@@ -107,14 +108,14 @@ fn which_camera(ui: &mut egui::Ui, state: &mut State, t: &Texts, names: &[String
 /// The part of the reading that is chosen.
 fn stated(state: &State) -> Stated {
     let pasted = &state.explain.pasted;
-    let ndc = state.settings.conventions.ndc;
+    let ndc = state.model.settings.conventions.ndc;
     Stated {
         kind: pasted.kind,
         axes: pasted.axes.filter(|_| pasted.kind.is_none_or(MatrixKind::has_pose)),
         by_columns: pasted.transposed,
         // That of OpenGL is the one you have if you chose none.
         ndc: (ndc != Ndc::default()).then(|| ndc.into()),
-        image: pasted.image.unwrap_or(state.document.figure().image),
+        image: pasted.image.unwrap_or(state.model.document.figure().image),
     }
 }
 
@@ -135,19 +136,19 @@ fn choices(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
 
 /// Why it is not the matrix of a camera, and as what it would be.
 fn refused(ui: &mut egui::Ui, state: &mut State, camera: &Pasted, stated: &Stated, error: &RecoveryError) {
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     complaint(ui, &dialects::recovery_error(lang, error));
     if matches!(error, RecoveryError::Depths { .. }) || stated.kind.is_none() {
         return;
     }
     // The other way of writing matrices is the usual reason, the kind the next one.
     let turned = Stated { by_columns: !stated.by_columns, ..*stated };
-    if recognise(camera, &turned, state.document.draft()).is_ok() {
+    if recognise(camera, &turned, state.model.document.draft()).is_ok() {
         ui.label(dialects::texts(lang).try_transposed);
         return;
     }
     let open = Stated { kind: None, axes: None, by_columns: false, ..*stated };
-    if let Ok(found) = recognise(camera, &open, state.document.draft()) {
+    if let Ok(found) = recognise(camera, &open, state.model.document.draft()) {
         read_as(ui, state, &[found.best().reading.kind]);
     }
 }
@@ -179,8 +180,8 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
         camera_found(ui, state, &camera, &reading);
     }
     if ui.button(t.take).explained(t.take_hint).clicked() {
-        if reading.kind.has_pixels() && reading.image != state.document.figure().image {
-            state.document.edit(|figure| figure.image = reading.image);
+        if reading.kind.has_pixels() && reading.image != state.model.document.figure().image {
+            state.model.document.edit(|figure| figure.image = reading.image);
         }
         take(state, best.found.parameters);
     }
@@ -195,7 +196,7 @@ fn note(ui: &mut egui::Ui, text: &str) {
 
 /// A button for each other kind as which it gives a camera.
 fn read_as(ui: &mut egui::Ui, state: &mut State, others: &[MatrixKind]) {
-    let t = dialects::texts(state.settings.lang);
+    let t = dialects::texts(state.model.settings.lang);
     if others.is_empty() {
         return;
     }
@@ -211,7 +212,7 @@ fn read_as(ui: &mut egui::Ui, state: &mut State, others: &[MatrixKind]) {
 
 /// The size of the image that K is for.
 fn image(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let own = state.document.figure().image;
+    let own = state.model.document.figure().image;
     let old = state.explain.pasted.image.unwrap_or(own);
     let mut sides = [old.width, old.height].map(f64::from);
     row(ui, "m × n", t.image, t.image_hint, |ui| {
@@ -237,7 +238,7 @@ fn image(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
 
 /// C, DOP and, for K, its numbers: to be compared with those of the program.
 fn camera_found(ui: &mut egui::Ui, state: &State, camera: &Camera, reading: &Reading) {
-    let (mark, digits) = (state.settings.lang.mark(), state.settings.digits);
+    let (mark, digits) = (state.model.settings.lang.mark(), state.model.settings.digits);
     let mut lines = Vec::new();
     if reading.kind.has_pose() {
         for (name, vector) in [("C", camera.position()), ("DOP", camera.direction_of_projection())] {

@@ -14,7 +14,7 @@ pub struct ListedCall {
 
 /// The owner of a list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Own {
+pub(crate) struct Own {
     /// The name of the object; `None` means it is an example.
     pub object: Option<String>,
     /// Its own transform, as the figure has it.
