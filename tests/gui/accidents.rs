@@ -103,16 +103,16 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     };
     put();
     let mut window = exercises::window(Lang::En);
-    window.app_mut().state.exercises.look_into(Some(lecture.clone()));
+    window.app_mut().state.learn.exercises.look_into(Some(lecture.clone()));
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     let chosen = Chosen { id: "field-of-view".to_owned(), seed: 0 };
     let open = |window: &mut Window| {
-        window.app_mut().state.exercises.work_on(chosen.clone());
+        window.app_mut().state.learn.exercises.work_on(chosen.clone());
         window.run();
     };
     let again = |window: &mut Window| {
-        window.app_mut().state.exercises.leave();
+        window.app_mut().state.learn.exercises.leave();
         window.run();
         window.click(en::EXERCISE_WINDOW.own_again);
     };
@@ -132,7 +132,7 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     assert!(typed(&window) && window.says("wrong"));
     again(&mut window);
     assert!(window.says("lecture cannot be read: there is no such file"));
-    assert!(window.state().exercises.entry("field-of-view").is_none());
+    assert!(window.state().learn.exercises.entry("field-of-view").is_none());
     // A pipe in the place of its file: said at once, and nobody waits for it.
     fs::create_dir_all(&lecture).unwrap();
     pipe(&lecture.join("a.toml"));

@@ -92,14 +92,14 @@ fn wrong_view_matrix(state: &mut State) {
     let fields: Vec<String> = numbers.iter().map(|x| format!("{}", (x * 1000.0).round() / 1000.0)).collect();
     let judged = check(entry, &exercise, ask, &joined(ask, &fields)).unwrap();
     let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 1 };
-    state.exercises.work_on(chosen.clone());
+    state.learn.exercises.work_on(chosen.clone());
     let typed = Typed { answers: [(ask.name.clone(), fields.clone())].into(), ..Typed::default() };
-    state.exercises.typed.insert(chosen, typed);
-    state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
+    state.learn.exercises.typed.insert(chosen, typed);
+    state.learn.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
     let matrix = DMat4::from_cols_slice(&numbers).transpose();
     let found = recover(&Reading::of(MatrixKind::View), matrix, &camera).unwrap();
     let described = Box::new(Camera::new(&found.parameters).unwrap());
-    state.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
+    state.learn.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
     state.model.document.edit(|figure| figure.points.clear());
     state.model.document.replace(exercise.subject.figure.clone()).unwrap();
 }

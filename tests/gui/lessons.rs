@@ -30,7 +30,7 @@ fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
 }
 
 fn step(window: &Window) -> usize {
-    window.state().lesson.as_ref().unwrap().step
+    window.state().learn.lesson.as_ref().unwrap().step
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     window.run();
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(en::LESSONS.next).click();
     for _ in 0..200 {
         window.harness.step();
@@ -73,7 +73,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     window.harness.key_press(Key::PageUp);
     window.run();
     assert_eq!(step(&window), 0);
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
 }
 
 #[test]
@@ -91,9 +91,9 @@ fn a_wrong_answer_is_told_why_in_both_languages() {
         let guess = exercise_window::texts(lang).guess;
         window.harness.get_by_label_contains(guess).click();
         window.run();
-        let checked = &window.state().exercises.checked[&ask.name];
+        let checked = &window.state().learn.exercises.checked[&ask.name];
         assert!(!checked.judged.right);
-        assert!(!window.state().lesson.as_ref().unwrap().is_done());
+        assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
         let said = exercises::diagnosis(lang, ask, &checked.judged).unwrap();
         assert!(said.contains(told(lang, &mistake.message).trim()), "{said}");
     }
@@ -105,11 +105,11 @@ fn a_goal_is_noticed_and_the_way_to_it_is_shown_and_undone() {
     let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
     let mut window = playing(0, with_goal, Lang::En);
     assert!(window.state().model.settings.panels().is_shown(Side::Left), "the camera's numbers are at hand");
-    assert!(!window.state().lesson.as_ref().unwrap().is_done());
+    assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
     let t = words::texts(Lang::En);
     window.harness.get_by_label(t.show_way).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(t.done);
     assert_ne!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
     // Nothing that is tried is lost work, and the step comes back.
@@ -129,7 +129,7 @@ fn a_presentation_has_keys_for_all_of_it() {
     window.app_mut().state.go_to_step(0);
     window.run();
     let lesson = |window: &Window| {
-        let playing = window.state().lesson.as_ref().unwrap();
+        let playing = window.state().learn.lesson.as_ref().unwrap();
         (playing.shows_text, playing.shows_question, playing.shows_notes)
     };
     assert_eq!(lesson(&window), (true, false, false), "the question waits for the lecturer");
@@ -160,10 +160,10 @@ fn whoever_leaves_has_the_figure_and_the_panels_back() {
     // By its name: where the pointer is, another line may be by now.
     window.harness.get_by_label_contains(title).click_accesskit();
     window.run();
-    assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, shipped()[1].lesson.id);
+    assert_eq!(window.state().learn.lesson.as_ref().unwrap().lesson.id, shipped()[1].lesson.id);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
-    assert!(window.state().lesson.is_none());
+    assert!(window.state().learn.lesson.is_none());
     assert_eq!(window.state().model.settings.panels.wanted, panels);
     assert_eq!(window.state().model.document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
 }
@@ -209,8 +209,8 @@ fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     assert!(name.ends_with("step 10"), "{name}");
     window.harness.get_by_label(&name).click();
     window.run();
-    assert_eq!((step(&window), window.state().lesson.as_ref().unwrap().lesson.id.as_str()), (9, "window"));
-    assert!(!window.state().goes_on);
+    assert_eq!((step(&window), window.state().learn.lesson.as_ref().unwrap().lesson.id.as_str()), (9, "window"));
+    assert!(!window.state().learn.goes_on);
 }
 
 /// Passing over everything finishes nothing; a shown way is no answer.
@@ -226,7 +226,7 @@ fn a_lesson_is_finished_when_its_questions_are() {
     window.run();
     window.harness.get_by_label(words::texts(Lang::En).show_way).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     assert_eq!(window.state().done_of(lesson).0, 0, "it was shown");
     window.app_mut().state.go_to_step(0);
     window.run();
@@ -262,7 +262,7 @@ fn every_step_has_room_for_its_text() {
                     let below = below.fold(0.0, f32::max);
                     let bar = window.harness.query_by_label("◀ Back").map_or(f32::INFINITY, |back| back.rect().top());
                     let hidden = bar < below;
-                    let playing = window.state().lesson.as_ref().unwrap();
+                    let playing = window.state().learn.lesson.as_ref().unwrap();
                     if playing.is_cut || hidden {
                         cut.push(format!("{} {} {lang:?} presents: {presents}", shipped.lesson.id, k + 1));
                     }
@@ -298,9 +298,11 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
             }
         }
         window.run();
-        let guesses = window.state().exercises.asks_for_guess(ask);
+        let guesses = window.state().learn.exercises.asks_for_guess(ask);
         says(window, if guesses { t.guess } else { t.check });
-        if let Some(choices) = Some(&ask.kind).filter(|_| !window.state().exercises.checked.contains_key(&ask.name)) {
+        if let Some(choices) =
+            Some(&ask.kind).filter(|_| !window.state().learn.exercises.checked.contains_key(&ask.name))
+        {
             // The picture has moved: what is seen is asked next.
             let Kind::Choice(choices) = choices else { panic!("a place is judged at once") };
             let right = exercise_sheet::answer(Lang::En, ask);
@@ -309,7 +311,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
             window.run();
             says(window, t.check);
         }
-        assert!(!window.state().exercises.checked[&ask.name].judged.right);
+        assert!(!window.state().learn.exercises.checked[&ask.name].judged.right);
     }
 }
 
@@ -412,7 +414,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     assert!(window.state().writes_lesson() && step(&window) == 1);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
-    assert!(window.state().lesson.is_none());
+    assert!(window.state().learn.lesson.is_none());
     // It opens as any file does.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
@@ -422,7 +424,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     }
     window.choose(&file);
     window.run();
-    assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, "mine");
+    assert_eq!(window.state().learn.lesson.as_ref().unwrap().lesson.id, "mine");
 }
 
 #[test]
@@ -498,7 +500,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     window.key(Key::F11);
     // Without the question, letters do what they do elsewhere.
     window.key(Key::C);
-    assert!(!window.state().lesson.as_ref().unwrap().shows_text);
+    assert!(!window.state().learn.lesson.as_ref().unwrap().shows_text);
     window.key(Key::C);
     window.key(Key::Q);
     for key in [Key::A, Key::B, Key::B, Key::C] {
@@ -507,7 +509,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::C);
     window.run();
     assert!(window.says(&format!("{}: 3", t.hands)), "A, B, B");
-    assert!(window.state().lesson.as_ref().unwrap().shows_text, "C is a choice now");
+    assert!(window.state().learn.lesson.as_ref().unwrap().shows_text, "C is a choice now");
     assert!(!window.says("✓"));
     window.key(Key::Q);
     assert!(window.says("✓") && !window.says(t.show_answer));
@@ -515,7 +517,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     window.key(Key::PageDown);
     assert_eq!(step(&window), step_before + 1);
     window.key(Key::PageUp);
-    if !window.state().lesson.as_ref().unwrap().shows_question {
+    if !window.state().learn.lesson.as_ref().unwrap().shows_question {
         window.key(Key::Q);
     }
     assert!(window.says(&format!("{}: 3", t.hands)));

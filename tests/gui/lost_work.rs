@@ -125,8 +125,8 @@ fn first(work: Work, folder: &Folder) -> State {
     state.model.layout.maximized = Some(View::Image);
     state.model.settings.panels.wanted = [false; 3];
     state.model.settings.reduce_motion = true;
-    state.welcome = true;
-    state.lesson_file = Some(path);
+    state.learn.welcome = true;
+    state.learn.file = Some(path);
     state
 }
 
@@ -135,7 +135,7 @@ fn begin(work: Work, window: &mut Window, folder: &Folder) {
     window.begin_again(first(work, folder));
     window.app_mut().keep_session(&folder.file("sessions"), false);
     let path = folder.file("lesson.toml");
-    if window.state().lesson.is_none() {
+    if window.state().learn.lesson.is_none() {
         let far = Parameters { far: FAR, ..*window.state().model.document.draft() };
         window.app_mut().state.model.document.set_parameters(far);
         window.run();
@@ -144,7 +144,7 @@ fn begin(work: Work, window: &mut Window, folder: &Folder) {
     match work {
         Work::Figure => {}
         Work::BehindExercise => {
-            window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+            window.app_mut().state.learn.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
             press(window, Modifiers::ALT, Key::X);
             window.click(exercise_window::texts(Lang::En).show_figure);
         }
@@ -261,8 +261,9 @@ impl Work {
             Self::WrongText | Self::TextBeside => true,
             Self::Figure | Self::Step | Self::Path => self.is_in(&state.model.document),
         };
-        let is_at_rest = !state.model.settings.presentation && state.model.settings.lang == Lang::En && state.welcome;
-        is_open && is_shown && is_at_rest && plays == state.lesson.is_some()
+        let is_at_rest =
+            !state.model.settings.presentation && state.model.settings.lang == Lang::En && state.learn.welcome;
+        is_open && is_shown && is_at_rest && plays == state.learn.lesson.is_some()
     }
 }
 
@@ -342,7 +343,7 @@ fn all(folder: &Folder) -> Vec<(String, Vec<Deed>)> {
     row(
         "the figure of an exercise",
         vec![
-            Deed::Change(|state| state.exercises.work_on(Chosen { id: "window".to_owned(), seed: 1 })),
+            Deed::Change(|state| state.learn.exercises.work_on(Chosen { id: "window".to_owned(), seed: 1 })),
             keys(Modifiers::ALT, Key::X),
             Deed::Label(exercise_window::texts(Lang::En).show_figure),
         ],

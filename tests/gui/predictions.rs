@@ -58,11 +58,11 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         arrive(&mut window);
         // Neither verdict nor reason; the picture is the one of the next step.
         let state = window.state();
-        assert!(state.exercises.checked.is_empty(), "no verdict before the picture");
+        assert!(state.learn.exercises.checked.is_empty(), "no verdict before the picture");
         assert_eq!(state.model.document.figure().camera, lesson.steps[3].figure.camera);
-        assert_eq!(state.lesson.as_ref().unwrap().step, 2);
-        assert!(!state.lesson.as_ref().unwrap().is_done() && !state.has_unsaved());
-        let (id, guess) = state.exercises.progress.guesses().next().unwrap();
+        assert_eq!(state.learn.lesson.as_ref().unwrap().step, 2);
+        assert!(!state.learn.lesson.as_ref().unwrap().is_done() && !state.has_unsaved());
+        let (id, guess) = state.learn.exercises.progress.guesses().next().unwrap();
         assert_eq!((id, guess.said.as_str(), guess.right), (&*entry.id, "smaller", false));
         assert!(window.says(t.what_seen));
         let own = ask.own_mistakes.iter().find(|own| told(lang, &own.message).len() > 20).unwrap();
@@ -72,8 +72,8 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         window.run();
         window.harness.get_by_label_contains(t.check).click();
         window.run();
-        assert!(window.state().lesson.as_ref().unwrap().is_done());
-        assert_eq!(window.state().exercises.guess_at(ask), Some(&vec!["smaller".to_owned()]));
+        assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+        assert_eq!(window.state().learn.exercises.guess_at(ask), Some(&vec!["smaller".to_owned()]));
         assert!(window.says(t.you_guessed));
     }
 }
@@ -85,21 +85,22 @@ fn a_lesson_that_is_opened_again_asks_again() {
     window.run();
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
-    let typed = |window: &Window| window.state().exercises.typed.values().filter(|typed| !typed.is_empty()).count();
+    let typed =
+        |window: &Window| window.state().learn.exercises.typed.values().filter(|typed| !typed.is_empty()).count();
     assert_eq!(typed(&window), 1);
     let mut state = State::new(Start::default()).unwrap();
-    state.exercises = window.state().exercises.clone();
+    state.learn.exercises = window.state().learn.exercises.clone();
     let mut again = Window::with_state(state, [1280.0, 720.0]);
     again.run();
     let app = again.app_mut();
-    app.state.exercises.open = None;
+    app.state.learn.exercises.open = None;
     let question = |step: &camera_lab::lessons::Step| match &step.task {
         Some(Task::Question(entry)) => Some(entry.id.clone().into_owned()),
         _ => None,
     };
-    app.state.exercises.ask_again(shipped()[0].lesson.steps.iter().filter_map(question));
+    app.state.learn.exercises.ask_again(shipped()[0].lesson.steps.iter().filter_map(question));
     assert_eq!(typed(&again), 0);
-    assert_eq!(again.state().exercises.progress.guesses().count(), 1, "the guess stays in the progress");
+    assert_eq!(again.state().learn.exercises.progress.guesses().count(), 1, "the guess stays in the progress");
 }
 
 /// The place of a point with C, PF, VUP and θ, by the construction of the notes.
@@ -139,12 +140,12 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
     arrive(&mut window);
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     let placing = window.app_mut().state.placing().unwrap();
     let shown = placing.right.unwrap();
     assert!((shown[0] - wanted[0]).abs() < 0.5 && (shown[1] - wanted[1]).abs() < 0.5, "{shown:?} {wanted:?}");
     assert_ne!(window.state().model.document.figure().camera, camera, "the image has turned");
-    assert!(window.state().exercises.progress.guesses().all(|(_, guess)| guess.right));
+    assert!(window.state().learn.exercises.progress.guesses().all(|(_, guess)| guess.right));
 }
 
 #[test]
@@ -157,15 +158,15 @@ fn a_place_that_is_wrong_says_in_which_direction() {
     window.run();
     arrive(&mut window);
     // P is to the left of the axis and above it, half as far from it as before the zoom.
-    assert!(!window.state().lesson.as_ref().unwrap().is_done());
+    assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
     assert!(window.says("mais à esquerda e mais acima"));
     let right = window.app_mut().state.placing().unwrap().right.unwrap();
     let at = on_screen(&mut window, right);
     window.click_at(at);
     window.harness.get_by_label_contains(t.check).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
-    let (_, guess) = window.state().exercises.progress.guesses().next().unwrap();
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+    let (_, guess) = window.state().learn.exercises.progress.guesses().next().unwrap();
     assert!(!guess.right, "what was guessed stays guessed");
 }
 

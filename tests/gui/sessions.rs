@@ -308,7 +308,7 @@ fn a_lesson_of_a_link_takes_the_place_of_a_restored_figure_after_a_question() {
     file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::Lesson(open));
     window.run();
     let t = texts(Lang::En);
-    assert!(window.says(t.unsaved_title) && window.says("a.toml") && window.state().lesson.is_none());
+    assert!(window.says(t.unsaved_title) && window.says("a.toml") && window.state().learn.lesson.is_none());
     window.click(t.dont_save);
-    assert_eq!(window.state().lesson.as_ref().map(|playing| playing.lesson.id.as_str()), Some("basis"));
+    assert_eq!(window.state().learn.lesson.as_ref().map(|playing| playing.lesson.id.as_str()), Some("basis"));
 }

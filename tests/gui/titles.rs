@@ -125,7 +125,7 @@ fn no_title_is_lost_on_the_way_into_a_lesson() {
     assert_eq!(title(0), both("From above"));
     entitle(&mut window, "From below");
     alt(&mut window, Key::W);
-    assert!(window.state().lesson.is_none());
+    assert!(window.state().learn.lesson.is_none());
     assert_eq!(window.state().model.document.figure().title, Some(both("From below")));
     window.command_key(Key::N);
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Unsaved(_))));

@@ -176,8 +176,8 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 let words = exercise_window::texts(state.model.settings.lang);
                 text(ui, words.delete_progress, words.delete_progress_text);
                 match buttons(ui, t.cancel, &[words.delete_progress], first.then_some(CANCEL)) {
-                    Pressed::Action(_) if state.exercises.file.is_some() => state.exercises.forgets = true,
-                    Pressed::Action(_) => state.exercises.forget(),
+                    Pressed::Action(_) if state.learn.exercises.file.is_some() => state.learn.exercises.forgets = true,
+                    Pressed::Action(_) => state.learn.exercises.forget(),
                     Pressed::Cancel => {}
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::DeleteProgress),
                 }

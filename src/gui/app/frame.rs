@@ -10,7 +10,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::focus::{self, Region};
-use super::{App, dialogs, menu, presentation, status};
+use super::{App, actions, dialogs, menu, presentation, status};
 use crate::gui::app::command::Command;
 use crate::gui::app::state::State;
 use crate::gui::files::{changed_file, file_flow};
@@ -114,8 +114,9 @@ impl App {
             self.state.explain_by_note(note);
         }
         motion::show_done(&ctx, &mut self.state);
+        actions::perform(&ctx, &mut self.state);
         self.state.model.follow_panels();
-        self.state.model.answered = self.state.exercises.answered_camera();
+        self.state.model.answered = self.state.learn.exercises.answered_camera();
         Called { of_bar, of_lesson }
     }
 
@@ -192,6 +193,7 @@ impl App {
         if let Some(command) = self.canvas.take_wanted() {
             self.perform(&ctx, command);
         }
+        actions::perform(&ctx, &mut self.state);
         self.state.check_camera(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
@@ -213,6 +215,7 @@ impl App {
             self.perform(ctx, command);
             ctx.request_repaint();
         }
+        actions::perform(ctx, &mut self.state);
         drop_hint(ctx, &self.state);
         self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
@@ -223,7 +226,7 @@ impl App {
         self.apply_settings(ctx);
         self.refuse_links(ctx);
         self.update_title(ctx);
-        let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
+        let moves = self.state.learn.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
         let moving = self.state.operations.motion.is_some() || moves || self.state.model.explained.steps.plays();
         if moving || ctx.input(|input| input.pointer.any_down()) || self.held_key.is_held(ctx) {
             return;
@@ -236,7 +239,7 @@ impl App {
         if let Some(sessions) = &mut self.sessions {
             let seen = self.state.model.as_seen();
             let state = &self.state;
-            let explains = state.lesson.is_none() && state.model.document.explains_other(&seen.show);
+            let explains = state.learn.lesson.is_none() && state.model.document.explains_other(&seen.show);
             let is_work = state.has_unsaved() || explains;
             let shown = Kept { document: &state.model.document, seen: &seen, is_work, text: state.unsaved_text() };
             sessions.keep(ctx, shown, &state.held_documents());

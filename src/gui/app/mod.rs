@@ -1,6 +1,7 @@
 //! The program of the window: its frames, commands, menus, search and settings.
 
 pub(super) mod about;
+mod actions;
 pub(super) mod annotations;
 pub mod command;
 pub mod dialogs;
@@ -162,7 +163,7 @@ impl App {
                 shortcuts.extend(presentation::ARROWS);
             }
         }
-        if self.state.lesson.is_some() && !typing && !ctx.any_popup_open() {
+        if self.state.learn.lesson.is_some() && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::PAGES);
         }
         shortcuts.retain(|(keys, _)| !writes(keys));
@@ -191,7 +192,7 @@ impl App {
             Run::Step { forwards } => {
                 // A frozen picture would be under another title.
                 self.state.annotations.frozen = false;
-                if self.state.lesson.is_some() {
+                if self.state.learn.lesson.is_some() {
                     self.state.step_lesson(forwards);
                 } else {
                     sequence::step(&mut self.state, forwards);
@@ -291,11 +292,11 @@ impl eframe::App for App {
             let window = &mut self.state.model.settings.window;
             self.opening.go_on(ui.ctx(), *window);
             *window = self.whereabouts.settled(ui.ctx(), *window).or(*window);
-            let wants_notes = self.state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
+            let wants_notes = self.state.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
             if !wants_notes {
-                self.state.other_screen = None;
-            } else if self.state.other_screen.is_none() {
-                self.state.other_screen = Some(other_screen(frame));
+                self.state.learn.other_screen = None;
+            } else if self.state.learn.other_screen.is_none() {
+                self.state.learn.other_screen = Some(other_screen(frame));
             }
         }
         self.show(ui);

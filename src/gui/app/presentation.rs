@@ -233,7 +233,7 @@ pub(in crate::gui) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
     let lang = state.model.settings.lang;
-    let of_lesson = state.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
+    let of_lesson = state.learn.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
     Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
 }
 

@@ -183,7 +183,7 @@ fn entries(state: &State) -> Vec<Entry> {
             about: note.searched().into(),
         });
     }
-    for entry in state.exercises.entries() {
+    for entry in state.learn.exercises.entries() {
         let title = exercise_words::title(lang, entry).to_owned();
         let about = format!("{} {}", entry.id, entry.source);
         all.push(Entry {
@@ -357,15 +357,15 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         Target::Explanation(explanation) => {
             state.model.show_explanation(explanation);
             if explanation == Explanation::Exercises {
-                state.exercises.call();
+                state.learn.exercises.call();
             }
         }
         Target::Matrix(matrix) => state.model.explain_entry(matrix, [0, 0]),
         Target::Note(id) => state.explain_by_note(id),
         Target::Exercise(id) => {
             state.model.show_explanation(Explanation::Exercises);
-            let entry = state.exercises.entry(&id).cloned();
-            entry.iter().for_each(|entry| list::open(&mut state.exercises, entry));
+            let entry = state.learn.exercises.entry(&id).cloned();
+            entry.iter().for_each(|entry| list::open(&mut state.learn.exercises, entry));
         }
         Target::Figure(name) => file_flow::begin(ctx, state, AfterSave::Shipped(name)),
         Target::Step(place, step) => {

@@ -1,10 +1,6 @@
 //! Everything the window knows: the model, and the state of each feature.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 use std::sync::Arc;
-
-use eframe::egui;
 
 use crate::camera::{CameraError, Freedom, Operation};
 use crate::figure::{Explanation, Figure};
@@ -21,8 +17,8 @@ use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::inspector::state::coach::Coach;
 use crate::gui::inspector::state::operations::Operations;
 use crate::gui::inspector::state::predict::{About, Prediction};
-use crate::gui::learn::exercises::state::{Exercises, Mark, Placing};
-use crate::gui::learn::lesson::state::Playing;
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Mark, Placing};
 use crate::gui::model::Model;
 use crate::gui::model::document::Document;
 use crate::gui::model::follow::Follow;
@@ -35,7 +31,6 @@ use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::numerics::Numerics;
 use crate::i18n::learn::exercise_window;
 use crate::i18n::window::predict;
-use crate::lessons::Lesson;
 use crate::share::ShareError;
 use crate::views::View;
 
@@ -48,8 +43,6 @@ pub struct State {
     pub operations: Operations,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
-    /// The corner of another screen, in points, for the speaker's notes; `None` means not looked for yet, inside: none.
-    pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The address of that page, where others can open it too.
     pub own_address: Option<String>,
     /// The address of a page with this program, for links, as entered by the user.
@@ -80,22 +73,8 @@ pub struct State {
     pub numerics: Numerics,
     /// The side of explanations.
     pub explain: Explain,
-    /// The exercises.
-    pub exercises: Exercises,
-    /// The lesson that is played.
-    pub lesson: Option<Playing>,
-    /// The lessons of a lecturer's folder, as they were when the list was opened.
-    pub own_lessons: Vec<(PathBuf, Arc<Lesson>)>,
-    /// The lesson of the user's own to which steps are added.
-    pub lesson_file: Option<PathBuf>,
-    /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
-    pub lessons_taken: BTreeMap<String, usize>,
-    /// The steps of each lesson whose task was done, from 0: an answer of one's own, and not a way that was shown.
-    pub lessons_done: BTreeMap<String, BTreeSet<usize>>,
-    /// The way on from the last time is offered, in one line.
-    pub goes_on: bool,
-    /// The first lesson and the gallery are offered, in one line.
-    pub welcome: bool,
+    /// Exercises and lessons.
+    pub learn: Learn,
     /// The list of cameras.
     pub cameras: CameraList,
     /// The link that a dialog shows.
@@ -133,7 +112,6 @@ impl State {
         let screen = document.figure().screen;
         let mut state = Self {
             model: Model::new(document, start.lang, square),
-            other_screen: None,
             own_address: None,
             page_address: String::new(),
             operations: Operations::default(),
@@ -151,17 +129,10 @@ impl State {
             photograph: PhotographTool::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
-            exercises: Exercises::default(),
+            learn: Learn::default(),
             cameras: CameraList::default(),
             shown_link: Memo::default(),
             coach: Coach::default(),
-            lesson: None,
-            own_lessons: Vec::new(),
-            lesson_file: None,
-            lessons_taken: BTreeMap::new(),
-            lessons_done: BTreeMap::new(),
-            goes_on: false,
-            welcome: false,
         };
         state.model.show_screen(screen);
         if let Some(open) = start.lesson {
@@ -272,11 +243,11 @@ impl State {
     }
 
     fn placing_of_question(&mut self) -> Option<Placing> {
-        let asks = self.lesson.as_ref().is_some_and(|playing| playing.asks_question());
+        let asks = self.learn.lesson.as_ref().is_some_and(|playing| playing.asks_question());
         if !(asks || self.model.shows_exercises()) || self.moves_to_step() {
             return None;
         }
-        self.exercises.placing(exercise_window::texts(self.model.settings.lang).place_in_image)
+        self.learn.exercises.placing(exercise_window::texts(self.model.settings.lang).place_in_image)
     }
 
     /// Puts the mark of a question for a place there.
@@ -288,7 +259,7 @@ impl State {
                     *mark = Some([x, y]);
                 }
             }
-            Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
+            Mark::Ask(ask) => self.learn.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
         }
     }
 

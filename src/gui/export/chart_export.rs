@@ -5,9 +5,8 @@ use eframe::egui::Ui;
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::i18n::window;
 
 /// A button that asks for a file and writes a chart into it.
@@ -15,6 +14,6 @@ pub(in crate::gui) fn button(ui: &mut Ui, state: &mut State, title: &str, chart:
     let t = window::texts(state.model.settings.lang);
     if ui.button(t.export_chart).explained(t.export_chart_hint).clicked() {
         let block = Block { title: title.to_owned(), rows: vec![vec![chart()]] };
-        file_flow::ask(ui.ctx(), state, Purpose::Chart(Box::new(block)));
+        state.model.actions.push(Action::Chart(Box::new(block)));
     }
 }

@@ -47,8 +47,8 @@ pub struct HandoutForm {
 impl HandoutForm {
     /// The lesson that is played, or the first one, or else exercises, beginning with the one that is open.
     pub(in crate::gui) fn of(state: &State, is_lesson: bool) -> Self {
-        let open = state.exercises.open.as_ref();
-        let open = open.filter(|open| state.exercises.entries().any(|entry| entry.id == open.id));
+        let open = state.learn.exercises.open.as_ref();
+        let open = open.filter(|open| state.learn.exercises.entries().any(|entry| entry.id == open.id));
         let options =
             HandoutOptions { lang: state.model.settings.lang, columns: 1, answers: false, plan: false, late: true };
         let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
@@ -77,7 +77,9 @@ impl HandoutForm {
         let content = match &self.lesson {
             Some(open) => Content::Lesson(open.clone()),
             None => {
-                let of = |id: &String| Some(state.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()));
+                let of = |id: &String| {
+                    Some(state.learn.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()))
+                };
                 Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<Exercise>>())
             }
         };
@@ -92,8 +94,8 @@ impl HandoutForm {
 
 /// The lesson that is played, or the one to which steps were added last, or the first of the program.
 fn played(state: &State) -> Option<OpenLesson> {
-    let of_playing = state.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
-    let last = || state.own_lessons.iter().find(|(path, _)| Some(path) == state.lesson_file.as_ref());
+    let of_playing = state.learn.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
+    let last = || state.learn.own.iter().find(|(path, _)| Some(path) == state.learn.file.as_ref());
     let of_playing = of_playing.or_else(|| last().map(|(path, lesson)| (lesson.clone(), Some(path.clone()))));
     let first = || shipped().first().map(|shipped| (shipped.lesson.clone(), None));
     of_playing.or_else(first).map(|(lesson, path)| OpenLesson { lesson, path, step: 0 })
@@ -180,10 +182,10 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
 fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
     let lang = state.model.settings.lang;
     let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
-    let of_folder = state.own_lessons.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
+    let of_folder = state.learn.own.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
     let of_folder = of_folder.map(|(lesson, path)| OpenLesson { lesson, path, step: 0 });
     let mut all: Vec<OpenLesson> = of_program.chain(of_folder).collect();
-    let own = state.lesson.as_ref().and_then(|_| played(state));
+    let own = state.learn.lesson.as_ref().and_then(|_| played(state));
     all.extend(
         own.filter(|own| all.iter().all(|other| (&other.path, &other.lesson.id) != (&own.path, &own.lesson.id))),
     );
@@ -210,7 +212,7 @@ fn chosen_exercises(ui: &mut Ui, state: &State, form: &mut HandoutForm, height: 
     let lang = state.model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
     area.show(ui, |ui| {
-        for entry in state.exercises.entries() {
+        for entry in state.learn.exercises.entries() {
             let place = form.exercises.iter().position(|id| *id == *entry.id);
             let number = place.map_or_else(String::new, |place| format!("{}. ", place + 1));
             let mut on = place.is_some();

@@ -34,7 +34,7 @@ use crate::share;
 /// changes of the figure. Whatever replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.end_move();
-    state.model.settle_layout(state.lesson.is_some());
+    state.model.settle_layout(state.learn.lesson.is_some());
     state.model.document.commit();
     if !state.save_text() {
         // The dialog says why.
@@ -225,11 +225,11 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::CompareWith => compare::with_file(state, path),
         Purpose::Texture(object) => texture(state, &object, path),
         Purpose::Photograph => photograph(state, path),
-        Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
+        Purpose::Progress => save_bytes(state, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),
         Purpose::NewLesson => {
             state.add_step(path, &agreed);
-            if state.lesson_file.as_deref() == Some(path) {
+            if state.learn.file.as_deref() == Some(path) {
                 begin(ctx, state, AfterSave::WriteRecorded);
             }
         }
@@ -251,7 +251,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             let what = ExportKind::Handout(Box::new(form.job(state)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
-        Purpose::Exercises => state.exercises.look_into(Some(path.to_owned())),
+        Purpose::Exercises => state.learn.exercises.look_into(Some(path.to_owned())),
         Purpose::Folder => {
             state.gallery.look_into(path.to_owned());
             state.file_flow.dialog = Some(Dialog::Gallery);

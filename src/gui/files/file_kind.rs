@@ -95,7 +95,7 @@ impl FileKind {
             Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText(_) => {
                 let t = lessons::texts(lang);
                 let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
-                let copied = state.lesson.as_ref().filter(|_| !purpose.adds_step());
+                let copied = state.learn.lesson.as_ref().filter(|_| !purpose.adds_step());
                 let name = copied.map(|playing| format!("{}.toml", playing.lesson.id));
                 let (title, action) =
                     if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };

@@ -37,7 +37,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
         complaint(ui, &why.text(state.model.settings.lang));
         ui.add_space(6.0);
     }
-    if let Some(playing) = state.lesson.as_mut().filter(|playing| playing.path.is_some()) {
+    if let Some(playing) = state.learn.lesson.as_mut().filter(|playing| playing.path.is_some()) {
         ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
         ui.add_space(6.0);
     }
@@ -54,7 +54,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
         }
         Err(error) => complaint(ui, &messages::link(state.model.settings.lang, *error)),
     }
-    let whole = state.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
+    let whole = state.learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
     let own = match whole {
         Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
         None => own_files(state.model.document.figure()),
@@ -93,7 +93,7 @@ pub(in crate::gui) fn link(state: &mut State, address: &str, first: bool) -> Res
     if first {
         shown.forget();
     }
-    let is_whole = state.lesson.as_ref().is_some_and(|playing| playing.links_whole);
+    let is_whole = state.learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
     let link = shown.of((address.to_owned(), is_whole), |_| made(state, address)).clone();
     state.shown_link = shown;
     link
@@ -101,7 +101,7 @@ pub(in crate::gui) fn link(state: &mut State, address: &str, first: bool) -> Res
 
 /// The link: of a lesson of the program to its step, else with the whole figure in it.
 fn made(state: &State, address: &str) -> Result<String, ShareError> {
-    let of_program = state.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
+    let of_program = state.learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
         let lang = state.model.settings.lang.tag();
         return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
@@ -114,7 +114,7 @@ fn made(state: &State, address: &str) -> Result<String, ShareError> {
 
 /// The text of the lesson of the user's own that is played, where the link is to hold it whole.
 fn whole_lesson(state: &State) -> Option<String> {
-    let playing = state.lesson.as_ref().filter(|playing| playing.links_whole)?;
+    let playing = state.learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
     files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
 }
 

@@ -52,7 +52,7 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
 }
 
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
-    state.model.settle_layout(state.lesson.is_some());
+    state.model.settle_layout(state.learn.lesson.is_some());
     let mut left = state.model.document.clone();
     state.annotations.turn_page(source.clone(), Source::of(&document).as_ref());
     state.take_over(document);

@@ -6,14 +6,14 @@ use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
 use crate::gui::app::focus::at_right;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::complaint;
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::inspector::state::compare::{compared_with, end, in_window, keep_as_a, take};
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::compare as words;
@@ -24,7 +24,7 @@ use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 pub(in crate::gui) fn button(ui: &mut Ui, state: &mut State) {
     let words = words::texts(state.model.settings.lang);
     if ui.button(words.command).explained(words.command_hint).clicked() {
-        state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.model.document.figure())));
+        state.model.actions.push(Action::Compare);
     }
 }
 
@@ -89,7 +89,7 @@ fn others(ui: &mut Ui, words: &Words, state: &mut State) -> Option<Figure> {
             chosen = Some(compared_with(state, &a));
         }
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::CompareWith);
+            state.model.actions.push(Action::CompareWith);
         }
         let with_saved = ui.add_enabled(state.model.document.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {

@@ -41,8 +41,8 @@ pub enum Action {
     Coach,
     /// Show the comparison.
     Compare,
-    /// Show the depth buffer or the hidden surfaces alone.
-    Lessons,
+    /// Show a note.
+    Note(&'static str),
 }
 
 /// An action to be done once nothing can be lost any more.

@@ -42,9 +42,9 @@ use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
 use crate::gui::app::presentation;
 use crate::gui::app::state::State;
-use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::coach;
 use crate::gui::inspector::coach::Brief;
+use crate::gui::model::action::Action;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::model::message::Message;
 use crate::gui::pictures::arrange::auto_observer::Auto;
@@ -311,7 +311,7 @@ impl Canvas {
             None => {}
             Some(StatusAction::ShowAgain(view)) => state.model.layout.shown[view.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => state.model.layout.arrangement = arrangement,
-            Some(StatusAction::Coach) => state.file_flow.dialog = Some(Dialog::Coach),
+            Some(StatusAction::Coach) => state.model.actions.push(Action::Coach),
         }
     }
 
@@ -465,7 +465,7 @@ impl Canvas {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
             }
         }
-        let fades = state.lesson.as_ref().map_or(0, |playing| playing.fades);
+        let fades = state.learn.lesson.as_ref().map_or(0, |playing| playing.fades);
         if std::mem::replace(&mut self.faded, fades) < fades {
             let now = ui.input(|input| input.time);
             self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));

@@ -6,10 +6,9 @@ use eframe::egui::{Button, Ui};
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::action::AfterSave;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::why::explain;
 use crate::i18n::window::gallery;
 use crate::i18n::{told, window};
@@ -62,6 +61,6 @@ fn dead_end(ui: &mut Ui, state: &mut State) {
     let [title, caption] = figure.told();
     let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
     if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {
-        file_flow::begin(ui.ctx(), state, AfterSave::Shipped(figure.name));
+        state.model.actions.push(Action::Begin(AfterSave::Shipped(figure.name)));
     }
 }

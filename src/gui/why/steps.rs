@@ -11,12 +11,11 @@ use crate::camera::{Camera, Decomposition, Factor};
 use crate::explain::{EntryFormula, Setting, entry_product, factor_entries};
 use crate::figure::ShownStep;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::values::brackets;
 use crate::gui::kit::mathematics::Both;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::gui::model::matrices::Reading;
 use crate::gui::model::steps::{Steps, end_of, step_at, time_of};
 use crate::gui::why::context_help::help_topic;
@@ -45,7 +44,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        file_flow::ask(ui.ctx(), state, Purpose::Animation(way));
+        state.model.actions.push(Action::Animation(way));
     }
     let steps = &mut state.model.explained.steps;
     shown = steps.advance(shown, now, &camera);

@@ -243,7 +243,7 @@ pub const MENUS: &[Menu] = &[
                     |t| lesson_words(t, |t| (t.again, t.again_hint)),
                     |s, _| s.step_again(),
                 )
-                .in_lesson(|s| s.lesson.is_some()),
+                .in_lesson(|s| s.learn.lesson.is_some()),
                 Row::new(
                     StepText,
                     alt(Key::C),
@@ -252,8 +252,8 @@ pub const MENUS: &[Menu] = &[
                         change_lesson(s, |playing| playing.shows_text ^= true);
                     },
                 )
-                .in_lesson(|s| s.lesson.is_some())
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
+                .in_lesson(|s| s.learn.lesson.is_some())
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
                 Row::new(
                     StepQuestion,
                     alt(Key::A),
@@ -263,8 +263,8 @@ pub const MENUS: &[Menu] = &[
                         change_lesson(s, |playing| playing.go_on_asking(presents));
                     },
                 )
-                .in_lesson(|s| s.lesson.is_some())
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
+                .in_lesson(|s| s.learn.lesson.is_some())
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
                 Row::new(
                     StepNotes,
                     alt(Key::N),
@@ -273,8 +273,8 @@ pub const MENUS: &[Menu] = &[
                         change_lesson(s, |playing| playing.shows_notes ^= true);
                     },
                 )
-                .in_lesson(|s| s.lesson.is_some())
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
+                .in_lesson(|s| s.learn.lesson.is_some())
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
                 Row::new(
                     WriteLesson,
                     alt(Key::R),
@@ -282,14 +282,14 @@ pub const MENUS: &[Menu] = &[
                     write_lesson,
                 )
                 .not_in_browser()
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
                 Row::new(
                     LeaveLesson,
                     alt(Key::W),
                     |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
                     |s, ctx| file_flow::begin(ctx, s, AfterSave::LeaveLesson),
                 )
-                .in_lesson(|s| s.lesson.is_some()),
+                .in_lesson(|s| s.learn.lesson.is_some()),
             ],
             &[row!(ClearAnnotations, alt(Key::Backspace), clear_annotations, clear_annotations_hint, |s, _| s
                 .annotations
@@ -445,7 +445,7 @@ fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static st
 
 /// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
 fn record_step(state: &mut State, ctx: &Context) {
-    match state.lesson_file.clone() {
+    match state.learn.file.clone() {
         Some(path) => state.add_step(&path, &Agreed::default()),
         None => file_flow::ask(ctx, state, Purpose::Step),
     }
@@ -454,9 +454,9 @@ fn record_step(state: &mut State, ctx: &Context) {
 /// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
 /// were added last, or a new one that begins with what is on the screen.
 fn write_lesson(state: &mut State, ctx: &Context) {
-    if state.lesson.is_none() && state.lesson_file.is_none() {
+    if state.learn.lesson.is_none() && state.learn.file.is_none() {
         file_flow::ask(ctx, state, Purpose::NewLesson);
-    } else if state.lesson.is_none() {
+    } else if state.learn.lesson.is_none() {
         file_flow::begin(ctx, state, AfterSave::WriteRecorded);
     } else if state.plays_own_lesson() {
         state.write_lesson();
@@ -466,7 +466,7 @@ fn write_lesson(state: &mut State, ctx: &Context) {
 }
 
 fn change_lesson(state: &mut State, change: impl FnOnce(&mut Playing)) {
-    if let Some(playing) = &mut state.lesson {
+    if let Some(playing) = &mut state.learn.lesson {
         change(playing);
     }
 }
@@ -478,7 +478,8 @@ fn show_compare(state: &mut State) {
 
 /// Saves what is typed in the lesson, or the figure.
 fn save(state: &mut State, ctx: &Context) {
-    let writing = state.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
+    let writing =
+        state.learn.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
     match writing.filter(|(_, writing)| writing.is_ahead()) {
         Some((path, _)) => {
             if state.save_text() {
@@ -551,11 +552,11 @@ fn show_tab(state: &mut State, tab: layout::Tab) {
 }
 
 fn toggle_exercises(state: &mut State) {
-    if state.model.shows_exercises() && state.exercises.was_called {
+    if state.model.shows_exercises() && state.learn.exercises.was_called {
         state.model.settings.panels_mut().toggle(Side::Explain);
     } else {
         state.model.show_explanation(Explanation::Exercises);
-        state.exercises.call();
+        state.learn.exercises.call();
     }
 }
 
@@ -593,7 +594,7 @@ fn toggle_presentation(state: &mut State, ctx: &Context) {
     state.model.settings.presentation ^= true;
     // A panel that was opened before a class is none of the next one.
     state.model.settings.presentation_panels = Panels::default();
-    if let Some(playing) = &mut state.lesson {
+    if let Some(playing) = &mut state.learn.lesson {
         playing.shows_question = !state.model.settings.presentation;
     }
     explained.into_iter().for_each(|panel| state.model.show_explanation(panel));

@@ -12,9 +12,8 @@ use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::app::state::State;
 use crate::gui::export::chart_export;
-use crate::gui::files::file_flow;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::action::AfterSave;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
@@ -63,7 +62,7 @@ pub fn ui(ui: &mut Ui, state: &mut State) {
         });
     });
     if let Some(text) = opened.and_then(|row: Row| row.figure) {
-        file_flow::begin(ui.ctx(), state, AfterSave::Text(text));
+        state.model.actions.push(Action::Begin(AfterSave::Text(text)));
     }
 }
 

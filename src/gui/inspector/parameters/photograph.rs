@@ -6,11 +6,10 @@ use super::row;
 use crate::camera::ImageSize;
 use crate::figure::Photograph;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::scene;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::i18n::window::photograph::{self as words, Texts};
 use crate::i18n::{messages, window};
 use crate::sanitize;
@@ -32,7 +31,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let response = ui.add(button).explained(hint).accessible_name(t.choose_title);
         number_field::answer_call(ui, &response, t.choose_title);
         if response.clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Photograph);
+            state.model.actions.push(Action::Photograph);
         }
     });
     if let Some(photograph) = &photograph {

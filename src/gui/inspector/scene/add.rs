@@ -5,11 +5,9 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::state::insert::{free_place, rounded};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::action::MeshFor;
+use crate::gui::model::action::{Action, MeshFor};
 use crate::gui::model::scene_tree::Selected;
 use crate::i18n::window::scenes::Texts;
 use crate::numbers;
@@ -47,7 +45,7 @@ fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         }
     }
     if chosen(ui, t.shape_mesh_file) {
-        file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::New));
+        state.model.actions.push(Action::Mesh(MeshFor::New));
     }
     ui.separator();
     if chosen(ui, t.group) {

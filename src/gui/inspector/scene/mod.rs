@@ -15,10 +15,10 @@ use crate::explain::{Component, Symbol};
 use crate::figure::Measured;
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::app::state::State;
-use crate::gui::files::questions::Dialog;
 use crate::gui::kit::number_field::FieldOutput;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
 use crate::gui::model::scene_tree::{Draft, Selected, Typing};
 use crate::gui::why::context_help::{has_focus, help_topic_row};
@@ -300,7 +300,7 @@ fn perform(state: &mut State, edit: Edit) {
             if below == 0 {
                 remove(state, &names, Children::Removed);
             } else {
-                state.file_flow.dialog = Some(Dialog::Delete { names, below });
+                state.model.actions.push(Action::Delete { names, below });
             }
         }
         Edit::RemoveLight(index) => {

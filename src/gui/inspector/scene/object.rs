@@ -9,12 +9,10 @@ use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, text_field
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::{VectorField, complaint, row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::action::MeshFor;
+use crate::gui::model::action::{Action, MeshFor};
 use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
 use crate::gui::why::context_help::{help_topic, help_topic_row};
 use crate::i18n::messages;
@@ -389,7 +387,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
             .explained(t.path_hint)
             .accessible_name(t.path);
         if ui.button(t.browse).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
+            state.model.actions.push(Action::Mesh(MeshFor::Object(owner.to_owned())));
         }
         left = response.lost_focus();
     });

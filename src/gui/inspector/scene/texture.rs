@@ -5,11 +5,10 @@ use eframe::egui::{self, Key, RichText};
 use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::gui::model::scene_tree::Typing;
 use crate::i18n::messages;
 use crate::limits::{MAX_TEXTURE_SCALE, MAX_TYPED};
@@ -118,7 +117,7 @@ fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
             .explained(t.texture_file_hint)
             .accessible_name(t.texture_file);
         if ui.button(t.browse).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Texture(owner.clone()));
+            state.model.actions.push(Action::Texture(owner.clone()));
         }
         left = response.lost_focus();
     });

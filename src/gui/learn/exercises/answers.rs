@@ -59,8 +59,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     if !tolerance.is_empty() {
         ui.add(egui::Label::new(RichText::new(tolerance).small().weak()).wrap());
     }
-    let guesses = state.exercises.asks_for_guess(ask);
-    let guess = state.exercises.guess_at(ask).cloned();
+    let guesses = state.learn.exercises.asks_for_guess(ask);
+    let guess = state.learn.exercises.guess_at(ask).cloned();
     if let Some(guess) = guess.as_ref().filter(|_| guesses) {
         say_guess(ui, state, sheet, ask, guess);
     }
@@ -70,7 +70,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
             prose::show(ui, t.place_hint);
         });
     }
-    let mut fields = state.exercises.fields(ask).to_vec();
+    let mut fields = state.learn.exercises.fields(ask).to_vec();
     let reading = understood(sheet, ask, &fields);
     let broken = reading.as_ref().err().and_then(|unreadable| unreadable.field);
     let marks = marks(state, ask, &fields);
@@ -82,9 +82,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
             numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
         }
     };
-    state.exercises.type_into(ask, fields);
+    state.learn.exercises.type_into(ask, fields);
     if let Some(first) = &typing.first {
-        state.exercises.give_focus(&ask.name, first);
+        state.learn.exercises.give_focus(&ask.name, first);
     }
     in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
@@ -110,8 +110,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
 /// Says what was guessed, and asks what is seen, until that is answered rightly.
 fn say_guess(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, guess: &[String]) {
     let t = sheet.t;
-    let is_right = state.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
-    let playing = state.lesson.as_ref();
+    let is_right = state.learn.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
+    let playing = state.learn.lesson.as_ref();
     let shows = playing.is_some_and(|playing| playing.lesson.seen_after(playing.step).is_some());
     let question = match (is_right, ask.places, shows) {
         (true, ..) => "",
@@ -127,13 +127,13 @@ fn say_guess(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, guess: &[S
 /// Keeps the answer as the guess, and shows the picture that answers the question. What is seen there is asked next. A
 /// place, and a guess without a picture, are judged at once.
 fn take_guess(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
-    let text = joined(ask, state.exercises.fields(ask));
+    let text = joined(ask, state.learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
-    state.exercises.guess(ask, judged.right, clock::seconds_since_1970());
+    state.learn.exercises.guess(ask, judged.right, clock::seconds_since_1970());
     let shows = state.show_seen();
     if shows && !ask.places {
-        let fields = vec![String::new(); state.exercises.fields(ask).len()];
-        state.exercises.type_into(ask, fields);
+        let fields = vec![String::new(); state.learn.exercises.fields(ask).len()];
+        state.learn.exercises.type_into(ask, fields);
     } else {
         check(state, sheet, ask);
     }
@@ -180,7 +180,7 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
 fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     let [rows, columns] = ask.shape();
     let none = vec![None; rows * columns];
-    let Some(checked) = state.exercises.checked.get(&ask.name) else { return none };
+    let Some(checked) = state.learn.exercises.checked.get(&ask.name) else { return none };
     let entries = &checked.judged.entries;
     let fits = entries.len() == rows && entries.iter().all(|row| row.len() == columns);
     let is_same = |k: usize| fields.get(k) == checked.fields.get(k);

@@ -37,36 +37,38 @@ struct Sheet<'a> {
 /// The part that stays in sight above the list, and above an exercise.
 pub(in crate::gui) fn head(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.model.settings.lang);
-    let open = state.exercises.open.clone();
+    let open = state.learn.exercises.open.clone();
     if open.is_none() {
-        list::search(ui, t, &mut state.exercises);
+        list::search(ui, t, &mut state.learn.exercises);
     }
     ui.horizontal_wrapped(|ui| {
-        let is_family = open.as_ref().and_then(|chosen| state.exercises.entry(&chosen.id)).is_some_and(|e| e.is_family);
+        let is_family =
+            open.as_ref().and_then(|chosen| state.learn.exercises.entry(&chosen.id)).is_some_and(|e| e.is_family);
         if open.is_some() {
             let back = ui.button(format!("◀ {}", t.back)).accessible_name(t.back);
-            state.exercises.answer_call(&back);
+            state.learn.exercises.answer_call(&back);
             if back.clicked() {
-                state.exercises.leave();
+                state.learn.exercises.leave();
             }
         }
         if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
-            && let Some((next, why)) = state.exercises.next(clock::seconds_since_1970())
+            && let Some((next, why)) = state.learn.exercises.next(clock::seconds_since_1970())
         {
-            state.exercises.work_on(next.clone());
-            state.exercises.why = Some((next, why));
+            state.learn.exercises.work_on(next.clone());
+            state.learn.exercises.why = Some((next, why));
         }
         if let Some(chosen) = open
             && is_family
             && ui.button(t.new_numbers).explained(t.new_numbers_hint).clicked()
         {
-            state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
+            state.learn.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
         }
-        if state.exercises.open.is_none() {
-            list::count(ui, &state.exercises, t.lang);
+        if state.learn.exercises.open.is_none() {
+            list::count(ui, &state.learn.exercises, t.lang);
         }
     });
-    let why = state.exercises.why.as_ref().filter(|(chosen, _)| state.exercises.open.as_ref() == Some(chosen));
+    let why =
+        state.learn.exercises.why.as_ref().filter(|(chosen, _)| state.learn.exercises.open.as_ref() == Some(chosen));
     if let Some((_, why)) = why {
         prose::show(ui, &messages::why(t.lang, *why));
     }
@@ -75,23 +77,25 @@ pub(in crate::gui) fn head(ui: &mut Ui, state: &mut State) {
 /// Shows the list, or the exercise that is worked on.
 pub(in crate::gui) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.model.settings.lang);
-    let Some((entry, exercise)) = state.exercises.exercise() else {
-        list::ui(ui, t, &mut state.exercises);
+    let Some((entry, exercise)) = state.learn.exercises.exercise() else {
+        list::ui(ui, t, &mut state.learn.exercises);
         own::ui(ui, t, state);
         return progress::ui(ui, t, state);
     };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
     // One thing after the other: what is pinned in the pictures is released by the next one.
-    if state.exercises.described.is_some() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-        state.exercises.described = None;
+    if state.learn.exercises.described.is_some()
+        && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
+    {
+        state.learn.exercises.described = None;
     }
     let all_wanted = ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Enter));
     let top = ui.cursor().min;
-    if std::mem::take(&mut state.exercises.just_opened) {
+    if std::mem::take(&mut state.learn.exercises.just_opened) {
         ui.scroll_to_rect(egui::Rect::from_min_size(top, egui::Vec2::ZERO), Some(egui::Align::TOP));
     }
-    let chosen = state.exercises.open.clone();
-    let just_said = state.exercises.take_said();
+    let chosen = state.learn.exercises.open.clone();
+    let just_said = state.learn.exercises.take_said();
     if just_said.is_some() {
         ui.ctx().request_repaint();
     }
@@ -127,9 +131,9 @@ fn question(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_sa
 /// Shows the questions of the exercise that is worked on, without its statement: a step of a lesson asks them.
 pub(in crate::gui) fn questions(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.model.settings.lang);
-    let Some((entry, exercise)) = state.exercises.exercise() else { return };
+    let Some((entry, exercise)) = state.learn.exercises.exercise() else { return };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
-    let just_said = state.exercises.take_said();
+    let just_said = state.learn.exercises.take_said();
     if just_said.is_some() {
         ui.ctx().request_repaint();
     }
@@ -140,33 +144,33 @@ pub(in crate::gui) fn questions(ui: &mut Ui, state: &mut State) {
 
 /// Judges the typed answer, if it can be read.
 fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
-    let fields = state.exercises.fields(ask).to_vec();
+    let fields = state.learn.exercises.fields(ask).to_vec();
     if answers::understood(sheet, ask, &fields).is_err() {
         return;
     }
     let judge = |state: &State, ask: &Ask, fields: &[String]| {
-        let beside = state.exercises.answers_beside(ask);
+        let beside = state.learn.exercises.answers_beside(ask);
         exercises::check_beside(sheet.entry, sheet.exercise, ask, &joined(ask, fields), &beside)
     };
     let Ok(judged) = judge(state, ask, &fields) else { return };
-    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
-        state.exercises.described = None;
+    if state.learn.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+        state.learn.exercises.described = None;
     }
-    let said_before = state.exercises.checked.get(&ask.name).map(|checked| checked.judged.diagnosis.clone());
+    let said_before = state.learn.exercises.checked.get(&ask.name).map(|checked| checked.judged.diagnosis.clone());
     if said_before.is_some_and(|before| before != judged.diagnosis) {
         // Hints on another mistake.
-        state.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
+        state.learn.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
     }
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
-    state.exercises.note(done);
-    state.exercises.took(ask, Checked { fields, judged });
+    state.learn.exercises.note(done);
+    state.learn.exercises.took(ask, Checked { fields, judged });
     // What is wrong elsewhere may follow from this one, or no longer.
     for other in sheet.exercise.asks.iter().filter(|other| other.name != ask.name) {
-        let wrong = state.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
+        let wrong = state.learn.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
         let Some(fields) = wrong.map(|checked| checked.fields.clone()) else { continue };
         if let Ok(judged) = judge(state, other, &fields) {
-            state.exercises.checked.insert(other.name.clone(), Checked { fields, judged });
+            state.learn.exercises.checked.insert(other.name.clone(), Checked { fields, judged });
         }
     }
-    state.exercises.say(ask);
+    state.learn.exercises.say(ask);
 }

@@ -4,10 +4,9 @@ use eframe::egui::{CollapsingHeader, RichText, Ui};
 
 use crate::files::BadExercise;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Purpose;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::messages;
 use crate::sanitize;
@@ -18,7 +17,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         return;
     }
     ui.add_space(6.0);
-    if let Some(own) = state.exercises.own.clone() {
+    if let Some(own) = state.learn.exercises.own.clone() {
         match &own.found {
             Ok(found) if found.entries.is_empty() && found.faults.is_empty() => {
                 ui.label(format!("{}: {}", sanitize::path(&own.folder), t.own_none));
@@ -41,14 +40,14 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.own_open).explained(t.own_open_hint).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Exercises);
+            state.model.actions.push(Action::Exercises);
         }
-        let Some(own) = state.exercises.own.clone() else { return };
+        let Some(own) = state.learn.exercises.own.clone() else { return };
         if ui.button(t.own_again).explained(t.own_again_hint).clicked() {
-            state.exercises.look_into(Some(own.folder.clone()));
+            state.learn.exercises.look_into(Some(own.folder.clone()));
         }
         if ui.button(t.own_close).explained(t.own_close_hint).clicked() {
-            state.exercises.look_into(None);
+            state.learn.exercises.look_into(None);
         }
     });
 }

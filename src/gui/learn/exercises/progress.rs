@@ -4,10 +4,9 @@ use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::action::Action;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::learn::exercises as said;
 use crate::sanitize;
@@ -17,7 +16,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     ui.add_space(6.0);
     ui.separator();
     egui::CollapsingHeader::new(t.progress).id_salt("progress").show(ui, |ui| {
-        match &state.exercises.file {
+        match &state.learn.exercises.file {
             Some(file) => {
                 ui.label(RichText::new(t.progress_kept_in).weak());
                 ui.add(egui::Label::new(RichText::new(sanitize::path(file)).monospace()).wrap().selectable(true));
@@ -28,15 +27,15 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         mistakes(ui, t, state);
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
-            let has_some = !state.exercises.progress.is_empty();
+            let has_some = !state.learn.exercises.progress.is_empty();
             let export = ui.add_enabled(has_some, egui::Button::new(t.export_progress));
             if export.explained(t.export_progress_hint).clicked() {
-                file_flow::ask(ui.ctx(), state, Purpose::Progress);
+                state.model.actions.push(Action::Progress);
             }
-            let has_typed = state.exercises.typed.values().any(|typed| !typed.is_empty());
+            let has_typed = state.learn.exercises.typed.values().any(|typed| !typed.is_empty());
             let delete = ui.add_enabled(has_some || has_typed, egui::Button::new(format!("{}…", t.delete_progress)));
             if delete.explained(t.delete_progress_hint).clicked() {
-                state.file_flow.dialog = Some(Dialog::DeleteProgress);
+                state.model.actions.push(Action::DeleteProgress);
             }
         });
     });
@@ -44,7 +43,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
 
 /// The known mistakes, those made most often first.
 fn mistakes(ui: &mut Ui, t: &Texts, state: &State) {
-    let mut made: Vec<(Mistake, &Made)> = state.exercises.progress.mistakes().collect();
+    let mut made: Vec<(Mistake, &Made)> = state.learn.exercises.progress.mistakes().collect();
     if made.is_empty() {
         ui.label(t.no_mistakes);
         return;

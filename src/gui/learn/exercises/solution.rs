@@ -35,7 +35,7 @@ pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'sta
 pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
-    let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
+    let opened = state.learn.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
     let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
     let has_none = match ask.expected() {
         Expected::Choice(_, _, steps) | Expected::Computed(_, steps) => steps.is_empty(),
@@ -48,8 +48,8 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
     let label = if opened.steps == 0 { t.first_step } else { t.next_step };
     let button = help_button(ui, id, (label, t.step_hint, &name));
     if button.clicked() {
-        let progress = &state.exercises.progress;
-        let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
+        let progress = &state.learn.exercises.progress;
+        let opened = state.learn.exercises.opened.entry(ask.name.clone()).or_default();
         opened.steps += 1;
         if opened.way.is_none() {
             // What is solved later takes no step away from this solution.
@@ -58,10 +58,10 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
         let way = opened.way.get_or_insert_with(|| ask.steps().into());
         if button.has_focus() && opened.steps >= way.len() {
             // There is no next one: the focus returns to the answer.
-            state.exercises.wants_focus = Some(ask.name.clone());
+            state.learn.exercises.wants_focus = Some(ask.name.clone());
         }
-        state.exercises.note_opened(exercise, ask);
-        state.exercises.say(ask);
+        state.learn.exercises.note_opened(exercise, ask);
+        state.learn.exercises.say(ask);
     }
 }
 
@@ -73,13 +73,13 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
         let own = UiBuilder::new().scope_id(id.with("camera"));
         ui.scope_builder(own, |ui| ui.button(label)).inner.accessible_name(words::of_ask(label, &name))
     };
-    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+    if state.learn.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
         if shows(ui, t.hide_camera).clicked() {
-            state.exercises.described = None;
+            state.learn.exercises.described = None;
         }
         return;
     }
-    let Some(judged) = state.exercises.checked.get(&ask.name).map(|checked| &checked.judged) else { return };
+    let Some(judged) = state.learn.exercises.checked.get(&ask.name).map(|checked| &checked.judged) else { return };
     if judged.right || !describes_camera(ask, judged) {
         return;
     }
@@ -91,7 +91,7 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
     if camera.is_ok() && *state.model.document.figure() != figure::with_camera(exercise, right) {
         state.show_figure_of_exercise(figure::with_camera(exercise, right));
     }
-    state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
+    state.learn.exercises.described = Some(Described { ask: ask.name.clone(), camera });
 }
 
 /// The quantity of `inspect` that is asked for, where it is one, as a whole.
@@ -185,11 +185,11 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
 /// The open steps, set as mathematics, and the reason why there is no camera. Returns the place of the last step.
 pub(super) fn steps(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
-    let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
+    let described = state.learn.exercises.described.as_ref().filter(|described| described.ask == ask.name);
     if let Some(Err(error)) = described.map(|described| &described.camera) {
         complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
     }
-    let opened = state.exercises.opened.get(&ask.name)?.clone();
+    let opened = state.learn.exercises.opened.get(&ask.name)?.clone();
     let way: Option<Arc<[Worked]>> = opened.way.clone();
     let mut last = None;
     for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
@@ -208,7 +208,7 @@ pub(super) fn steps(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask)
 /// The field of a step that is to be done: the number of its last row.
 fn to_do(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (k, step): (usize, &Worked)) {
     let (t, name) = (sheet.t, said::ask(sheet.t.lang, sheet.exercise, ask).replace("**", ""));
-    let Some(opened) = state.exercises.opened.get_mut(&ask.name) else { return };
+    let Some(opened) = state.learn.exercises.opened.get_mut(&ask.name) else { return };
     let mut is_right = false;
     ui.horizontal_wrapped(|ui| {
         ui.label(t.your_step);
@@ -234,7 +234,7 @@ fn to_do(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (k, step):
     if is_right {
         opened.missed = None;
         opened.filled.insert(k);
-        state.exercises.say(ask);
+        state.learn.exercises.say(ask);
     }
 }
 

@@ -4,12 +4,11 @@ use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, 
 
 use super::{Sheet, figure};
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::action::AfterSave;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
@@ -45,11 +44,11 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
 /// The way to the lesson of the exercise, unless it is being played.
 fn lesson(ui: &mut Ui, state: &mut State, Sheet { t, entry, .. }: Sheet<'_>) {
     let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
-    let plays = |way: &Way| state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
+    let plays = |way: &Way| state.learn.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
     let Some(way) = way.filter(|way| !plays(way)) else { return };
     if ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked() {
         let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
-        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+        state.model.actions.push(Action::Begin(AfterSave::Lesson(open)));
     }
 }
 
@@ -72,7 +71,7 @@ fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     if exercise.free.is_empty() {
         return;
     }
-    let typed = state.exercises.typed_now();
+    let typed = state.learn.exercises.typed_now();
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(t.free_numbers).small().strong());
         for (name, value) in &exercise.free {
@@ -96,7 +95,7 @@ fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
 /// The buttons that put figures into the pictures. What answers a question is shown once all of them have been tried.
 fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
-    let is_tried = exercise.asks.iter().all(|ask| state.exercises.checked.contains_key(&ask.name));
+    let is_tried = exercise.asks.iter().all(|ask| state.learn.exercises.checked.contains_key(&ask.name));
     if exercise.is_told_by_figure() && !is_tried {
         ui.label(RichText::new(t.figure_later).weak());
         return;

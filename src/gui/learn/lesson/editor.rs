@@ -6,12 +6,11 @@ use eframe::egui::{Button, Id, RichText, Ui};
 use super::task_fields;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson::writing::StepChange;
-use crate::gui::model::action::AfterSave;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, messages};
@@ -23,7 +22,7 @@ const PAUSE: f64 = 1.0;
 
 /// One line: changes of the steps.
 pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let Some(playing) = state.lesson.as_ref() else { return };
+    let Some(playing) = state.learn.lesson.as_ref() else { return };
     let Some(writing) = &playing.writing else { return };
     let (step, count) = (playing.step, playing.lesson.steps.len());
     let (is_ahead, has_no_task) = (writing.is_ahead(), writing.typed.task.kind == TaskKind::None);
@@ -47,7 +46,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
         asks = button.explained(task.new_question_hint).explained_disabled(task.has_task).clicked();
         ui.separator();
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-            file_flow::begin(ui.ctx(), state, AfterSave::ReadLesson);
+            state.model.actions.push(Action::Begin(AfterSave::ReadLesson));
         }
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });
@@ -56,7 +55,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
     }
     if asks {
         let now = ui.input(|input| input.time);
-        let writing = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+        let writing = state.learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
         if let Some(writing) = writing {
             writing.shows = Fields::Task;
             writing.typed.task = std::mem::take(&mut writing.typed.task).with_kind(TaskKind::Choices);
@@ -69,7 +68,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
 /// The fields of the step, of its task, or of the whole lesson.
 pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     let (lang, now) = (state.model.settings.lang, ui.input(|input| input.time));
-    let Some(playing) = state.lesson.as_mut() else { return };
+    let Some(playing) = state.learn.lesson.as_mut() else { return };
     // A task asks about the figure of its step, even while the author tries another camera.
     let figure = playing.now().map(|step| step.figure.clone());
     let Some(writing) = &mut playing.writing else { return };

@@ -57,7 +57,7 @@ pub(super) fn question_with_choices(step: &Step) -> Option<(Exercise, usize)> {
 /// Counts hands by keys: a letter raises one for its choice, Shift and the letter lower one.
 pub(super) fn count(ctx: &Context, state: &mut State) {
     let listens = state.model.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
-    let Some(playing) = state.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
+    let Some(playing) = state.learn.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
     let Some((_, choices)) = playing.now().and_then(question_with_choices) else { return };
     let step = playing.step;
     ctx.input_mut(|input| {
@@ -77,7 +77,7 @@ pub(super) fn count(ctx: &Context, state: &mut State) {
 /// Shows the question with its choices to the class. False if the step has no choices.
 pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step) -> bool {
     let Some((exercise, choices)) = question_with_choices(step) else { return false };
-    let Some(playing) = &mut state.lesson else { return false };
+    let Some(playing) = &mut state.learn.lesson else { return false };
     let (Some(ask), number) = (exercise.asks.first(), playing.step) else { return false };
     let counts = playing.hands.of(number, choices);
     let is_answered = playing.hands.answered == Some(number);

@@ -31,7 +31,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
-            let is_taken = state.lessons_taken.contains_key(&lesson.id);
+            let is_taken = state.learn.taken.contains_key(&lesson.id);
             let (done, all) = state.done_of(lesson);
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
@@ -68,11 +68,11 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
             }
             ui.add_space(6.0);
         }
-        if !state.own_lessons.is_empty() {
+        if !state.learn.own.is_empty() {
             ui.separator();
             ui.label(RichText::new(t.of_folder).strong());
         }
-        for (path, lesson) in &state.own_lessons {
+        for (path, lesson) in &state.learn.own {
             let link = ui.link(words::with_minutes(lang, lesson)).explained(crate::sanitize::path(path));
             if link.clicked() {
                 chosen = Some(OpenLesson { lesson: lesson.clone(), path: Some(path.clone()), step: 0 });

@@ -28,7 +28,7 @@ use crate::gui::kit::prose;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::state::Chosen;
-use crate::gui::model::action::AfterSave;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
 use crate::i18n::learn::lessons::Texts;
@@ -81,8 +81,8 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
 /// command that is to be done.
 pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let is_fresh = state.model.document.path().is_none() && state.lesson.is_none() && !state.model.settings.bare;
-    if !(state.welcome && is_fresh) {
+    let is_fresh = state.model.document.path().is_none() && state.learn.lesson.is_none() && !state.model.settings.bare;
+    if !(state.learn.welcome && is_fresh) {
         return None;
     }
     let first = lessons::shipped().first()?.lesson.clone();
@@ -98,7 +98,7 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
-                    state.welcome = false;
+                    state.learn.welcome = false;
                     state.model.settings.welcomed = true;
                 }
             });
@@ -111,17 +111,17 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
         file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
     }
     // It stays if the question about changes does.
-    if state.lesson.is_some() || command.is_some() {
-        (state.welcome, state.model.settings.welcomed) = (false, true);
+    if state.learn.lesson.is_some() || command.is_some() {
+        (state.learn.welcome, state.model.settings.welcomed) = (false, true);
     }
     command
 }
 
 /// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
-    let is_fresh = state.model.document.path().is_none() && state.lesson.is_none() && !state.model.settings.bare;
+    let is_fresh = state.model.document.path().is_none() && state.learn.lesson.is_none() && !state.model.settings.bare;
     let next = state.next_lesson().and_then(|place| lessons::shipped().get(place));
-    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.goes_on && is_fresh) else {
+    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.learn.goes_on && is_fresh) else {
         return;
     };
     let lang = state.model.settings.lang;
@@ -135,12 +135,12 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
             }
             ui.label("·");
             if ui.link(t.practise).clicked()
-                && let Some((next, why)) = state.exercises.next(clock::seconds_since_1970())
+                && let Some((next, why)) = state.learn.exercises.next(clock::seconds_since_1970())
             {
-                state.exercises.work_on(next.clone());
-                state.exercises.why = Some((next, why));
+                state.learn.exercises.work_on(next.clone());
+                state.learn.exercises.why = Some((next, why));
                 state.model.show_explanation(Explanation::Exercises);
-                state.goes_on = false;
+                state.learn.goes_on = false;
             }
             ui.label("·");
             if ui.link(t.lessons).clicked() {
@@ -148,7 +148,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_go_on).accessible_name(t.no_go_on).clicked() {
-                    state.goes_on = false;
+                    state.learn.goes_on = false;
                 }
             });
         });
@@ -157,13 +157,13 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
         file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
     }
     // It stays if the question about changes does.
-    state.goes_on &= state.lesson.is_none();
+    state.learn.goes_on &= state.learn.lesson.is_none();
 }
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
 fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
     let listens = state.model.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
-    let Some(playing) = state.lesson.as_mut().filter(|_| listens) else { return };
+    let Some(playing) = state.learn.lesson.as_mut().filter(|_| listens) else { return };
     // In their order, and each as often as it was pressed: a slow frame brings several.
     ctx.input_mut(|input| {
         input.events.retain(|event| {
@@ -194,7 +194,7 @@ const DIGITS: [Key; 10] =
 /// The bar of the lesson, and the text and the task of its step, below the pictures. Gives a command that is to be
 /// done. All steps have one height, so that nothing moves under the pointer.
 pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let playing = state.lesson.as_ref()?;
+    let playing = state.learn.lesson.as_ref()?;
     let key = (playing.lesson.id.clone(), playing.step);
     let t = words::texts(state.model.settings.lang);
     let ctx = ui.ctx().clone();
@@ -232,7 +232,7 @@ pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         (command, is_cut)
     });
     let (command, is_cut) = panel.inner;
-    if let Some(playing) = &mut state.lesson {
+    if let Some(playing) = &mut state.learn.lesson {
         playing.is_cut = is_cut;
         playing.height = Some((fits, height));
     }
@@ -256,7 +256,7 @@ pub(in crate::gui) struct Fits {
 fn first_height(ui: &mut Ui, t: &Texts, state: &State, fits: &Fits) -> f32 {
     let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum();
     let bar = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y + margin.y + 4.0;
-    let Some(playing) = state.lesson.as_ref().filter(|_| fits.shows) else { return bar };
+    let Some(playing) = state.learn.lesson.as_ref().filter(|_| fits.shows) else { return bar };
     let line = ui.text_style_height(&egui::TextStyle::Body);
     let width = ui.available_width() - margin.x;
     let tallest = playing.lesson.steps.iter().enumerate().map(|(k, step)| {
@@ -296,7 +296,7 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
     let lang = t.lang;
     let writes_own = state.plays_own_lesson() && !state.model.settings.presentation;
-    let playing = state.lesson.as_ref()?;
+    let playing = state.learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
     let (step, count, may_go_on, moved) = (
@@ -322,7 +322,7 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
             if ui.button(name).clicked() {
                 let open = lessons::OpenLesson { lesson: next, path: None, step: 0 };
-                file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+                state.model.actions.push(Action::Begin(AfterSave::Lesson(open)));
             }
         }
         let place = words::place(lang, step + 1, count);
@@ -377,7 +377,7 @@ fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         ui.add_space(GUTTER - ui.spacing().item_spacing.x);
         ui.vertical(|ui| {
             ui.set_width(half);
-            match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
+            match state.learn.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
                 Some((playing, writing)) if writing.shows == writing::Fields::Lesson => {
                     whole(ui, writing.lang, &playing.lesson);
                 }
@@ -397,7 +397,7 @@ fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
 
 /// Text, task, links and notes of the step.
 fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
-    let Some(playing) = state.lesson.as_ref() else { return };
+    let Some(playing) = state.learn.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
     let writing = playing.writing.as_ref().filter(|_| state.writes_lesson());
     let shows_text = playing.shows_text || writing.is_some();
@@ -417,7 +417,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         }
         prose::show(ui, text(&step.text).trim());
     };
-    let asks = step.task.is_some() && state.lesson.as_ref().is_some_and(|playing| playing.shows_question);
+    let asks = step.task.is_some() && state.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
     let half = column(ui, ui.available_width(), presents, asks);
     if shows_text && asks && half < 0.5 * ui.available_width() {
         // Side by side they leave the pictures more room.
@@ -463,13 +463,13 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                     let name = format!("{}: {}", t.read_more, notes::plain(note.title));
                     let job = theme::sentence(ui, &name, &egui::TextStyle::Body, ui.visuals().hyperlink_color);
                     if ui.link(job).accessible_name(name).clicked() {
-                        state.explain_by_note(note.id);
+                        state.model.actions.push(Action::Note(note.id));
                     }
                 }
                 Link::Exercise(id, seed) => {
                     let Some(entry) = crate::exercises::entry(id) else { continue };
                     if ui.link(format!("{}: {}", t.practise, exercises::title(lang, entry))).clicked() {
-                        state.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
+                        state.learn.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
                         state.model.show_explanation(Explanation::Exercises);
                     }
                 }
@@ -477,7 +477,7 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                     let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
                     if ui.link(words::lesson_link(lang, &other.lesson, *step)).clicked() {
                         let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: *step };
-                        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+                        state.model.actions.push(Action::Begin(AfterSave::Lesson(open)));
                     }
                 }
             }

@@ -17,6 +17,7 @@ impl State {
     /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
     pub(in crate::gui) fn add_step(&mut self, path: &Path, agreed: &Agreed) {
         if self
+            .learn
             .lesson
             .as_ref()
             .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
@@ -32,7 +33,7 @@ impl State {
 
     /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
     pub(in crate::gui) fn is_recorded(&mut self) -> bool {
-        let Some(path) = self.lesson_file.as_deref().filter(|_| self.model.document.path().is_none()) else {
+        let Some(path) = self.learn.file.as_deref().filter(|_| self.model.document.path().is_none()) else {
             return false;
         };
         let Ok((lesson, _)) = files::read_lesson(path) else { return false };
@@ -48,7 +49,7 @@ impl State {
     pub(in crate::gui) fn title_to_record(&self, lesson: Option<&Lesson>) -> Option<Bilingual> {
         let title = self.model.document.figure().title.as_ref()?;
         let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
-        let is_of_step = self.lesson.is_some() && self.model.document.saved().title.as_ref() == Some(title);
+        let is_of_step = self.learn.lesson.is_some() && self.model.document.saved().title.as_ref() == Some(title);
         let is_new = !is_of_step && !self.model.document.has_words_of_card() && steps.all(|step| step.title != *title);
         is_new.then(|| title.clone())
     }
@@ -64,9 +65,9 @@ impl State {
 
     /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
     pub(in crate::gui) fn step_is_added(&mut self, path: &Path, lesson: Lesson) {
-        self.lesson_file = Some(path.to_owned());
+        self.learn.file = Some(path.to_owned());
         self.model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
-        if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
+        if let Some(playing) = self.learn.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
             // The steps before it have their places.
             playing.lesson = Arc::new(lesson);
         }
@@ -81,11 +82,11 @@ impl State {
     /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
     pub(in crate::gui) fn look_for_lessons(&mut self) {
         let folders =
-            [self.lesson_file.as_deref().and_then(Path::parent), self.model.document.folder(), self.gallery.folder()];
+            [self.learn.file.as_deref().and_then(Path::parent), self.model.document.folder(), self.gallery.folder()];
         let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
         // A folder that cannot be read has none.
         let found = folder.filter(|_| !self.model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
-        self.own_lessons = found.unwrap_or_default().lessons;
+        self.learn.own = found.unwrap_or_default().lessons;
     }
 
     /// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.

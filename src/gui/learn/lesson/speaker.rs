@@ -19,19 +19,19 @@ const SIZE: [f32; 2] = [520.0, 460.0];
 /// True if the notes have a window of their own. In a page of a browser they're below the pictures, and so they are if
 /// the only screen is the projection.
 pub(super) fn has_window(ctx: &Context, state: &State) -> bool {
-    let is_alone = state.model.settings.presentation && state.other_screen.is_none_or(|screen| screen.is_none());
+    let is_alone = state.model.settings.presentation && state.learn.other_screen.is_none_or(|screen| screen.is_none());
     !ctx.embed_viewports() && !is_alone
 }
 
 /// Shows the notes of the step, where they are wanted. Gives a command that is to be done.
 pub(in crate::gui) fn window(ctx: &Context, state: &mut State) -> Option<Command> {
-    let is_wanted = state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
+    let is_wanted = state.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
     if !is_wanted || !has_window(ctx, state) {
         return None;
     }
     let t = words::texts(state.model.settings.lang);
     let mut builder = ViewportBuilder::default().with_title(t.notes_command).with_inner_size(SIZE);
-    if let Some(Some(corner)) = state.other_screen {
+    if let Some(Some(corner)) = state.learn.other_screen {
         builder = builder.with_position(corner + vec2(60.0, 60.0));
     }
     let id = ViewportId::from_hash_of("notes of the speaker");
@@ -63,7 +63,7 @@ fn keys(ctx: &Context) -> Option<Command> {
 /// and the title of the next step.
 fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> {
     let lang = t.lang;
-    let playing = state.lesson.as_ref()?;
+    let playing = state.learn.lesson.as_ref()?;
     let step = playing.now()?;
     // The numbers are those of what is on the screen.
     let report = lessons::numbers_of(state.model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();

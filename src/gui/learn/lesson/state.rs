@@ -169,18 +169,18 @@ impl State {
     /// `Playing::is_work`.
     #[must_use]
     pub fn has_unsaved(&self) -> bool {
-        self.is_work(&self.model.document) || self.model.is_rearranged(self.lesson.is_some())
+        self.is_work(&self.model.document) || self.model.is_rearranged(self.learn.lesson.is_some())
     }
 
     fn is_work(&self, document: &Document) -> bool {
-        self.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
+        self.learn.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
     }
 
     /// The documents with changes that the window holds without showing them: figures and steps that were left, and
     /// those behind the figure of an exercise.
     pub fn held_documents(&self) -> Vec<&Document> {
         let left = self.kept.iter().chain(&self.given_up).map(|(_, document)| document);
-        let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
+        let of_lesson = self.learn.lesson.iter().flat_map(|playing| playing.worked_on.values());
         let held = left.chain(of_lesson).flat_map(|document| std::iter::once(document).chain(document.behind()));
         held.filter(|document| document.is_changed())
             .chain(self.model.document.behind().filter(|document| self.is_work(document)))
@@ -200,7 +200,7 @@ impl State {
     /// closed.
     pub(in crate::gui) fn gather_held(&mut self) {
         self.keep_behind();
-        let of_lesson = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
+        let of_lesson = self.learn.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
         self.keep(of_lesson.into_iter().flat_map(BTreeMap::into_values).collect());
     }
 
@@ -218,7 +218,7 @@ impl State {
             left = document.into_behind();
         }
         self.model.document.take_behind();
-        if let (Some(document), Some(playing)) = (left, &mut self.lesson) {
+        if let (Some(document), Some(playing)) = (left, &mut self.learn.lesson) {
             playing.worked_on.insert(playing.step, document);
         }
     }
@@ -239,13 +239,13 @@ impl State {
     /// The panels at the sides as the user wants them without a lesson.
     #[must_use]
     pub fn own_panels(&self) -> &Panels {
-        self.lesson.as_ref().map_or(&self.model.settings.panels, |playing| &playing.panels_before)
+        self.learn.lesson.as_ref().map_or(&self.model.settings.panels, |playing| &playing.panels_before)
     }
 
     /// The number of steps of a lesson that ask for something, and of those that are done.
     #[must_use]
     pub fn done_of(&self, lesson: &Lesson) -> (usize, usize) {
-        let done = self.lessons_done.get(&lesson.id);
+        let done = self.learn.done.get(&lesson.id);
         let tasks = lesson.steps.iter().enumerate().filter(|(_, step)| step.task.is_some());
         let (all, is_done): (Vec<usize>, Vec<bool>) =
             tasks.map(|(step, _)| (step, done.is_some_and(|done| done.contains(&step)))).unzip();
@@ -256,7 +256,7 @@ impl State {
     #[must_use]
     pub fn is_finished(&self, lesson: &Lesson) -> bool {
         let (done, all) = self.done_of(lesson);
-        done == all && self.lessons_taken.contains_key(&lesson.id)
+        done == all && self.learn.taken.contains_key(&lesson.id)
     }
 
     /// The lesson of the program to be taken next, by its place: the first that was begun and isn't finished, else the
@@ -264,7 +264,7 @@ impl State {
     #[must_use]
     pub fn next_lesson(&self) -> Option<usize> {
         let open = || shipped().iter().enumerate().filter(|(_, shipped)| !self.is_finished(&shipped.lesson));
-        let mut begun = open().filter(|(_, shipped)| self.lessons_taken.contains_key(&shipped.lesson.id));
+        let mut begun = open().filter(|(_, shipped)| self.learn.taken.contains_key(&shipped.lesson.id));
         begun.next().or_else(|| open().next()).map(|(place, _)| place)
     }
 
@@ -272,8 +272,8 @@ impl State {
     /// left or before.
     #[must_use]
     pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
-        let furthest = self.lessons_taken.get(&lesson.id).copied().unwrap_or_default();
-        let done = self.lessons_done.get(&lesson.id);
+        let furthest = self.learn.taken.get(&lesson.id).copied().unwrap_or_default();
+        let done = self.learn.done.get(&lesson.id);
         let is_open = |step: &usize| lesson.steps[*step].task.is_some() && done.is_none_or(|done| !done.contains(step));
         let last = lesson.steps.len().saturating_sub(1);
         if furthest < last { furthest } else { (0..lesson.steps.len()).find(is_open).unwrap_or_default() }
@@ -288,7 +288,7 @@ impl State {
                 Some(Task::Question(entry)) => Some(entry.id.clone().into_owned()),
                 _ => None,
             };
-            self.exercises.ask_again(lesson.steps.iter().filter_map(question));
+            self.learn.exercises.ask_again(lesson.steps.iter().filter_map(question));
         }
         // A session of another folder has to find the file too.
         let path = path.map(|path| if share::link_of(&path).is_some() { path } else { files::whole(&path) });
@@ -328,18 +328,18 @@ impl State {
 
     /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
     pub(in crate::gui) fn close_lesson(&mut self) {
-        if let Some(playing) = self.lesson.take() {
+        if let Some(playing) = self.learn.lesson.take() {
             self.model.settings.panels.wanted = playing.panels_before.wanted;
             self.keep(playing.worked_on.into_values().collect());
         }
-        self.exercises.of_lesson.clear();
-        self.exercises.leave_unknown();
+        self.learn.exercises.of_lesson.clear();
+        self.learn.exercises.leave_unknown();
     }
 
     /// Shows the figure of the step as it was at first. Undoing brings the changed one back.
     pub fn step_again(&mut self) {
         self.end_move();
-        let Some(playing) = self.lesson.take() else { return };
+        let Some(playing) = self.learn.lesson.take() else { return };
         let mut document = self.model.document.clone();
         if let Some(step) = playing.now()
             && document.replace((*step.figure).clone()).is_ok()
@@ -347,7 +347,7 @@ impl State {
             let step = playing.step;
             self.show_in_step(playing, step, document, false);
         } else {
-            self.lesson = Some(playing);
+            self.learn.lesson = Some(playing);
         }
     }
 
@@ -357,11 +357,11 @@ impl State {
             return;
         }
         self.end_move();
-        if self.lesson.as_ref().is_none_or(|playing| step >= playing.lesson.steps.len()) {
+        if self.learn.lesson.as_ref().is_none_or(|playing| step >= playing.lesson.steps.len()) {
             return;
         }
         self.leave_step();
-        let Some(playing) = self.lesson.take() else { return };
+        let Some(playing) = self.learn.lesson.take() else { return };
         let moves = step == playing.step + 1;
         self.show_step(playing, step, moves);
     }
@@ -372,7 +372,7 @@ impl State {
         if self.end_move() && forwards {
             return;
         }
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         let step = playing.step;
         if !forwards {
             match step.checked_sub(1) {
@@ -395,18 +395,20 @@ impl State {
 
     /// Passes over the task of the step.
     pub(in crate::gui) fn pass_over(&mut self) {
-        if let Some(playing) = &mut self.lesson {
+        if let Some(playing) = &mut self.learn.lesson {
             playing.passed.insert(playing.step);
         }
     }
 
     /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
     pub(in crate::gui) fn show_solution(&mut self, goal: &Goal) {
-        let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else { return };
+        let Some(figure) = self.learn.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else {
+            return;
+        };
         let Ok(camera) = Camera::new(&figure.camera) else { return };
         // A lesson that was read has tried it.
         let Ok(after) = goal.reached_from(&figure, &camera) else { return };
-        if let Some(playing) = &mut self.lesson {
+        if let Some(playing) = &mut self.learn.lesson {
             playing.shown.insert(playing.step);
         }
         let seen = self.model.document.figure().observers;
@@ -426,7 +428,7 @@ impl State {
         match document {
             Ok(document) => self.show_in_step(playing, step, document, moves),
             Err(error) => {
-                self.lesson = Some(playing);
+                self.learn.lesson = Some(playing);
                 self.model.say(Message::Camera(error));
             }
         }
@@ -461,11 +463,11 @@ impl State {
         self.take_over(document.clone());
         self.model.settings.panels.wanted = [tries && !operates, operates, self.model.settings.panels.wanted[2]];
         if let Some(entry) = question {
-            self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
-            self.exercises.of_lesson = vec![entry];
+            self.learn.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
+            self.learn.exercises.of_lesson = vec![entry];
         }
         if let Some(chosen) = exercise {
-            self.exercises.work_on(chosen);
+            self.learn.exercises.work_on(chosen);
             self.model.show_explanation(crate::figure::Explanation::Exercises);
         }
         let passage = Passage::new(from, to);
@@ -475,10 +477,10 @@ impl State {
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
         if playing.counts() {
-            let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
+            let furthest = self.learn.taken.entry(playing.lesson.id.clone()).or_default();
             *furthest = step.max(*furthest);
         }
-        self.lesson = Some(playing);
+        self.learn.lesson = Some(playing);
         self.follow_writing();
         if self.waits_for_seen() {
             self.show_seen();
@@ -487,45 +489,45 @@ impl State {
 
     /// True for a question that a guess was made at and that isn't answered: it asks about the figure that was seen.
     fn waits_for_seen(&self) -> bool {
-        let step = self.lesson.as_ref().filter(|playing| playing.writing.is_none()).and_then(Playing::now);
+        let step = self.learn.lesson.as_ref().filter(|playing| playing.writing.is_none()).and_then(Playing::now);
         let Some(Task::Question(entry)) = step.and_then(|step| step.task.as_ref()) else { return false };
-        let right = self.exercises.right();
+        let right = self.learn.exercises.right();
         let asks = entry.exercise(0, &Default::default()).asks;
-        let waits = |ask: &Ask| self.exercises.guess_at(ask).is_some() && !right.contains(ask.name.as_str());
+        let waits = |ask: &Ask| self.learn.exercises.guess_at(ask).is_some() && !right.contains(ask.name.as_str());
         asks.iter().any(|ask| !ask.places && waits(ask))
     }
 
     /// Shows the figure that answers the question of the step, with a move to it. False if there is none.
     pub(in crate::gui) fn show_seen(&mut self) -> bool {
         self.end_move();
-        let Some(playing) = &self.lesson else { return false };
+        let Some(playing) = &self.learn.lesson else { return false };
         let Some(seen) = playing.lesson.seen_after(playing.step).cloned() else { return false };
         let Ok(document) = Document::of_lesson(Figure::clone(&seen), playing.path.as_deref()) else { return false };
         self.leave_step();
-        let Some(mut playing) = self.lesson.take() else { return false };
+        let Some(mut playing) = self.learn.lesson.take() else { return false };
         let shown = self.model.as_seen();
         let from = Figure { observers: shown.observers, show: shown.show, ..self.model.document.figure().clone() };
         let passage = Passage::new(Arc::new(from), seen);
         // The question stays open under the other figure.
-        let (of_lesson, open) = (std::mem::take(&mut self.exercises.of_lesson), self.exercises.open.take());
+        let (of_lesson, open) = (std::mem::take(&mut self.learn.exercises.of_lesson), self.learn.exercises.open.take());
         self.take_over(document.clone());
-        (self.exercises.of_lesson, self.exercises.open) = (of_lesson, open);
+        (self.learn.exercises.of_lesson, self.learn.exercises.open) = (of_lesson, open);
         if !self.model.settings.reduce_motion && !passage.is_at_once() {
             playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds: SEEN, began: None });
         }
-        self.lesson = Some(playing);
+        self.learn.lesson = Some(playing);
         true
     }
 
     /// True while the camera moves to a step. A change of it is none of yours.
     pub(in crate::gui) fn moves_to_step(&self) -> bool {
-        self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
+        self.learn.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
     }
 
     /// Goes on with the move to the step. True while it goes on. `now`: a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
-        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
+        let Some(moving) = self.learn.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
         let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
         if share >= 1.0 {
             self.end_move();
@@ -544,7 +546,7 @@ impl State {
 
     /// Ends the move to the step, where there is one. The step is there exactly.
     pub(in crate::gui) fn end_move(&mut self) -> bool {
-        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
+        let Some(moving) = self.learn.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
         let (now, target) = (self.model.document.figure(), moving.target.figure());
         let is_changed = now.scene != target.scene
             || now.points != target.points
@@ -564,7 +566,7 @@ impl State {
 
     /// Notes what is reached in the step.
     pub(in crate::gui) fn check_goal(&mut self) {
-        let Some(mut playing) = self.lesson.take() else { return };
+        let Some(mut playing) = self.learn.lesson.take() else { return };
         let step = playing.step;
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {
             _ if playing.is_done() || playing.moving.is_some() => false,
@@ -590,10 +592,10 @@ impl State {
         if reached {
             playing.done.insert(step);
             if !playing.shown.contains(&step) && playing.counts() {
-                self.lessons_done.entry(playing.lesson.id.clone()).or_default().insert(step);
+                self.learn.done.entry(playing.lesson.id.clone()).or_default().insert(step);
             }
         }
-        self.lesson = Some(playing);
+        self.learn.lesson = Some(playing);
     }
 
     /// True if every question of the step has its right answer.
@@ -603,9 +605,9 @@ impl State {
             Some(Task::Exercise { id, seed }) => (id.as_str(), *seed),
             _ => return false,
         };
-        let is_open = self.exercises.open.as_ref().is_some_and(|open| open.id == id && open.seed == seed);
-        let right = self.exercises.right();
-        let asks = self.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
+        let is_open = self.learn.exercises.open.as_ref().is_some_and(|open| open.id == id && open.seed == seed);
+        let right = self.learn.exercises.right();
+        let asks = self.learn.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
         is_open && asks.is_some_and(|asks| asks.iter().all(|ask| right.contains(ask.name.as_str())))
     }
 }

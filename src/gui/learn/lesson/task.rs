@@ -15,7 +15,7 @@ use crate::lessons::{Step, Task};
 
 /// Shows the task of a step. In a presentation a question is shown by a key.
 pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text: &dyn Fn(&Bilingual) -> String) {
-    let Some(playing) = state.lesson.as_ref() else { return };
+    let Some(playing) = state.learn.lesson.as_ref() else { return };
     let (is_done, shows) = (playing.is_done(), playing.shows_question);
     let Some(task) = &step.task else { return };
     if !shows {
@@ -28,15 +28,15 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
         Task::Question(entry) => {
             let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 0 };
             // Another exercise may have been opened meanwhile.
-            if state.exercises.open.as_ref() == Some(&chosen) {
+            if state.learn.exercises.open.as_ref() == Some(&chosen) {
                 exercises::questions(ui, state);
             } else if ui.button(t.question_command).clicked() {
-                state.exercises.work_on(chosen);
+                state.learn.exercises.work_on(chosen);
             }
         }
         Task::Exercise { id, seed } => {
             let chosen = Chosen { id: id.clone(), seed: *seed };
-            let is_open = state.exercises.open.as_ref() == Some(&chosen) && state.model.shows_exercises();
+            let is_open = state.learn.exercises.open.as_ref() == Some(&chosen) && state.model.shows_exercises();
             let name = crate::exercises::entry(id).map_or("", |entry| title(t.lang, entry));
             ui.horizontal_wrapped(|ui| {
                 let is_said = is_open && !is_done;
@@ -44,7 +44,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
                 if is_said {
                     ui.label(t.exercise_at_side);
                 } else if !is_open && ui.button(t.open_exercise).clicked() {
-                    state.exercises.work_on(chosen);
+                    state.learn.exercises.work_on(chosen);
                     state.model.show_explanation(Explanation::Exercises);
                 }
                 said(ui, t, is_done);

@@ -170,14 +170,14 @@ impl State {
     /// True if the lesson that is played is a file that can be written.
     #[must_use]
     pub fn plays_own_lesson(&self) -> bool {
-        let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
+        let path = self.learn.lesson.as_ref().and_then(|playing| playing.path.as_deref());
         path.is_some_and(|path| share::link_of(path).is_none()) && !self.model.in_browser
     }
 
     /// True if the step is written: in a presentation the class sees it as it will be.
     #[must_use]
     pub fn writes_lesson(&self) -> bool {
-        !self.model.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
+        !self.model.settings.presentation && self.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
     }
 
     /// Begins to write the step that is shown, or ends it.
@@ -186,7 +186,7 @@ impl State {
             return;
         }
         let lang = self.model.settings.lang;
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         if playing.writing.take().is_some() {
             return;
         }
@@ -196,7 +196,7 @@ impl State {
                 playing.lesson = Arc::new(lesson);
                 playing.step = playing.step.min(playing.lesson.steps.len().saturating_sub(1));
                 (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
-                self.lesson_file = Some(path);
+                self.learn.file = Some(path);
                 self.follow_writing();
             }
             Err(error) => self.model.say(Message::File(path, error)),
@@ -205,7 +205,7 @@ impl State {
 
     /// Plays the last step of the lesson to which steps were added last, and begins to write it. The figure is lost.
     pub(in crate::gui) fn write_recorded(&mut self) {
-        let Some(path) = self.lesson_file.clone() else { return };
+        let Some(path) = self.learn.file.clone() else { return };
         match files::read_lesson(&path) {
             Ok((lesson, _)) => {
                 let step = lesson.steps.len().saturating_sub(1);
@@ -218,7 +218,7 @@ impl State {
 
     /// Shows the texts of the step that is played in the fields.
     pub(in crate::gui) fn follow_writing(&mut self) {
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         if let Some(writing) = &mut playing.writing
             && writing.step != playing.step
         {
@@ -229,12 +229,12 @@ impl State {
     /// The text of the lesson that is not in its file.
     #[must_use]
     pub fn unsaved_text(&self) -> Option<&Arc<UnsavedText>> {
-        self.lesson.as_ref()?.writing.as_ref()?.unsaved.as_ref()
+        self.learn.lesson.as_ref()?.writing.as_ref()?.unsaved.as_ref()
     }
 
     /// True if the text that is not in its file could be written into another one.
     pub(in crate::gui) fn has_good_text(&self) -> bool {
-        let writing = self.lesson.as_ref().and_then(|playing| playing.writing.as_ref());
+        let writing = self.learn.lesson.as_ref().and_then(|playing| playing.writing.as_ref());
         writing.is_some_and(|writing| writing.ahead.is_some())
     }
 
@@ -246,14 +246,14 @@ impl State {
         let step = step.min(lesson.steps.len().saturating_sub(1));
         self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
         let lang = self.model.settings.lang;
-        if let Some(playing) = &mut self.lesson {
+        if let Some(playing) = &mut self.learn.lesson {
             (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
         }
         self.follow_writing();
-        if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+        if let Some(writing) = self.learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             writing.typed = Typed { words, task };
         }
-        self.lesson_file = Some(path);
+        self.learn.file = Some(path);
         self.text_edited(0.0);
         if self.model.document.figure() != &shown {
             let done = self.model.document.replace(shown);
@@ -263,7 +263,7 @@ impl State {
 
     /// Takes what is typed into the lesson that is shown, or finds why it cannot be.
     pub(in crate::gui) fn text_edited(&mut self, now: f64) {
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
         writing.typed_at = now;
         writing.unsaved = writing.is_ahead().then(|| {
@@ -275,7 +275,7 @@ impl State {
                 (writing.ahead, writing.fault) = (Some(text), None);
                 if let Some(Task::Question(entry)) = lesson.steps.get(playing.step).and_then(|step| step.task.as_ref())
                 {
-                    self.exercises.preview((**entry).clone());
+                    self.learn.exercises.preview((**entry).clone());
                 }
                 playing.lesson = Arc::new(lesson);
             }
@@ -286,7 +286,7 @@ impl State {
     /// Writes what is typed into the file. False if it cannot be written. A message says why, and the texts stay in
     /// their fields.
     pub(in crate::gui) fn save_text(&mut self) -> bool {
-        let Some(playing) = &mut self.lesson else { return true };
+        let Some(playing) = &mut self.learn.lesson else { return true };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
         if !writing.is_ahead() {
             return true;
@@ -298,7 +298,7 @@ impl State {
             return false;
         };
         let is_kept = self.store(&path, text, step);
-        if is_kept && let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+        if is_kept && let Some(writing) = self.learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             writing.kept = writing.typed.clone();
             (writing.ahead, writing.unsaved) = (None, None);
         }
@@ -307,7 +307,7 @@ impl State {
 
     /// Forgets what is typed and not in the file.
     pub(in crate::gui) fn forget_text(&mut self) {
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         let Some(writing) = &mut playing.writing else { return };
         writing.typed = writing.kept.clone();
         self.text_edited(0.0);
@@ -315,7 +315,7 @@ impl State {
 
     /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
     pub(in crate::gui) fn save_text_as(&mut self, path: &Path, agreed: &Agreed) -> bool {
-        let Some(playing) = &mut self.lesson else { return true };
+        let Some(playing) = &mut self.learn.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
         let Some(text) = writing.ahead.clone() else { return false };
         if let Err(error) = files::save(path, text.as_bytes(), agreed.overwrite()) {
@@ -327,7 +327,7 @@ impl State {
         (writing.ahead, writing.unsaved) = (None, None);
         // The changes of the other file are not those of this one.
         (writing.earlier, writing.later) = Default::default();
-        self.lesson_file = Some(path.to_owned());
+        self.learn.file = Some(path.to_owned());
         true
     }
 
@@ -337,7 +337,7 @@ impl State {
             return;
         }
         let figure = super::recording::as_shown(self);
-        let Some(playing) = &self.lesson else { return };
+        let Some(playing) = &self.learn.lesson else { return };
         let Some(writing) = &playing.writing else { return };
         let draft = self.draft_of_step(Some(&playing.lesson));
         let step = playing.step;
@@ -357,7 +357,7 @@ impl State {
             return;
         }
         let figure = super::recording::as_shown(self);
-        let Some(playing) = &self.lesson else { return };
+        let Some(playing) = &self.learn.lesson else { return };
         let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());
         let (changed, then) = match change {
@@ -392,7 +392,7 @@ impl State {
     #[must_use]
     pub fn can_undo_lesson(&self, back: bool) -> bool {
         self.writes_lesson()
-            && self.lesson.as_ref().and_then(|playing| playing.writing.as_ref()).is_some_and(|w| w.can_undo(back))
+            && self.learn.lesson.as_ref().and_then(|playing| playing.writing.as_ref()).is_some_and(|w| w.can_undo(back))
     }
 
     /// Undoes the last change of the lesson's file, or redoes it.
@@ -400,14 +400,14 @@ impl State {
         if !self.save_text() {
             return;
         }
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return };
         let Some((text, step)) = writing.changes(back).pop() else { return };
         let (now, shown) = (writing.text.clone(), writing.step);
         let Ok(lesson) = crate::lessons::parse(&text) else { return };
         let kept = (std::mem::take(&mut writing.earlier), std::mem::take(&mut writing.later));
         let is_stored = self.store(&path, text, step);
-        if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+        if let Some(writing) = self.learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             // The way back is no change of its own.
             (writing.earlier, writing.later) = kept;
             if is_stored {
@@ -421,13 +421,13 @@ impl State {
 
     /// Goes on with a lesson of the program as the user's own, in a copy in a file.
     pub(in crate::gui) fn copy_lesson(&mut self, path: &Path, agreed: &Agreed) {
-        let Some(playing) = &self.lesson else { return };
+        let Some(playing) = &self.learn.lesson else { return };
         let id = playing.lesson.id.clone();
         let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
         match files::save(path, shipped.text.as_bytes(), agreed.overwrite()) {
             Ok(()) => {
                 // The figure of the step stays as it is on the screen.
-                if let Some(playing) = &mut self.lesson {
+                if let Some(playing) = &mut self.learn.lesson {
                     playing.path = Some(path.to_owned());
                 }
                 self.write_lesson();
@@ -438,7 +438,9 @@ impl State {
 
     /// Writes the text of the lesson into its file, unless another program has changed it. True if it is written.
     fn store(&mut self, path: &Path, text: String, step: usize) -> bool {
-        let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
+        let Some(writing) = self.learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else {
+            return false;
+        };
         let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
         if !is_ours && files::disk::exists(path) {
             self.model.say(Message::LessonChanged(path.to_owned()));
@@ -463,11 +465,11 @@ impl State {
 
     /// Reads the lesson again that another program has changed. Text that is not in the file is lost.
     pub(in crate::gui) fn read_lesson_again(&mut self) {
-        let Some(playing) = &self.lesson else { return };
+        let Some(playing) = &self.learn.lesson else { return };
         let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
         match files::read_lesson(&path) {
             Ok((lesson, text)) => {
-                let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+                let writing = self.learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
                 writing.into_iter().for_each(|writing| writing.text.clone_from(&text));
                 self.play_changed(lesson, step);
             }
@@ -485,7 +487,7 @@ impl State {
         } else if has_caption && matches!(change, StepChange::Screen | StepChange::Another) {
             self.keep(vec![self.model.document.clone()]);
         }
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         let new_place = |place: usize| match change {
             StepChange::Earlier | StepChange::Later if place == step => Some(then),
             StepChange::Earlier | StepChange::Later if place == then => Some(step),
@@ -520,19 +522,19 @@ impl State {
     fn play_changed(&mut self, lesson: Lesson, step: usize) {
         self.end_move();
         self.leave_step();
-        let worked_on = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
+        let worked_on = self.learn.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
         self.keep(worked_on.into_iter().flat_map(BTreeMap::into_values).collect());
         self.show_changed(lesson, step);
     }
 
     fn show_changed(&mut self, lesson: Lesson, step: usize) {
-        let Some(playing) = &mut self.lesson else { return };
+        let Some(playing) = &mut self.learn.lesson else { return };
         let step = step.min(lesson.steps.len().saturating_sub(1));
         playing.take_lesson(Arc::new(lesson));
         if let Some(writing) = &mut playing.writing {
             writing.step = usize::MAX;
         }
-        if let Some(playing) = self.lesson.take() {
+        if let Some(playing) = self.learn.lesson.take() {
             self.show_step(playing, step, false);
         }
         self.follow_writing();

@@ -21,7 +21,7 @@ pub(super) const NOTHING: &str = "{}";
 
 /// Keys with their values as TOML.
 pub(super) fn values(state: &State) -> impl Iterator<Item = (String, String)> + '_ {
-    state.exercises.typed.iter().map(|(Chosen { id, seed }, typed)| {
+    state.learn.exercises.typed.iter().map(|(Chosen { id, seed }, typed)| {
         let value = if typed.is_empty() { NOTHING.to_owned() } else { table(typed).to_string() };
         (format!("{PREFIX}{id} {seed}"), value)
     })

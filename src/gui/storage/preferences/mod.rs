@@ -145,13 +145,13 @@ const KEYS: [Key; 42] = [
     key!("welcomed", switch, model.settings.welcomed),
     Key {
         name: LESSONS,
-        of: |state| lessons_value(&state.lessons_taken),
-        apply: |state, value| state.lessons_taken = lessons_taken(value),
+        of: |state| lessons_value(&state.learn.taken),
+        apply: |state, value| state.learn.taken = lessons_taken(value),
     },
     Key {
         name: LESSONS_DONE,
-        of: |state| done_value(&state.lessons_done),
-        apply: |state, value| state.lessons_done = lessons_done(value),
+        of: |state| done_value(&state.learn.done),
+        apply: |state, value| state.learn.done = lessons_done(value),
     },
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {
@@ -185,10 +185,10 @@ const KEYS: [Key; 42] = [
     // Empty: none.
     Key {
         name: "exercise_folder",
-        of: |state| state.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
+        of: |state| state.learn.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
         apply: |state, value| {
             let folder = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute());
-            state.exercises.look_into(folder);
+            state.learn.exercises.look_into(folder);
         },
     },
     key!("export_theme", one of THEMES, export.theme),
@@ -432,8 +432,8 @@ mod tests {
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
         (settings.welcomed, settings.numbers_open) = (true, true);
         settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
-        changed.lessons_taken.insert("basis".to_owned(), 2);
-        changed.lessons_done.insert("basis".to_owned(), [0, 2].into());
+        changed.learn.taken.insert("basis".to_owned(), 2);
+        changed.learn.done.insert("basis".to_owned(), [0, 2].into());
         changed.model.layout.arrangement = Some(Arrangement::Beside);
         changed.model.layout.strip = true;
         changed.operations.convention = Convention::Vtk;
@@ -442,7 +442,7 @@ mod tests {
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
         changed.page_address = "https://example.org/lab/".to_owned();
-        changed.exercises.look_into(Some(PathBuf::from("/exercises")));
+        changed.learn.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, times, format) = (Theme::Light, Some(3), PictureFormat::WebP);
         changed.export = Export {

@@ -72,26 +72,26 @@ impl KeptProgress {
         let (file, content) =
             SharedFile::open(folder.join("progress.toml"), "progress", (Keeping::Progress, News::ProgressSetAside));
         if let Some((document, progress)) = content {
-            state.exercises.progress = progress;
+            state.learn.exercises.progress = progress;
             let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
-            state.exercises.typed.extend(typed);
+            state.learn.exercises.typed.extend(typed);
         }
         let kept: BTreeMap<_, _> = answers::values(state).collect();
-        let values = (state.exercises.typed.clone(), kept.clone());
+        let values = (state.learn.exercises.typed.clone(), kept.clone());
         for (chosen, table) in answers::read(preferences) {
             if answers::is_solved(table) {
-                state.exercises.note(Done::WasSolved(chosen.id.clone()));
+                state.learn.exercises.note(Done::WasSolved(chosen.id.clone()));
             }
-            state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
+            state.learn.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
         }
-        state.exercises.file = Some(file.path.clone());
+        state.learn.exercises.file = Some(file.path.clone());
         Self { file, kept, values }
     }
 
     /// Saves the progress, beside the window's thread. A failed write is repeated with the next progress.
     pub(super) fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.take(state, Duration::ZERO);
-        if std::mem::take(&mut state.exercises.forgets) {
+        if std::mem::take(&mut state.learn.exercises.forgets) {
             self.forget(state);
             ctx.request_repaint();
         }
@@ -125,12 +125,12 @@ impl KeptProgress {
 
     /// The part that is not in the file yet.
     fn job(&mut self, state: &State) -> ProgressJob {
-        if self.values.0 != state.exercises.typed {
-            self.values = (state.exercises.typed.clone(), answers::values(state).collect());
+        if self.values.0 != state.learn.exercises.typed {
+            self.values = (state.learn.exercises.typed.clone(), answers::values(state).collect());
         }
         let is_new = |(key, value): &(&String, &String)| self.kept.get(*key).map_or(NOTHING, String::as_str) != *value;
         let changed = self.values.1.iter().filter(is_new).map(|(key, value)| (key.clone(), value.clone())).collect();
-        ProgressJob { changed, done: state.exercises.unwritten.clone() }
+        ProgressJob { changed, done: state.learn.exercises.unwritten.clone() }
     }
 
     /// Takes the result of a write.
@@ -142,7 +142,7 @@ impl KeptProgress {
 
     fn took(&mut self, state: &mut State, job: ProgressJob, progress: Progress) {
         self.kept.extend(job.changed);
-        let exercises = &mut state.exercises;
+        let exercises = &mut state.learn.exercises;
         exercises.unwritten.drain(..job.done.len().min(exercises.unwritten.len()));
         exercises.progress = progress;
         exercises.unwritten.iter().for_each(|done| done.note(&mut exercises.progress));
@@ -157,7 +157,7 @@ impl KeptProgress {
             Ok(true) => state.model.say(Message::ProgressDeleted(aside)),
             Ok(false) => {}
         }
-        state.exercises.forget();
+        state.learn.exercises.forget();
         self.kept.clear();
     }
 }

@@ -103,8 +103,8 @@ impl Preferences {
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state).map(|(key, value)| (key, value.into_owned())).collect();
         // A page may be somebody's figure in the middle of a text.
-        state.welcome = !state.model.settings.welcomed && !state.model.in_browser;
-        state.goes_on = state.model.settings.welcomed && !state.model.in_browser && !state.lessons_taken.is_empty();
+        state.learn.welcome = !state.model.settings.welcomed && !state.model.in_browser;
+        state.learn.goes_on = state.model.settings.welcomed && !state.model.in_browser && !state.learn.taken.is_empty();
         Self { file, kept, remembered, progress, has_answers }
     }
 
@@ -254,13 +254,13 @@ pub(super) mod tests {
         let folder = Folder::new("lessons");
         let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
         let taken = |lessons: &[(&str, usize)]| lessons.iter().map(|(id, step)| ((*id).to_owned(), *step)).collect();
-        two.lessons_taken = taken(&[("cube", 2), ("camera", 6)]);
+        two.learn.taken = taken(&[("cube", 2), ("camera", 6)]);
         keep(&mut of_two, &mut two);
-        one.lessons_taken = taken(&[("camera", 3)]);
+        one.learn.taken = taken(&[("camera", 3)]);
         keep(&mut of_one, &mut one);
-        one.lessons_taken = taken(&[("camera", 4), ("basis", 1)]);
+        one.learn.taken = taken(&[("camera", 4), ("basis", 1)]);
         keep(&mut of_one, &mut one);
-        assert_eq!(folder.window().0.lessons_taken, taken(&[("basis", 1), ("camera", 6), ("cube", 2)]));
+        assert_eq!(folder.window().0.learn.taken, taken(&[("basis", 1), ("camera", 6), ("cube", 2)]));
     }
 
     #[test]

@@ -1,0 +1,36 @@
+//! What features have asked of each other in a frame.
+
+use eframe::egui::Context;
+
+use super::state::State;
+use crate::gui::files::file_flow::{ask, begin};
+use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::model::action::Action;
+
+/// Does what has been asked since the last call.
+pub(super) fn perform(ctx: &Context, state: &mut State) {
+    for action in std::mem::take(&mut state.model.actions) {
+        ctx.request_repaint();
+        let open = |state: &mut State, dialog| state.file_flow.dialog = Some(dialog);
+        match action {
+            Action::Mesh(mesh) => ask(ctx, state, Purpose::Mesh(mesh)),
+            Action::Texture(object) => ask(ctx, state, Purpose::Texture(object)),
+            Action::Photograph => ask(ctx, state, Purpose::Photograph),
+            Action::CompareWith => ask(ctx, state, Purpose::CompareWith),
+            Action::Animation(way) => ask(ctx, state, Purpose::Animation(way)),
+            Action::Chart(chart) => ask(ctx, state, Purpose::Chart(chart)),
+            Action::Progress => ask(ctx, state, Purpose::Progress),
+            Action::Exercises => ask(ctx, state, Purpose::Exercises),
+            Action::Begin(next) => begin(ctx, state, next),
+            Action::Note(note) => state.explain_by_note(note),
+            Action::Delete { names, below } => open(state, Dialog::Delete { names, below }),
+            Action::DeleteProgress => open(state, Dialog::DeleteProgress),
+            Action::Coach => open(state, Dialog::Coach),
+            Action::Compare => {
+                let form = CompareForm::of(state.model.document.figure());
+                open(state, Dialog::Compare(form));
+            }
+        }
+    }
+}
