@@ -433,7 +433,8 @@ fn the_hand_on_the_image_moves_the_camera() {
     assert!(turned.position.distance(before.position) > 0.5, "{:?} {:?}", turned.position, before.position);
     let [near, far] = [before, turned].map(|p| p.position.distance(p.focal_point));
     assert!((near - far).abs() < 1e-9 && turned.position.y > before.position.y, "downwards it rises");
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.run();
     assert_eq!(parameters(&h), before);
     let shift = Modifiers::SHIFT;
@@ -441,7 +442,8 @@ fn the_hand_on_the_image_moves_the_camera() {
     let panned = parameters(&h);
     let moved = panned.focal_point - before.focal_point;
     assert!(moved.length() > 0.1 && (panned.position - before.position - moved).length() < 1e-9);
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.hover_at(from);
     h.run();
     h.event(Event::MouseWheel {

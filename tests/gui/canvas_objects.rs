@@ -154,7 +154,8 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
     let turned = cone(&h).rotate;
     assert!(turned.y != 0.0 && turned.y % 15.0 == 0.0 && turned.x == 0.0 && turned.z == 0.0, "{turned}");
     assert_eq!((cone(&h).translate, cone(&h).scale), (before.translate, before.scale));
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.run();
     assert_eq!(cone(&h), before, "one step");
 
@@ -194,7 +195,8 @@ fn objects_that_are_selected_together_go_together() {
     // The cone's group makes everything twice as large.
     let (cone, ball) = (after.0 - before.0, after.1 - before.1);
     assert!(cone.y > 0.0 && (ball - cone * 2.0).length() < 1e-9, "{cone} {ball}");
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.run();
     assert_eq!(places(&h), before);
     assert_eq!(

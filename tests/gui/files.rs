@@ -294,7 +294,7 @@ fn the_layout_is_saved_with_its_figure_and_comes_back() {
     window.command_key(Key::S);
     let screen = "[screen]\npictures = [\"canonical\", \"image\"]\npanel = \"depth\"\n";
     assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
-    assert!(!window.state().has_unsaved() && !window.state().model.document.can_redo());
+    assert!(!window.state().learn.has_unsaved(&window.state().model) && !window.state().model.document.can_redo());
     // The layout is no step to be undone.
     window.command_key(Key::Z);
     assert_eq!(window.state().model.layout.shown, [false, true, true]);
@@ -307,7 +307,10 @@ fn the_layout_is_saved_with_its_figure_and_comes_back() {
     window.app_mut().state.model.layout.maximized = None;
     window.run();
     assert_eq!(window.state().model.layout.shown, [false, true, true]);
-    assert!(window.state().model.shows_explanation(Explanation::Depth) && !window.state().has_unsaved());
+    assert!(
+        window.state().model.shows_explanation(Explanation::Depth)
+            && !window.state().learn.has_unsaved(&window.state().model)
+    );
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
     window.command_key(Key::S);
@@ -332,7 +335,7 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     window.app_mut().state.model.layout.maximized = None;
     window.app_mut().state.model.layout.toggle(View::Canonical);
     window.run();
-    assert!(window.state().has_unsaved(), "a file says otherwise");
+    assert!(window.state().learn.has_unsaved(&window.state().model), "a file says otherwise");
     window.command_key(Key::N);
     assert!(window.says(en::WINDOW.unsaved_title));
     window.click(en::WINDOW.save);
@@ -343,7 +346,7 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     // Without a file it's a way of looking: nothing asks.
     window.app_mut().state.model.layout.toggle(View::World);
     window.run();
-    assert!(!window.state().has_unsaved());
+    assert!(!window.state().learn.has_unsaved(&window.state().model));
     // A presentation hides for its audience only.
     let mut window = Window::opened(&path);
     window.app_mut().state.model.layout.maximized = None;
@@ -353,5 +356,5 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     assert_eq!(window.state().model.layout.shown, [false, false, true]);
     window.key(Key::F11);
     assert_eq!(window.state().model.layout.shown, [true, false, true]);
-    assert!(!window.state().has_unsaved());
+    assert!(!window.state().learn.has_unsaved(&window.state().model));
 }

@@ -97,7 +97,10 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     type_into(&mut window, t.step_text_field, "Another text.");
     window.command_key(Key::S);
     assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "Another text.");
-    assert!(!window.state().can_undo_lesson(false) && window.state().file_flow.dialog.is_none());
+    assert!(
+        !window.state().learn.can_undo_lesson(&window.state().model, false)
+            && window.state().file_flow.dialog.is_none()
+    );
 }
 
 /// Waits a second without a key.
@@ -324,7 +327,7 @@ fn a_link_holds_a_whole_lesson() {
     let playing = window.state().learn.lesson.as_ref().unwrap();
     assert_eq!(of(&playing.lesson), ["One", "Two"]);
     // There is no file to be written.
-    assert!(!window.state().plays_own_lesson());
+    assert!(!window.state().learn.plays_own_lesson(&window.state().model));
     window.key(Key::PageDown);
     assert_eq!(window.state().learn.lesson.as_ref().unwrap().step, 1);
 }
@@ -419,7 +422,7 @@ fn writing_begins_a_lesson_with_what_is_on_the_screen() {
     let mut window = Window::new(Lang::En);
     window.menu(en::WINDOW.menu_present, words::texts(Lang::En).write_command);
     window.choose(&path);
-    assert!(window.state().writes_lesson() && window.state().file_flow.dialog.is_none());
+    assert!(window.state().learn.writes_lesson(&window.state().model) && window.state().file_flow.dialog.is_none());
     assert_eq!(read_lesson(&path).unwrap().0.steps.len(), 1);
 }
 

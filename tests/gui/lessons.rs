@@ -113,7 +113,7 @@ fn a_goal_is_noticed_and_the_way_to_it_is_shown_and_undone() {
     window.harness.get_by_label_contains(t.done);
     assert_ne!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
     // Nothing that is tried is lost work, and the step comes back.
-    assert!(window.state().model.document.is_changed() && !window.state().has_unsaved());
+    assert!(window.state().model.document.is_changed() && !window.state().learn.has_unsaved(&window.state().model));
     window.harness.get_by_label(t.again).click();
     window.run();
     assert_eq!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
@@ -124,9 +124,11 @@ fn a_presentation_has_keys_for_all_of_it() {
     let mut window = playing(0, 0, Lang::En);
     window.harness.key_press(Key::F11);
     window.run();
-    window.app_mut().state.go_to_step(1);
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, 1);
     window.run();
-    window.app_mut().state.go_to_step(0);
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, 0);
     window.run();
     let lesson = |window: &Window| {
         let playing = window.state().learn.lesson.as_ref().unwrap();
@@ -204,7 +206,7 @@ fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     window.app_mut().keep_preferences(&ctx, &config, LaunchOptions::default());
     window.run();
     let lesson = &shipped()[2].lesson;
-    assert!(window.state().is_finished(&shipped()[0].lesson) && !window.state().is_finished(lesson));
+    assert!(window.state().learn.is_finished(&shipped()[0].lesson) && !window.state().learn.is_finished(lesson));
     let name = words::go_on(Lang::En, lesson, 9);
     assert!(name.ends_with("step 10"), "{name}");
     window.harness.get_by_label(&name).click();
@@ -218,17 +220,19 @@ fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
 fn a_lesson_is_finished_when_its_questions_are() {
     let lesson = &shipped()[0].lesson;
     let mut window = playing(0, lesson.steps.len() - 1, Lang::En);
-    assert!(!window.state().is_finished(lesson));
-    assert_eq!(window.state().done_of(lesson).0, 0);
+    assert!(!window.state().learn.is_finished(lesson));
+    assert_eq!(window.state().learn.done_of(lesson).0, 0);
     let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
     window.app_mut().state.model.settings.reduce_motion = true;
-    window.app_mut().state.go_to_step(with_goal);
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, with_goal);
     window.run();
     window.harness.get_by_label(words::texts(Lang::En).show_way).click();
     window.run();
     assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
-    assert_eq!(window.state().done_of(lesson).0, 0, "it was shown");
-    window.app_mut().state.go_to_step(0);
+    assert_eq!(window.state().learn.done_of(lesson).0, 0, "it was shown");
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, 0);
     window.run();
     let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
     let right = exercise_sheet::answer(Lang::En, &entry.exercise(0, &Default::default()).asks[0]);
@@ -236,7 +240,7 @@ fn a_lesson_is_finished_when_its_questions_are() {
     window.run();
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
-    assert_eq!(window.state().done_of(lesson).0, 1);
+    assert_eq!(window.state().learn.done_of(lesson).0, 1);
 }
 
 /// Everything of a step is in sight without scrolling: in the window, and on a projector with the question hidden.
@@ -254,7 +258,8 @@ fn every_step_has_room_for_its_text() {
                 window.app_mut().state.model.settings.lang = lang;
                 for k in 0..shipped.lesson.steps.len() {
                     window.app_mut().state.model.settings.reduce_motion = true;
-                    window.app_mut().state.go_to_step(k);
+                    let state = &mut window.app_mut().state;
+                    state.learn.go_to_step(&mut state.model, k);
                     window.run();
                     // The bar is below the pictures, and not behind them.
                     let below =
@@ -327,7 +332,8 @@ fn the_panel_of_a_lesson_keeps_its_height() {
             window.run();
             let mut first = None;
             for (k, step) in shipped.lesson.steps.iter().enumerate() {
-                window.app_mut().state.go_to_step(k);
+                let state = &mut window.app_mut().state;
+                state.learn.go_to_step(&mut state.model, k);
                 window.run();
                 if let Some(Task::Question(entry)) = &step.task {
                     answer_wrongly(&mut window, &entry.exercise(0, &Default::default()));
@@ -363,7 +369,8 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
         for k in (0..shipped.lesson.steps.len()).filter(asks) {
             for lang in [Lang::En, Lang::PtBr] {
                 window.app_mut().state.model.settings.lang = lang;
-                window.app_mut().state.go_to_step(k);
+                let state = &mut window.app_mut().state;
+                state.learn.go_to_step(&mut state.model, k);
                 window.run();
                 window.key(Key::Q);
                 window.run();
@@ -411,7 +418,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     // Its texts are written at once.
     window.harness.key_press_modifiers(Modifiers::ALT, Key::R);
     window.run();
-    assert!(window.state().writes_lesson() && step(&window) == 1);
+    assert!(window.state().learn.writes_lesson(&window.state().model) && step(&window) == 1);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
     assert!(window.state().learn.lesson.is_none());
@@ -464,9 +471,10 @@ fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };
     window.app_mut().state.model.document.set_parameters(tried);
     window.run();
-    assert!(window.state().model.document.is_changed() && !window.state().has_unsaved());
+    assert!(window.state().model.document.is_changed() && !window.state().learn.has_unsaved(&window.state().model));
     let turn = |window: &mut Window, step: usize| {
-        window.app_mut().state.go_to_step(step);
+        let state = &mut window.app_mut().state;
+        state.learn.go_to_step(&mut state.model, step);
         for _ in 0..200 {
             window.harness.step();
         }
@@ -478,17 +486,19 @@ fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     let point = NamedPoint { name: "Mine".to_owned(), position: glam::DVec3::ONE };
     window.app_mut().state.model.document.edit(|figure| figure.points.push(point));
     window.run();
-    assert!(window.state().has_unsaved());
+    assert!(window.state().learn.has_unsaved(&window.state().model));
     turn(&mut window, 1);
-    assert!(!window.state().has_unsaved() && window.state().would_lose_something());
+    assert!(!window.state().learn.has_unsaved(&window.state().model) && window.state().would_lose_something());
     turn(&mut window, 0);
     assert_eq!(window.state().model.document.draft(), &tried, "it is work");
     // The step as it was is one undo step away from the work.
-    window.app_mut().state.step_again();
+    let state = &mut window.app_mut().state;
+    state.learn.step_again(&mut state.model);
     window.run();
-    assert!(!window.state().has_unsaved());
-    window.app_mut().state.undo();
-    assert!(window.state().has_unsaved() && window.state().model.document.draft() == &tried);
+    assert!(!window.state().learn.has_unsaved(&window.state().model));
+    let state = &mut window.app_mut().state;
+    state.learn.undo(&mut state.model);
+    assert!(window.state().learn.has_unsaved(&window.state().model) && window.state().model.document.draft() == &tried);
 }
 
 /// A class answers by hands: letters count them, and the bars come with the answer.

@@ -203,7 +203,7 @@ impl Work {
     /// The window still has it, shown or not.
     fn is_held(self, state: &State) -> bool {
         if self.is_text() {
-            return self.is_in_text(state.unsaved_text().map(|text| &**text));
+            return self.is_in_text(state.learn.unsaved_text().map(|text| &**text));
         }
         let (mut back, mut forth) = (state.model.document.clone(), state.model.document.clone());
         let mut is_near = false;
@@ -212,7 +212,7 @@ impl Work {
             back.undo();
             forth.redo();
         }
-        is_near || state.held_documents().into_iter().any(|document| self.is_in(document))
+        is_near || state.learn.held_documents(&state.model).into_iter().any(|document| self.is_in(document))
     }
 
     /// The user has it in a file.
@@ -257,7 +257,7 @@ impl Work {
         let plays = matches!(self, Self::Step | Self::WrongText | Self::TextBeside);
         let is_shown = match self {
             Self::BehindExercise => state.model.document.behind().any(|document| self.is_in(document)),
-            Self::Left => state.held_documents().iter().any(|document| self.is_in(document)),
+            Self::Left => state.learn.held_documents(&state.model).iter().any(|document| self.is_in(document)),
             Self::WrongText | Self::TextBeside => true,
             Self::Figure | Self::Step | Self::Path => self.is_in(&state.model.document),
         };

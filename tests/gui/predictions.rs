@@ -61,7 +61,7 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         assert!(state.learn.exercises.checked.is_empty(), "no verdict before the picture");
         assert_eq!(state.model.document.figure().camera, lesson.steps[3].figure.camera);
         assert_eq!(state.learn.lesson.as_ref().unwrap().step, 2);
-        assert!(!state.learn.lesson.as_ref().unwrap().is_done() && !state.has_unsaved());
+        assert!(!state.learn.lesson.as_ref().unwrap().is_done() && !state.learn.has_unsaved(&state.model));
         let (id, guess) = state.learn.exercises.progress.guesses().next().unwrap();
         assert_eq!((id, guess.said.as_str(), guess.right), (&*entry.id, "smaller", false));
         assert!(window.says(t.what_seen));
@@ -126,7 +126,7 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
     let camera = window.state().model.document.figure().camera;
     let at = on_screen(&mut window, [512.0, 100.0]);
     window.click_at(at);
-    let mark = |window: &mut Window| window.app_mut().state.placing().unwrap().mark.unwrap();
+    let mark = |window: &mut Window| placing_of(&mut window.app_mut().state).unwrap().mark.unwrap();
     let [x, y] = mark(&mut window);
     assert!((x - 512.0).abs() <= 2.0 && (y - 100.0).abs() <= 2.0, "{x} {y}");
     assert_eq!(window.state().model.document.figure().camera, camera, "the camera isn't dragged");
@@ -134,14 +134,17 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
     window.run();
     assert_eq!(mark(&mut window), [x - 1.0, y - 10.0]);
-    assert!(window.app_mut().state.placing().unwrap().right.is_none(), "the place is no secret only after the guess");
+    assert!(
+        placing_of(&mut window.app_mut().state).unwrap().right.is_none(),
+        "the place is no secret only after the guess"
+    );
     let at = on_screen(&mut window, wanted);
     window.click_at(at);
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
     arrive(&mut window);
     assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
-    let placing = window.app_mut().state.placing().unwrap();
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
     let shown = placing.right.unwrap();
     assert!((shown[0] - wanted[0]).abs() < 0.5 && (shown[1] - wanted[1]).abs() < 0.5, "{shown:?} {wanted:?}");
     assert_ne!(window.state().model.document.figure().camera, camera, "the image has turned");
@@ -160,7 +163,7 @@ fn a_place_that_is_wrong_says_in_which_direction() {
     // P is to the left of the axis and above it, half as far from it as before the zoom.
     assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
     assert!(window.says("mais à esquerda e mais acima"));
-    let right = window.app_mut().state.placing().unwrap().right.unwrap();
+    let right = placing_of(&mut window.app_mut().state).unwrap().right.unwrap();
     let at = on_screen(&mut window, right);
     window.click_at(at);
     window.harness.get_by_label_contains(t.check).click();
@@ -190,7 +193,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
     window.harness.get_by_label(&format!("{} +", en::WINDOW.azimuth)).click();
     window.run();
     assert_eq!(window.state().model.document.figure().camera, camera, "nothing is done yet");
-    let placing = window.app_mut().state.placing().unwrap();
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
     assert!(placing.is_open && placing.right.is_none() && placing.from.is_some());
     let at = on_screen(&mut window, [300.0, 200.0]);
     window.click_at(at);
@@ -198,7 +201,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
     window.run();
     let after = window.state().model.document.figure().camera;
     assert_ne!(after, camera);
-    let placing = window.app_mut().state.placing().unwrap();
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
     let ([x, y], right) = (placing.guess.unwrap(), placing.right.unwrap());
     assert!((x - 300.0).abs() <= 2.0 && (y - 200.0).abs() <= 2.0, "{x} {y}");
     // The highest vertex before; its place afterwards by the construction of the notes.
@@ -217,7 +220,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
     // The result belongs to this figure.
     window.command_key(Key::N);
     window.click(en::WINDOW.dont_save);
-    assert!(window.app_mut().state.placing().is_none() && !window.says("pixels off"));
+    assert!(placing_of(&mut window.app_mut().state).is_none() && !window.says("pixels off"));
 }
 
 #[test]
@@ -236,4 +239,8 @@ fn a_zoom_asks_for_sizes_and_says_by_how_much() {
     let asked = window.state().operations.predict.asked.as_ref().unwrap();
     assert!(asked.is_done && !asked.about.is_right());
     assert!(window.says(&format!("{} times as large", Lang::En.mark().number(times, 3))));
+}
+
+fn placing_of(state: &mut State) -> Option<camera_lab::gui::learn::exercises::state::Placing> {
+    state.learn.placing(&state.model, &state.operations)
 }

@@ -78,7 +78,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert_eq!((name(&window).as_str(), window.state().model.document.figure().camera.far), ("aula 2.toml", 77.0));
     assert!(window.state().model.document.is_changed() && window.state().model.document.can_undo());
     window.key(Key::PageUp);
-    assert_eq!((name(&window).as_str(), window.state().kept.len()), ("aula 1.toml", 1));
+    assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("aula 1.toml", 1));
     // What was gone through is among the files that were used last.
     let recent = ["aula 1.toml", "aula 2.toml", "aula 10.toml"].map(|name| folder.file(name));
     assert_eq!(window.state().recent.files[..3], recent);
@@ -135,7 +135,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
         window.enter("B", far);
         window.command_key(Key::PageDown);
     }
-    assert_eq!((name(&window).as_str(), window.state().kept.len()), ("3.toml", 2));
+    assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("3.toml", 2));
     // Esc and the button alike; also in the question that comes in between.
     for cancel in [true, false] {
         window.command_key(Key::Q);
@@ -149,7 +149,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
             window.key(Key::Escape);
         }
         window.run();
-        let mut left: Vec<f64> = window.state().kept.iter().map(|(_, kept)| kept.figure().camera.far).collect();
+        let mut left: Vec<f64> = window.state().model.kept.iter().map(|(_, kept)| kept.figure().camera.far).collect();
         left.push(window.state().model.document.figure().camera.far);
         left.sort_by(f64::total_cmp);
         assert_eq!(left, [61.0, 62.0, 63.0]);

@@ -118,7 +118,7 @@ fn no_title_is_lost_on_the_way_into_a_lesson() {
     window.key(Key::Escape);
     entitle(&mut window, "My camera");
     alt(&mut window, Key::R);
-    assert!(window.state().writes_lesson(), "the step has it");
+    assert!(window.state().learn.writes_lesson(&window.state().model), "the step has it");
     // A title that is given in the step goes with its picture, and stays when the lesson is closed.
     entitle(&mut window, "From above");
     window.click(en::LESSONS.step_screen);

@@ -5,8 +5,10 @@ use eframe::egui::Context;
 use super::state::State;
 use crate::gui::files::file_flow::{ask, begin};
 use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::model::action::Action;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 
 /// Does what has been asked since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {
@@ -23,7 +25,12 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
             Action::Progress => ask(ctx, state, Purpose::Progress),
             Action::Exercises => ask(ctx, state, Purpose::Exercises),
             Action::Begin(next) => begin(ctx, state, next),
-            Action::Note(note) => state.explain_by_note(note),
+            Action::ForgetFigure => {
+                (state.file_flow.theirs, state.file_flow.decided) = (None, None);
+                state.cameras = CameraList::default();
+                state.photograph = PhotographTool::default();
+            }
+            Action::Note(note) => state.explain.explain_by_note(&mut state.model, note),
             Action::Delete { names, below } => open(state, Dialog::Delete { names, below }),
             Action::DeleteProgress => open(state, Dialog::DeleteProgress),
             Action::Coach => open(state, Dialog::Coach),

@@ -20,7 +20,7 @@ use crate::gui::files::file_kind::FileKind;
 use crate::gui::files::link_dialog;
 use crate::gui::files::questions::{Agreed, Changed, Dialog, Purpose};
 use crate::gui::files::{qr, title_dialog};
-use crate::gui::gallery::{self, Chosen, Source};
+use crate::gui::gallery::{self, Chosen};
 use crate::gui::inspector::coach;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::{complaint, scene};
@@ -31,6 +31,7 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
 use crate::gui::model::action::AfterSave;
+use crate::gui::model::source::Source;
 use crate::gui::platform::native::Wanted;
 use crate::i18n::learn::{exercise_window, lessons};
 use crate::i18n::window::gallery as gallery_words;
@@ -228,11 +229,11 @@ fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: After
         complaint(ui, &why.text(state.model.settings.lang));
         ui.add_space(10.0);
     }
-    let actions: &[&str] = if state.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
+    let actions: &[&str] = if state.learn.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
     match buttons(ui, t.cancel, actions, first.then_some(CANCEL)) {
         Pressed::Action(1) => file_flow::ask(&ctx, state, Purpose::LessonText(next)),
         Pressed::Action(_) => {
-            state.forget_text();
+            state.learn.forget_text();
             file_flow::begin(&ctx, state, next);
         }
         Pressed::Cancel => {}

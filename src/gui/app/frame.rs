@@ -58,11 +58,13 @@ impl App {
         self.caret.follow(ctx);
         motion::advance(ctx, &mut self.state);
         lesson::advance(ctx, &mut self.state);
+        self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.model.document.commit();
         }
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
+        self.act(ctx);
         self.canvas.listen_for_cancel(ctx, &mut self.state);
         if !self.canvas.holds_something(&self.state)
             && let Some(command) = presentation::escape(ctx, &mut self.state)
@@ -74,7 +76,7 @@ impl App {
             && let Some(command) = self.keyboard(ctx)
         {
             match context_help::asked(ctx).filter(|_| command == Command::Help) {
-                Some(note) => self.state.explain_by_note(note),
+                Some(note) => self.state.explain.explain_by_note(&mut self.state.model, note),
                 None => self.perform(ctx, command),
             }
         }
@@ -85,6 +87,11 @@ impl App {
         if let Some(left) = self.state.model.forget_old_news(ctx.input(|input| input.time)) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
+    }
+
+    /// Does what features have asked of each other.
+    pub(super) fn act(&mut self, ctx: &egui::Context) {
+        actions::perform(ctx, &mut self.state);
     }
 
     /// Bars and panels around the pictures.
@@ -108,13 +115,14 @@ impl App {
             presentation::caption(ui, &self.state);
         }
         let of_lesson = lesson::panel(ui, &mut self.state);
+        self.act(&ctx);
         self.side_panels(ui, t);
         tooltip::beside_nothing(&ctx);
         if let Some(note) = context_help::called(&ctx) {
-            self.state.explain_by_note(note);
+            self.state.explain.explain_by_note(&mut self.state.model, note);
         }
         motion::show_done(&ctx, &mut self.state);
-        actions::perform(&ctx, &mut self.state);
+        self.act(&ctx);
         self.state.model.follow_panels();
         self.state.model.answered = self.state.learn.exercises.answered_camera();
         Called { of_bar, of_lesson }
@@ -129,6 +137,7 @@ impl App {
             self.perform(ui.ctx(), command);
         }
         lesson::go_on(ui, &mut self.state);
+        self.act(ui.ctx());
     }
 
     /// The panels that are open: studies below, parameters at the left, operations and explanations at the right.
@@ -193,8 +202,8 @@ impl App {
         if let Some(command) = self.canvas.take_wanted() {
             self.perform(&ctx, command);
         }
-        actions::perform(&ctx, &mut self.state);
-        self.state.check_camera(&ctx);
+        self.act(&ctx);
+        self.state.coach.check_camera(&mut self.state.model, &ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
@@ -215,7 +224,7 @@ impl App {
             self.perform(ctx, command);
             ctx.request_repaint();
         }
-        actions::perform(ctx, &mut self.state);
+        self.act(ctx);
         drop_hint(ctx, &self.state);
         self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
@@ -227,7 +236,7 @@ impl App {
         self.refuse_links(ctx);
         self.update_title(ctx);
         let moves = self.state.learn.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
-        let moving = self.state.operations.motion.is_some() || moves || self.state.model.explained.steps.plays();
+        let moving = self.state.model.motion.is_some() || moves || self.state.model.explained.steps.plays();
         if moving || ctx.input(|input| input.pointer.any_down()) || self.held_key.is_held(ctx) {
             return;
         }
@@ -240,9 +249,10 @@ impl App {
             let seen = self.state.model.as_seen();
             let state = &self.state;
             let explains = state.learn.lesson.is_none() && state.model.document.explains_other(&seen.show);
-            let is_work = state.has_unsaved() || explains;
-            let shown = Kept { document: &state.model.document, seen: &seen, is_work, text: state.unsaved_text() };
-            sessions.keep(ctx, shown, &state.held_documents());
+            let is_work = state.learn.has_unsaved(&state.model) || explains;
+            let shown =
+                Kept { document: &state.model.document, seen: &seen, is_work, text: state.learn.unsaved_text() };
+            sessions.keep(ctx, shown, &state.learn.held_documents(&state.model));
         }
         if let Some(preferences) = &mut self.preferences {
             preferences.keep(ctx, &mut self.state);

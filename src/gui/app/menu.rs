@@ -169,7 +169,7 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
     let name = escaped(&state.model.figure_name());
-    let is_changed = state.model.document.is_changed() && !state.moves_to_step();
+    let is_changed = state.model.document.is_changed() && !state.learn.moves_to_step();
     let text = if is_changed { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {
         let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();

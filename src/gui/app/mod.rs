@@ -121,9 +121,9 @@ impl App {
     fn go_on_with(&mut self, left: Option<Restored>) {
         if let Some(Restored { document, text, .. }) = left {
             let figure = document.figure().clone();
-            self.state.take_over(document);
+            self.state.learn.take_over(&mut self.state.model, document);
             if let Some(text) = text {
-                self.state.resume_text(text, figure);
+                self.state.learn.resume_text(&mut self.state.model, text, figure);
             }
             // Another program may have gone on with the file.
             self.state.file_flow.look = true;
@@ -193,12 +193,13 @@ impl App {
                 // A frozen picture would be under another title.
                 self.state.annotations.frozen = false;
                 if self.state.learn.lesson.is_some() {
-                    self.state.step_lesson(forwards);
+                    self.state.learn.step_lesson(&mut self.state.model, forwards);
                 } else {
                     sequence::step(&mut self.state, forwards);
                 }
             }
         }
+        self.act(ctx);
     }
 
     /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
@@ -224,7 +225,8 @@ impl App {
     fn update_title(&mut self, ctx: &egui::Context) {
         let name = self.state.model.figure_name();
         // It means that closing the window asks.
-        let is_unsaved = !self.state.moves_to_step() && self.state.has_unsaved() || self.state.unsaved_text().is_some();
+        let is_unsaved = !self.state.learn.moves_to_step() && self.state.learn.has_unsaved(&self.state.model)
+            || self.state.learn.unsaved_text().is_some();
         let mark = if is_unsaved { " •" } else { "" };
         let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
         if title != self.title {
@@ -320,7 +322,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
-        self.state.save_text();
+        self.state.learn.save_text(&mut self.state.model);
         // Once, whatever came of it.
         self.state.model.settings.welcomed = true;
         if let Some(preferences) = &mut self.preferences {

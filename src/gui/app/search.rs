@@ -361,7 +361,7 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
             }
         }
         Target::Matrix(matrix) => state.model.explain_entry(matrix, [0, 0]),
-        Target::Note(id) => state.explain_by_note(id),
+        Target::Note(id) => state.explain.explain_by_note(&mut state.model, id),
         Target::Exercise(id) => {
             state.model.show_explanation(Explanation::Exercises);
             let entry = state.learn.exercises.entry(&id).cloned();

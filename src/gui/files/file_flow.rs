@@ -18,12 +18,12 @@ use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
 use crate::gui::files::questions::{Agreed, Asking, Changed, Dialog, MESH_ENDINGS, Purpose, Theirs};
-use crate::gui::gallery::Source;
 use crate::gui::inspector::state::compare;
 use crate::gui::model::action::{AfterSave, MeshFor};
 use crate::gui::model::document::Document;
 use crate::gui::model::layout::Tab;
 use crate::gui::model::message::{Message, NotExported};
+use crate::gui::model::source::Source;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::lessons::OpenLesson;
 use crate::picture::file_beside;
@@ -33,16 +33,16 @@ use crate::share;
 /// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
 /// changes of the figure. Whatever replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
-    state.end_move();
+    state.learn.end_move(&mut state.model);
     state.model.settle_layout(state.learn.lesson.is_some());
     state.model.document.commit();
-    if !state.save_text() {
+    if !state.learn.save_text(&mut state.model) {
         // The dialog says why.
         state.file_flow.refused = state.model.message.take();
         state.file_flow.dialog = Some(Dialog::UnsavedText(next));
     } else if next.replaces_figure()
-        && state.has_unsaved()
-        && !(next == AfterSave::WriteRecorded && state.is_recorded())
+        && state.learn.has_unsaved(&state.model)
+        && !(next == AfterSave::WriteRecorded && state.learn.is_recorded(&mut state.model))
     {
         state.file_flow.dialog = Some(Dialog::Unsaved(next));
     } else {
@@ -55,22 +55,22 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
             if let Ok(document) = Document::new(crate::gui::fresh(), None) {
-                state.take_over(document);
+                state.learn.take_over(&mut state.model, document);
             }
         }
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
         AfterSave::Shipped(name) => open_shipped(state, name),
         AfterSave::Text(text) => match read::parse(&text).map(|figure| Document::new(figure, None)) {
-            Ok(Ok(document)) => state.take_over(document),
+            Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
             Ok(Err(error)) => state.model.say(Message::Camera(error)),
             // The program wrote it, of a camera that it had measured: a test opens every one.
             Err(_) => {}
         },
-        AfterSave::Lesson(open) => state.play(open),
-        AfterSave::LeaveLesson => state.leave_lesson(),
-        AfterSave::WriteRecorded => state.write_recorded(),
-        AfterSave::ReadLesson => state.read_lesson_again(),
+        AfterSave::Lesson(open) => state.learn.play(&mut state.model, open),
+        AfterSave::LeaveLesson => state.learn.leave_lesson(&mut state.model),
+        AfterSave::WriteRecorded => state.learn.write_recorded(&mut state.model),
+        AfterSave::ReadLesson => state.learn.read_lesson_again(&mut state.model),
         AfterSave::Reload => reload(state),
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit => quit(ctx, state),
@@ -79,13 +79,13 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
 
 /// Goes on to the next document that closing would lose. Closes the window once there is none.
 fn quit(ctx: &egui::Context, state: &mut State) {
-    state.gather_held();
-    if let Some((_, document)) = state.kept.pop() {
+    state.learn.gather_held(&mut state.model);
+    if let Some((_, document)) = state.model.kept.pop() {
         // If the window is not closed after all, the figure is still there.
-        if state.has_unsaved() {
-            state.given_up.push((Source::of(&state.model.document), state.model.document.clone()));
+        if state.learn.has_unsaved(&state.model) {
+            state.model.given_up.push((Source::of(&state.model.document), state.model.document.clone()));
         }
-        state.take_over(document);
+        state.learn.take_over(&mut state.model, document);
         begin(ctx, state, AfterSave::Quit);
     } else if state.file_flow.exporting.is_empty() {
         close(ctx, state);
@@ -226,16 +226,16 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Texture(object) => texture(state, &object, path),
         Purpose::Photograph => photograph(state, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed),
-        Purpose::Step => state.add_step(path, &agreed),
+        Purpose::Step => state.learn.add_step(&mut state.model, path, &agreed),
         Purpose::NewLesson => {
-            state.add_step(path, &agreed);
+            state.learn.add_step(&mut state.model, path, &agreed);
             if state.learn.file.as_deref() == Some(path) {
                 begin(ctx, state, AfterSave::WriteRecorded);
             }
         }
-        Purpose::OwnLesson => state.copy_lesson(path, &agreed),
+        Purpose::OwnLesson => state.learn.copy_lesson(&mut state.model, path, &agreed),
         Purpose::LessonText(next) => {
-            if state.save_text_as(path, &agreed) {
+            if state.learn.save_text_as(&mut state.model, path, &agreed) {
                 begin(ctx, state, next);
             }
         }
@@ -322,13 +322,13 @@ fn open(state: &mut State, path: &Path) {
                 if !is_link {
                     state.recent.add(&path);
                 }
-                state.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
+                state.learn.play(&mut state.model, OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
             }
             Err(error) => state.model.say(Message::File(path.to_owned(), error)),
         };
     }
-    if let Some(kept) = state.take_kept(Some(&Source::File(files::whole(path)))) {
-        state.take_over(kept);
+    if let Some(kept) = state.model.take_kept(Some(&Source::File(files::whole(path)))) {
+        state.learn.take_over(&mut state.model, kept);
         state.file_flow.look = true;
         return;
     }
@@ -338,7 +338,7 @@ fn open(state: &mut State, path: &Path) {
             match Document::with_any_camera(figure, Some(file)) {
                 Ok(document) => {
                     let problem = document.problem().cloned();
-                    state.take_over(document);
+                    state.learn.take_over(&mut state.model, document);
                     if let Some(error) = problem {
                         state.model.say(Message::Impossible(path.to_owned(), error));
                     } else if share::link_of(path).is_some() {
@@ -357,9 +357,9 @@ fn open(state: &mut State, path: &Path) {
 
 /// Goes on with a figure of the program.
 fn open_shipped(state: &mut State, name: &'static str) {
-    let kept = state.take_kept(Some(&Source::Shipped(name)));
+    let kept = state.model.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {
-        state.take_over(document);
+        state.learn.take_over(&mut state.model, document);
     }
 }
 
@@ -469,7 +469,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     take_answer(ctx, state);
     take_exports(ctx, state);
     if !state.file_flow.is_closing() {
-        state.kept.append(&mut state.given_up);
+        state.model.kept.append(&mut state.model.given_up);
     }
     watch(ctx, state);
     take_given(ctx, state);

@@ -6,9 +6,10 @@
 
 use crate::files::{SHIPPED_FIGURES, open_figure};
 use crate::gui::app::state::State;
-use crate::gui::gallery::{Source, figures_in};
+use crate::gui::gallery::figures_in;
 use crate::gui::model::document::Document;
 use crate::gui::model::message::Message;
+use crate::gui::model::source::Source;
 
 /// The sequence of the open figure, and its place in it. A new figure comes before the built-in ones.
 fn places(state: &State) -> (Vec<Option<Source>>, usize) {
@@ -21,7 +22,7 @@ fn places(state: &State) -> (Vec<Option<Source>>, usize) {
     let is_of_program = files.is_none();
     let mut places: Vec<Option<Source>> =
         files.map_or_else(of_program, |files| files.into_iter().map(|path| Some(Source::File(path))).collect());
-    if is_of_program && (here.is_none() || state.kept.iter().any(|(source, _)| source.is_none())) {
+    if is_of_program && (here.is_none() || state.model.kept.iter().any(|(source, _)| source.is_none())) {
         places.insert(0, None);
     }
     let at = places.iter().position(|place| *place == here).unwrap_or_else(|| {
@@ -33,7 +34,7 @@ fn places(state: &State) -> (Vec<Option<Source>>, usize) {
 
 /// Opens the figure at a place, as it was left or as it is in its file.
 fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Box<Message>> {
-    if let Some(kept) = state.take_kept(place) {
+    if let Some(kept) = state.model.take_kept(place) {
         return Ok(kept);
     }
     let opened = match place {
@@ -55,11 +56,11 @@ fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) 
     state.model.settle_layout(state.learn.lesson.is_some());
     let mut left = state.model.document.clone();
     state.annotations.turn_page(source.clone(), Source::of(&document).as_ref());
-    state.take_over(document);
+    state.learn.take_over(&mut state.model, document);
     // What was behind it is kept already.
     left.take_behind();
     if left.is_changed() {
-        state.kept.push((source, left));
+        state.model.kept.push((source, left));
     }
 }
 
@@ -116,7 +117,7 @@ mod tests {
         let mut state = State::new(Start::default()).unwrap();
         let (figure, file) =
             figure_from(b"[camera]\nnear = 0.5\n").unwrap().at(Path::new("/no/such/folder/saved.toml"));
-        state.take_over(Document::new(figure, Some(file)).unwrap());
+        state.learn.take_over(&mut state.model, Document::new(figure, Some(file)).unwrap());
         assert!(step(&mut state, true));
         assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
         assert!(step(&mut state, true));

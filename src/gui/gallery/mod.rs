@@ -3,6 +3,7 @@
 mod card;
 mod show;
 
+use crate::gui::model::source::Source;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -16,7 +17,7 @@ use crate::files::SHIPPED_FIGURES;
 use crate::gui::background::worker::Worker;
 use crate::i18n::window::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
-pub use card::{Source, figures_in};
+pub use card::figures_in;
 pub(super) use show::{Chosen, show};
 
 /// A part of the gallery.

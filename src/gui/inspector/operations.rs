@@ -246,7 +246,7 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
         let step = state.operations.steps[freedom as usize];
         let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
         state.operations.open(freedom);
-        if !state.predict_first(freedom, amount) {
+        if !state.operations.predict_first(&mut state.model, freedom, amount) {
             motion::begin(state, freedom, amount);
         }
     }
@@ -342,6 +342,6 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     } else if response.changed() {
         let (before, operation) = (state.model.document.camera().clone(), pulled(freedom, amount));
         state.operations.last = Some(Ghost { before, operation, convention: state.operations.convention });
-        state.operate(operation);
+        state.operations.operate(&mut state.model, operation);
     }
 }

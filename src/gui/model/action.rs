@@ -39,6 +39,8 @@ pub enum Action {
     DeleteProgress,
     /// Show the camera check.
     Coach,
+    /// Forget what belonged to the figure before this one.
+    ForgetFigure,
     /// Show the comparison.
     Compare,
     /// Show a note.

@@ -11,13 +11,16 @@ pub mod history;
 pub mod layout;
 pub mod matrices;
 pub mod message;
+pub mod motion;
 pub mod scene_cache;
 pub mod scene_tree;
 pub mod settings;
 pub mod shown;
+pub mod source;
 pub mod steps;
 pub mod view_history;
 
+use crate::figure::Figure;
 use glam::DVec3;
 
 use crate::appearance::{Style, Theme};
@@ -26,6 +29,7 @@ use crate::explain::Matrix;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, NamedPoint, Observers};
 use crate::gui::background::memo::Memo;
+use crate::gui::model::source::Source;
 use crate::i18n::messages::faults;
 use crate::i18n::{Lang, told, window};
 use crate::limits::MAX_NAMED_POINTS;
@@ -38,6 +42,7 @@ use explained::Explained;
 use follow::Follow;
 use layout::{Layout, ObserverChange, Panels, Side, Tab};
 use message::Message;
+use motion::Motion;
 use scene_cache::SceneCache;
 use scene_tree::{SceneTree, Selected};
 use settings::Settings;
@@ -96,6 +101,12 @@ pub struct Model {
     pub explained: Explained,
     /// The camera that an answer describes. Written by the exercises.
     pub answered: Option<Camera>,
+    /// A step that is on its way.
+    pub(in crate::gui) motion: Option<Motion>,
+    /// Figures that were left with changes, by where they come from.
+    pub kept: Vec<(Option<Source>, Document)>,
+    /// Those of them that the user, closing the window, has decided not to save. Kept again where it is not closed.
+    pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// What features ask of others, to be done once this frame's panels are drawn.
     pub actions: Vec<Action>,
 }
@@ -143,6 +154,9 @@ impl Model {
             follow: Follow::default(),
             explained: Explained::default(),
             answered: None,
+            motion: None,
+            kept: Vec::new(),
+            given_up: Vec::new(),
             actions: Vec::new(),
         }
     }
@@ -247,5 +261,25 @@ impl Model {
         let camera = self.document.camera();
         let warnings = camera.warnings().into_iter().chain(camera.aspect_warning(self.document.figure().image));
         warnings.map(|warning| faults::warning(self.settings.lang, &warning)).collect()
+    }
+}
+
+impl Model {
+    /// A figure that was left with changes.
+    pub(in crate::gui) fn take_kept(&mut self, source: Option<&Source>) -> Option<Document> {
+        let index = self.kept.iter().position(|(of, _)| of.as_ref() == source)?;
+        Some(self.kept.remove(index).1)
+    }
+
+    /// Puts the figure of an exercise into the pictures, in front of the user's own: undoing leads back to that.
+    pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
+        self.motion = None;
+        let image = figure.image;
+        self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
+        let shown = self.document.show_in_front(figure);
+        self.say_camera_error(shown);
+        // Its objects are to be seen, without frames and handles.
+        self.tree = SceneTree::default();
+        self.observer_change = Some(ObserverChange::Fit);
     }
 }

@@ -277,7 +277,7 @@ impl Canvas {
         self.axis_cross(ui, state, &panes, texts);
         self.outline_labels(ui, state, &panes);
         self.labels_card(ui, state, &panes);
-        Self::marks(ui, state.placing().as_ref(), &panes);
+        Self::marks(ui, state.learn.placing(&state.model, &state.operations).as_ref(), &panes);
         Self::wipers(ui, state, &panes);
         Self::photograph_lines(ui, state, &panes);
         Self::photograph_card(ui, state, &panes);
@@ -298,7 +298,9 @@ impl Canvas {
             status.message = loading;
         }
         status.work = LongWork::of(self, state);
-        if self.rendering.running().is_some() || state.runs() {
+        if self.rendering.running().is_some()
+            || (state.model.scene_cache.running().is_some() || state.file_flow.running().next().is_some())
+        {
             ctx.request_repaint_after(TELL);
         }
         status.hidden = if state.model.layout.maximized.is_none() {

@@ -6,7 +6,8 @@ use eframe::egui::{self, Event};
 
 use crate::camera::{Amount, Camera, Convention, Freedom};
 use crate::gui::app::state::State;
-use crate::gui::inspector::state::operations::{DoneStep, Motion};
+use crate::gui::inspector::state::operations::DoneStep;
+use crate::gui::model::motion::Motion;
 use crate::views::Ghost;
 
 /// Duration of a step, in seconds.
@@ -23,15 +24,15 @@ pub(in crate::gui) fn begin(state: &mut State, freedom: Freedom, amount: f64) {
     state.operations.last = Some(ghost.clone());
     state.operations.done = Some(DoneStep { ghost, since: None });
     if state.model.settings.reduce_motion || operation.apply(&start, convention).is_err() {
-        state.operate(operation);
+        state.operations.operate(&mut state.model, operation);
     } else {
-        state.operations.motion = Some(Motion { start, freedom, amount, convention, began: None });
+        state.model.motion = Some(Motion { start, freedom, amount, convention, began: None });
     }
 }
 
 /// Moves on, at the begin of a frame. Whatever is pressed then finds the camera where it was going.
 pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
-    let Some(mut motion) = state.operations.motion.take() else { return };
+    let Some(mut motion) = state.model.motion.take() else { return };
     let (now, pressed) = ctx.input(|input| {
         let presses = |event: &Event| {
             matches!(
@@ -43,13 +44,13 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     });
     let share = (now - *motion.began.get_or_insert(now)) / DURATION;
     if pressed || share >= 1.0 {
-        state.operations.motion = Some(motion);
+        state.model.motion = Some(motion);
         finish(state);
         return;
     }
     // The end is a camera; a place on the way that is none is passed over.
     let _ = state.model.document.operate_from(&motion.start, motion.at(share), motion.convention);
-    state.operations.motion = Some(motion);
+    state.model.motion = Some(motion);
     ctx.request_repaint();
 }
 
@@ -68,7 +69,7 @@ pub(in crate::gui) fn show_done(ctx: &egui::Context, state: &mut State) {
 
 /// Puts the camera at the end of the step, as one change.
 pub(in crate::gui) fn finish(state: &mut State) {
-    let Some(motion) = state.operations.motion.take() else { return };
+    let Some(motion) = state.model.motion.take() else { return };
     let done = state.model.document.operate_from(&motion.start, motion.at(1.0), motion.convention);
     state.model.document.commit();
     state.model.say_camera_error(done);

@@ -114,11 +114,11 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[
-                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.undo())
-                    .enabled(|s| s.model.document.can_undo() || s.can_undo_lesson(true)),
-                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.redo())
+                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.learn.undo(&mut s.model))
+                    .enabled(|s| s.model.document.can_undo() || s.learn.can_undo_lesson(&s.model, true)),
+                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.redo(&mut s.model))
                     .or(ctrl(Key::Y))
-                    .enabled(|s| s.model.document.can_redo() || s.can_undo_lesson(false)),
+                    .enabled(|s| s.model.document.can_redo() || s.learn.can_undo_lesson(&s.model, false)),
             ],
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.document.reset())
                 .enabled(|s| s.model.document.can_reset())
@@ -241,7 +241,7 @@ pub const MENUS: &[Menu] = &[
                     StepAgain,
                     alt(Key::Z),
                     |t| lesson_words(t, |t| (t.again, t.again_hint)),
-                    |s, _| s.step_again(),
+                    |s, _| s.learn.step_again(&mut s.model),
                 )
                 .in_lesson(|s| s.learn.lesson.is_some()),
                 Row::new(
@@ -446,7 +446,7 @@ fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static st
 /// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
 fn record_step(state: &mut State, ctx: &Context) {
     match state.learn.file.clone() {
-        Some(path) => state.add_step(&path, &Agreed::default()),
+        Some(path) => state.learn.add_step(&mut state.model, &path, &Agreed::default()),
         None => file_flow::ask(ctx, state, Purpose::Step),
     }
 }
@@ -458,8 +458,8 @@ fn write_lesson(state: &mut State, ctx: &Context) {
         file_flow::ask(ctx, state, Purpose::NewLesson);
     } else if state.learn.lesson.is_none() {
         file_flow::begin(ctx, state, AfterSave::WriteRecorded);
-    } else if state.plays_own_lesson() {
-        state.write_lesson();
+    } else if state.learn.plays_own_lesson(&state.model) {
+        state.learn.write_lesson(&mut state.model);
     } else {
         file_flow::ask(ctx, state, Purpose::OwnLesson);
     }
@@ -482,7 +482,7 @@ fn save(state: &mut State, ctx: &Context) {
         state.learn.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
     match writing.filter(|(_, writing)| writing.is_ahead()) {
         Some((path, _)) => {
-            if state.save_text() {
+            if state.learn.save_text(&mut state.model) {
                 state.model.say(Message::Saved(path));
             }
         }

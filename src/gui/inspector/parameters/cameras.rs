@@ -58,7 +58,7 @@ fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
         state.model.document.edit_cameras(|figure| figure.compare = compare);
     }
     match asked {
-        (true, _) => state.look_through(index),
+        (true, _) => state.cameras.look_through(&mut state.model, index),
         (_, true) => {
             state.cameras.typing = None;
             state.model.document.edit_cameras(|figure| figure.remove_camera(index));

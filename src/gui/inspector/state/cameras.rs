@@ -2,7 +2,6 @@
 
 use crate::camera::Convergence;
 use crate::figure::NamedCamera;
-use crate::gui::app::state::State;
 use crate::gui::model::Model;
 use crate::i18n::window::cameras;
 
@@ -18,17 +17,17 @@ pub struct CameraList {
     pub(in crate::gui) was_called: bool,
 }
 
-impl State {
+impl CameraList {
     /// Looks through one of the other cameras of the figure.
-    pub(in crate::gui) fn look_through(&mut self, index: usize) {
-        self.cameras.typing = None;
-        self.model.document.commit();
-        self.model.document.look_through(index);
+    pub(in crate::gui) fn look_through(&mut self, model: &mut Model, index: usize) {
+        self.typing = None;
+        model.document.commit();
+        model.document.look_through(index);
         // Its aspect is its own.
-        let camera = self.model.document.draft();
-        let image = self.model.document.figure().image;
+        let camera = model.document.draft();
+        let image = model.document.figure().image;
         let is_of_image = camera.aspect == f64::from(image.width) / f64::from(image.height);
-        self.model.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
+        model.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
     }
 }
 

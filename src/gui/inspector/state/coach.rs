@@ -8,7 +8,6 @@ use eframe::egui;
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, Reveal};
-use crate::gui::app::state::State;
 use crate::gui::background::memo::Latest;
 use crate::gui::model::Model;
 use crate::numerics::diagnosis::{
@@ -89,26 +88,26 @@ impl Coach {
     }
 }
 
-impl State {
+impl Coach {
     /// Has the coach look at the figure, where it has changed. Not while the hand moves.
-    pub(in crate::gui) fn check_camera(&mut self, ctx: &egui::Context) {
-        self.coach.take(Duration::ZERO);
-        if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {
+    pub(in crate::gui) fn check_camera(&mut self, model: &mut Model, ctx: &egui::Context) {
+        self.take(Duration::ZERO);
+        if ctx.input(|input| input.pointer.any_down()) || model.motion.is_some() {
             return;
         }
         // Until then the scene is not whole.
-        if self.model.scene_cache.loading().is_empty() {
-            let Figure { style, reveal, image, .. } = *self.model.document.figure();
-            let impossible = self.model.document.problem().cloned().map(|error| ImpossibleCamera {
+        if model.scene_cache.loading().is_empty() {
+            let Figure { style, reveal, image, .. } = *model.document.figure();
+            let impossible = model.document.problem().cloned().map(|error| ImpossibleCamera {
                 error,
-                parameters: *self.model.document.draft(),
+                parameters: *model.document.draft(),
                 style,
                 reveal,
                 image,
             });
-            let (camera, scene) = (self.model.document.camera().clone(), self.model.scene_cache.scene().clone());
+            let (camera, scene) = (model.document.camera().clone(), model.scene_cache.scene().clone());
             let request = HealthRequest { camera, scene, style, reveal, image, impossible };
-            self.coach.advice.ask(ctx, request);
+            self.advice.ask(ctx, request);
         }
     }
 }

@@ -130,7 +130,7 @@ fn take_guess(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     let text = joined(ask, state.learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
     state.learn.exercises.guess(ask, judged.right, clock::seconds_since_1970());
-    let shows = state.show_seen();
+    let shows = state.learn.show_seen(&mut state.model);
     if shows && !ask.places {
         let fields = vec![String::new(); state.learn.exercises.fields(ask).len()];
         state.learn.exercises.type_into(ask, fields);

@@ -89,7 +89,7 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
     let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
     let camera = camera.map(Box::new);
     if camera.is_ok() && *state.model.document.figure() != figure::with_camera(exercise, right) {
-        state.show_figure_of_exercise(figure::with_camera(exercise, right));
+        state.model.show_figure_of_exercise(figure::with_camera(exercise, right));
     }
     state.learn.exercises.described = Some(Described { ask: ask.name.clone(), camera });
 }

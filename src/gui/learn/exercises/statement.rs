@@ -102,7 +102,7 @@ fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.show_figure).explained(t.show_figure_hint).clicked() {
-            state.show_figure_of_exercise(figure::given(exercise, is_tried));
+            state.model.show_figure_of_exercise(figure::given(exercise, is_tried));
         }
         if exercise.subject.operations.is_empty() {
             return;
@@ -112,7 +112,7 @@ fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
         if done.clicked()
             && let Ok(camera) = exercise.subject.camera()
         {
-            state.show_figure_of_exercise(figure::with_camera(exercise, *camera.parameters()));
+            state.model.show_figure_of_exercise(figure::with_camera(exercise, *camera.parameters()));
         }
     });
 }

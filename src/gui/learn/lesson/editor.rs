@@ -51,7 +51,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });
     if let Some(change) = change {
-        state.change_steps(change);
+        state.learn.change_steps(&mut state.model, change);
     }
     if asks {
         let now = ui.input(|input| input.time);
@@ -61,7 +61,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
             writing.typed.task = std::mem::take(&mut writing.typed.task).with_kind(TaskKind::Choices);
             number_field::take_keyboard(ui.ctx(), task.question_field);
         }
-        state.text_edited(now);
+        state.learn.text_edited(now);
     }
 }
 
@@ -105,13 +105,13 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     }
     let has_fault = writing.fault.is_some();
     if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
-        return state.forget_text();
+        return state.learn.forget_text();
     }
     if is_typed {
-        state.text_edited(now);
+        state.learn.text_edited(now);
         ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(PAUSE + 0.1));
     } else if waits || is_left && !has_fault {
-        state.save_text();
+        state.learn.save_text(&mut state.model);
     }
 }
 

@@ -25,25 +25,25 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     ui.add_space(4.0);
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
-    let next = state.next_lesson();
+    let next = state.learn.next_lesson();
     // Always as high, from its first frame on, where it is offered less: what grows moves under the pointer.
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
     area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
             let is_taken = state.learn.taken.contains_key(&lesson.id);
-            let (done, all) = state.done_of(lesson);
+            let (done, all) = state.learn.done_of(lesson);
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
                 if ui.link(title).clicked() {
                     // One goes on where one was, and begins anew what is finished.
-                    let step = if state.is_finished(lesson) { 0 } else { state.step_to_go_on(lesson) };
+                    let step = if state.learn.is_finished(lesson) { 0 } else { state.learn.step_to_go_on(lesson) };
                     chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
                 }
                 if is_taken && done == all {
                     ui.label(RichText::new(format!("✓ {}", t.finished)).weak());
                 } else if is_taken {
-                    let place = words::place(lang, state.step_to_go_on(lesson) + 1, lesson.steps.len());
+                    let place = words::place(lang, state.learn.step_to_go_on(lesson) + 1, lesson.steps.len());
                     ui.label(RichText::new(format!("{place} · {}", words::answered(lang, done, all))).weak());
                 }
                 if next == Some(k) {
@@ -51,7 +51,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
                 }
             });
             // It would answer the questions of a lesson that is to come.
-            let sentence = lesson.sentence.as_ref().filter(|_| state.is_finished(lesson));
+            let sentence = lesson.sentence.as_ref().filter(|_| state.learn.is_finished(lesson));
             if let Some(sentence) = sentence {
                 prose::show(ui, told(lang, sentence).trim());
             } else if !lesson.aims.is_empty() {

@@ -66,16 +66,16 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     let presses = |event: &egui::Event| {
         matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
     };
-    if state.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
+    if state.learn.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
         // The click is for what the step shows at its end.
-        state.end_move();
+        state.learn.end_move(&mut state.model);
     }
-    if state.go_on_moving(now) {
+    if state.learn.go_on_moving(&mut state.model, now) {
         ctx.request_repaint();
     }
     typed_step(ctx, state, now);
     hands::count(ctx, state);
-    state.check_goal();
+    state.learn.check_goal(&mut state.model);
 }
 
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
@@ -120,12 +120,12 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
 /// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
     let is_fresh = state.model.document.path().is_none() && state.learn.lesson.is_none() && !state.model.settings.bare;
-    let next = state.next_lesson().and_then(|place| lessons::shipped().get(place));
+    let next = state.learn.next_lesson().and_then(|place| lessons::shipped().get(place));
     let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.learn.goes_on && is_fresh) else {
         return;
     };
     let lang = state.model.settings.lang;
-    let (t, step) = (words::texts(lang), state.step_to_go_on(&lesson));
+    let (t, step) = (words::texts(lang), state.learn.step_to_go_on(&lesson));
     let mut open = None;
     egui::Panel::top("go on").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -181,7 +181,7 @@ fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
     if is_whole {
         playing.typed = None;
         if let Some(step) = number.checked_sub(1) {
-            state.go_to_step(step);
+            state.learn.go_to_step(&mut state.model, step);
         }
     } else {
         ctx.request_repaint_after(Duration::from_secs_f64(TYPED - (now - since)));
@@ -199,7 +199,7 @@ pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let t = words::texts(state.model.settings.lang);
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
-    let (writes, presents) = (state.writes_lesson(), state.model.settings.presentation);
+    let (writes, presents) = (state.learn.writes_lesson(&state.model), state.model.settings.presentation);
     let share = match (writes, presents && asks) {
         (true, _) => SHARE_WRITTEN,
         (false, true) => SHARE_ASKED,
@@ -295,7 +295,7 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 /// One line: title, number of the step, the ways on.
 fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
     let lang = t.lang;
-    let writes_own = state.plays_own_lesson() && !state.model.settings.presentation;
+    let writes_own = state.learn.plays_own_lesson(&state.model) && !state.model.settings.presentation;
     let playing = state.learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
@@ -315,7 +315,7 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         if step + 1 < count {
             let next = Button::new(RichText::new(format!("{label} ▶")).strong());
             if ui.add(next).explained(hint).clicked() {
-                state.pass_over();
+                state.learn.pass_over();
                 command = Some(Command::NextFigure);
             }
         } else if let Some(next) = after(&lesson) {
@@ -354,7 +354,7 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         });
     });
     if let Some(step) = go_to {
-        state.go_to_step(step);
+        state.learn.go_to_step(&mut state.model, step);
     }
     command
 }
@@ -399,7 +399,7 @@ fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
 fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let Some(playing) = state.learn.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
-    let writing = playing.writing.as_ref().filter(|_| state.writes_lesson());
+    let writing = playing.writing.as_ref().filter(|_| state.learn.writes_lesson(&state.model));
     let shows_text = playing.shows_text || writing.is_some();
     let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), state) || writing.is_some();
     // What is written is shown in the language of its fields.

@@ -1,5 +1,7 @@
 //! Lessons of the user's own: their steps as they are recorded, and those of a folder.
 
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -14,65 +16,6 @@ use crate::lessons::{Draft, Lesson, with_step};
 use crate::views::View;
 
 impl State {
-    /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
-    pub(in crate::gui) fn add_step(&mut self, path: &Path, agreed: &Agreed) {
-        if self
-            .learn
-            .lesson
-            .as_ref()
-            .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
-        {
-            // The window has the text of the file, and knows what it has written.
-            return self.add_to_written(path);
-        }
-        match added(self, path, agreed) {
-            Ok(lesson) => self.step_is_added(path, lesson),
-            Err(error) => self.model.say(Message::File(path.to_owned(), error)),
-        }
-    }
-
-    /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
-    pub(in crate::gui) fn is_recorded(&mut self) -> bool {
-        let Some(path) = self.learn.file.as_deref().filter(|_| self.model.document.path().is_none()) else {
-            return false;
-        };
-        let Ok((lesson, _)) = files::read_lesson(path) else { return false };
-        if self.title_to_record(Some(&lesson)).is_some() {
-            return false;
-        }
-        let here = as_shown(self);
-        let content = |figure: &Figure| (Figure { title: None, ..figure.without_scene() }, figure.scene.clone());
-        lesson.steps.last().is_some_and(|step| content(&step.figure) == content(&here))
-    }
-
-    /// The title that the user gave the figure, if no step of the lesson has it yet.
-    pub(in crate::gui) fn title_to_record(&self, lesson: Option<&Lesson>) -> Option<Bilingual> {
-        let title = self.model.document.figure().title.as_ref()?;
-        let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
-        let is_of_step = self.learn.lesson.is_some() && self.model.document.saved().title.as_ref() == Some(title);
-        let is_new = !is_of_step && !self.model.document.has_words_of_card() && steps.all(|step| step.title != *title);
-        is_new.then(|| title.clone())
-    }
-
-    /// The words of a new step in a lesson. A title that the user gave the figure is the step's.
-    pub(in crate::gui) fn draft_of_step(&self, lesson: Option<&Lesson>) -> Draft {
-        let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
-        if let Some(title) = self.title_to_record(lesson) {
-            draft.title = title;
-        }
-        draft
-    }
-
-    /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
-    pub(in crate::gui) fn step_is_added(&mut self, path: &Path, lesson: Lesson) {
-        self.learn.file = Some(path.to_owned());
-        self.model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
-        if let Some(playing) = self.learn.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
-            // The steps before it have their places.
-            playing.lesson = Arc::new(lesson);
-        }
-    }
-
     /// Opens the list of lessons, with those of the folder of figures too.
     pub(in crate::gui) fn list_lessons(&mut self) {
         self.look_for_lessons();
@@ -97,7 +40,67 @@ impl State {
     }
 }
 
-fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
+impl Learn {
+    /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
+    pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) {
+        if self
+            .lesson
+            .as_ref()
+            .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
+        {
+            // The window has the text of the file, and knows what it has written.
+            return self.add_to_written(model, path);
+        }
+        match added(self, model, path, agreed) {
+            Ok(lesson) => self.step_is_added(model, path, lesson),
+            Err(error) => model.say(Message::File(path.to_owned(), error)),
+        }
+    }
+
+    /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
+    pub(in crate::gui) fn is_recorded(&mut self, model: &mut Model) -> bool {
+        let Some(path) = self.file.as_deref().filter(|_| model.document.path().is_none()) else {
+            return false;
+        };
+        let Ok((lesson, _)) = files::read_lesson(path) else { return false };
+        if self.title_to_record(model, Some(&lesson)).is_some() {
+            return false;
+        }
+        let here = as_shown(model);
+        let content = |figure: &Figure| (Figure { title: None, ..figure.without_scene() }, figure.scene.clone());
+        lesson.steps.last().is_some_and(|step| content(&step.figure) == content(&here))
+    }
+
+    /// The title that the user gave the figure, if no step of the lesson has it yet.
+    pub(in crate::gui) fn title_to_record(&self, model: &Model, lesson: Option<&Lesson>) -> Option<Bilingual> {
+        let title = model.document.figure().title.as_ref()?;
+        let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
+        let is_of_step = self.lesson.is_some() && model.document.saved().title.as_ref() == Some(title);
+        let is_new = !is_of_step && !model.document.has_words_of_card() && steps.all(|step| step.title != *title);
+        is_new.then(|| title.clone())
+    }
+
+    /// The words of a new step in a lesson. A title that the user gave the figure is the step's.
+    pub(in crate::gui) fn draft_of_step(&self, model: &Model, lesson: Option<&Lesson>) -> Draft {
+        let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
+        if let Some(title) = self.title_to_record(model, lesson) {
+            draft.title = title;
+        }
+        draft
+    }
+
+    /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
+    pub(in crate::gui) fn step_is_added(&mut self, model: &mut Model, path: &Path, lesson: Lesson) {
+        self.file = Some(path.to_owned());
+        model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
+        if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
+            // The steps before it have their places.
+            playing.lesson = Arc::new(lesson);
+        }
+    }
+}
+
+fn added(learn: &Learn, model: &mut Model, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
     let (lesson, text) = if files::disk::exists(path) {
         let (lesson, text) = files::read_lesson(path)?;
         (Some(lesson), text)
@@ -105,7 +108,7 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
         (None, String::new())
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let (figure, draft) = (as_shown(state), state.draft_of_step(lesson.as_ref()));
+    let (figure, draft) = (as_shown(model), learn.draft_of_step(model, lesson.as_ref()));
     let (text, lesson) = with_step(&text, &stem, &draft, &figure)?;
     files::save(path, text.as_bytes(), agreed.overwrite())?;
     Ok(lesson)
@@ -113,15 +116,15 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
 
 /// The figure as it is on the screen: explanations, views and panel. If you haven't turned a view, its viewpoint isn't
 /// stored, so that it's fitted when the step is played.
-pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
-    let seen = state.model.as_seen();
-    let panel = state.model.settings.panels().is_shown(Side::Explain).then(|| state.model.explained.shown());
-    let pictures = View::ALL.map(|view| state.model.layout.is_shown(view));
-    let figure = state.model.document.figure();
+pub(in crate::gui) fn as_shown(model: &mut Model) -> Figure {
+    let seen = model.as_seen();
+    let panel = model.settings.panels().is_shown(Side::Explain).then(|| model.explained.shown());
+    let pictures = View::ALL.map(|view| model.layout.is_shown(view));
+    let figure = model.document.figure();
     let screen = Screen {
         pictures: Some(pictures),
         panel: Some(panel),
-        arrangement: Some(state.model.layout.arrangement),
+        arrangement: Some(model.layout.arrangement),
         ..figure.screen
     };
     Figure { show: seen.show, screen, ..figure.clone() }

@@ -59,7 +59,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
                 if !is_done {
                     ui.label(RichText::new(t.not_yet).weak());
                     if !goal.way.is_empty() && ui.button(t.show_way).explained(t.show_way_hint).clicked() {
-                        state.show_solution(goal);
+                        state.learn.show_solution(&mut state.model, goal);
                     }
                 }
                 said(ui, t, is_done);

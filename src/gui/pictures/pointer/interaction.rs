@@ -68,7 +68,7 @@ impl Canvas {
         let mut hovered = None;
         self.hover_pick = None;
         self.hover.hovered = None;
-        let placing = state.placing();
+        let placing = state.learn.placing(&state.model, &state.operations);
         for pane in panes {
             self.focus(ui, state, pane);
             if Self::place(ui, state, pane, placing.as_ref()) {
@@ -152,7 +152,8 @@ impl Canvas {
         if pane.view == View::Image {
             let is_own = pane.response.hover_pos().is_some_and(|place| pane.is_own(place));
             if factor != 1.0 && is_own {
-                state.operate(camera_drag::dollied(state.model.document.camera(), factor));
+                let dolly = camera_drag::dollied(state.model.document.camera(), factor);
+                state.operations.operate(&mut state.model, dolly);
             }
             return;
         }
@@ -311,14 +312,18 @@ impl Canvas {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
                 if view == View::Image {
-                    state.operate(Operation::Zoom(factor));
+                    state.operations.operate(&mut state.model, Operation::Zoom(factor));
                 } else if let Some(seen) = self.seen(picture) {
                     self.turn(state, picture, seen.zoom(factor));
                 }
             }
             (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
-            (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
-            (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
+            (Key::PageUp, View::World | View::Image) => {
+                state.operations.operate(&mut state.model, Operation::Dolly(STEP_FACTOR))
+            }
+            (Key::PageDown, View::World | View::Image) => {
+                state.operations.operate(&mut state.model, Operation::Dolly(STEP_FACTOR.recip()))
+            }
             (Key::T, View::World) => state.model.tree.transforming = Transforming::Move,
             (Key::R, View::World) => state.model.tree.transforming = Transforming::Turn,
             (Key::S, View::World) => state.model.tree.transforming = Transforming::Scale,
@@ -348,10 +353,10 @@ impl Canvas {
                 Convention::RightHand => -STEP,
                 Convention::Vtk => STEP,
             };
-            state.operate(Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
+            state.operations.operate(&mut state.model, Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
         }
         if arrow.x != 0.0 {
-            state.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
+            state.operations.operate(&mut state.model, Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
     }
 }

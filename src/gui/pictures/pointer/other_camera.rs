@@ -26,6 +26,6 @@ pub(in crate::gui::pictures) fn is_clicked(state: &mut State, pane: &Pane) -> bo
     let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
     let (request, pointer) = pane.under(place);
     let Some(index) = hovered(&request, pointer, pane) else { return false };
-    state.look_through(index);
+    state.cameras.look_through(&mut state.model, index);
     true
 }

@@ -32,7 +32,7 @@ impl Canvas {
             let request = &pane.request;
             let place = request.shot.look.image.image_from_window(&request.camera.window(), point);
             response.request_focus();
-            state.put_mark(placing, place.round().to_array());
+            state.learn.put_mark(&mut state.operations, placing, place.round().to_array());
         }
         true
     }
@@ -40,14 +40,17 @@ impl Canvas {
     /// Moves the cross by an arrow key. Returns whether it was one.
     pub(in crate::gui::pictures) fn place_by_key(state: &mut State, pane: &Pane, key: Key, held: Modifiers) -> bool {
         let arrow = arrow_of(key);
-        let placing = state.placing().filter(|placing| placing.is_open && pane.view == View::Image);
+        let placing = state
+            .learn
+            .placing(&state.model, &state.operations)
+            .filter(|placing| placing.is_open && pane.view == View::Image);
         let Some(placing) = placing.filter(|_| arrow != DVec2::ZERO) else { return false };
         let image = pane.request.shot.look.image;
         let sides = DVec2::new(f64::from(image.width), f64::from(image.height));
         let from = placing.mark.map_or(0.5 * sides, DVec2::from_array);
         let step = if held.shift { FAST } else { 1.0 };
         let to = from + step * DVec2::new(arrow.x, -arrow.y);
-        state.put_mark(&placing, to.clamp(DVec2::ZERO, sides).round().to_array());
+        state.learn.put_mark(&mut state.operations, &placing, to.clamp(DVec2::ZERO, sides).round().to_array());
         true
     }
 

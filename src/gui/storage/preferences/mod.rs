@@ -88,12 +88,12 @@ const KEYS: [Key; 42] = [
     },
     Key {
         name: "parameters_panel",
-        of: |state| state.own_panels().wanted[Side::Left as usize].into(),
+        of: |state| state.learn.own_panels(&state.model).wanted[Side::Left as usize].into(),
         apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Left as usize], value.as_bool()),
     },
     Key {
         name: "numbers_panel",
-        of: |state| state.own_panels().wanted[Side::Right as usize].into(),
+        of: |state| state.learn.own_panels(&state.model).wanted[Side::Right as usize].into(),
         apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Right as usize], value.as_bool()),
     },
     Key {

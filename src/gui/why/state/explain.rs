@@ -6,7 +6,9 @@ use super::triangle::TriangleNumbers;
 use crate::camera::{Axes, CameraError, ImageSize, MatrixKind, Parameters};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
+use crate::figure::Explanation;
 use crate::gui::background::memo::Memo;
+use crate::gui::model::Model;
 use crate::views::SharedScene;
 
 /// The explanations. Their visibility is in [`Panels`](crate::gui::model::layout::Panels).
@@ -59,5 +61,13 @@ impl Default for Explain {
             pasted: Pasted::default(),
             divides_right: Memo::default(),
         }
+    }
+}
+
+impl Explain {
+    /// Shows a note, which takes the keyboard in the list of notes.
+    pub(in crate::gui) fn explain_by_note(&mut self, model: &mut Model, id: &'static str) {
+        self.notes.go_to(id);
+        model.show_explanation(Explanation::Notes);
     }
 }
