@@ -191,7 +191,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         assert!(picture(&window, apart) && !picture(&window, flicker));
         let field = if lang == Lang::En { "Two planes, this far apart:" } else { "Dois planos, a esta distância:" };
         window.enter(field, "1e-9");
-        assert_eq!(window.state().coach.gap, 1e-9);
+        assert_eq!(window.state().explain.gap, 1e-9);
         assert!(picture(&window, flicker) && !picture(&window, apart));
         window.app_mut().state.model.settings.conventions.ndc =
             Ndc { api: Api::Vulkan, reversed: true, infinite: true };

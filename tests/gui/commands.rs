@@ -102,7 +102,8 @@ fn every_command_stands_in_a_menu_with_its_keys() {
     for (title, menu) in titles.into_iter().zip(in_bar()) {
         window.harness.get_all_by_label(title).next().expect("a menu").click();
         window.run();
-        for command in menu.groups(window.state()).flatten().filter(|c| c.is_listed(window.state())).collect::<Vec<_>>()
+        for command in
+            menu.groups(&window.state().model).flatten().filter(|c| c.is_listed(window.state())).collect::<Vec<_>>()
         {
             assert!(window.says(command.label(t)), "{command:?}");
             assert!(window.says(&window.harness.ctx.format_shortcut(&command.shortcut())), "{command:?}");

@@ -1,9 +1,9 @@
 //! The program: its version, its licence, and those of its components. Built in, so that a single copied file has it
 //! too.
 
+use crate::gui::files::questions::FileFlow;
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
-use crate::gui::app::state::State;
 use crate::gui::files::questions::Dialog;
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::i18n::window::Texts;
@@ -12,7 +12,7 @@ use crate::i18n::window::Texts;
 const THIRD_PARTY: &str = include_str!("../../../THIRD-PARTY.md");
 
 /// Shows the dialog; `first`: it has just been opened.
-pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
+pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, first: bool) {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
     ui.label(t.about_text);
@@ -31,6 +31,6 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: boo
     });
     ui.add_space(8.0);
     if matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing) {
-        state.file_flow.dialog = Some(Dialog::About);
+        file_flow.dialog = Some(Dialog::About);
     }
 }

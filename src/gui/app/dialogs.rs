@@ -1,5 +1,7 @@
 //! The questions in the window.
 
+use crate::gui::files::questions::FileFlow;
+use crate::gui::model::Model;
 use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
@@ -44,7 +46,7 @@ use crate::scene::edit::Children;
 /// Shows the question that is open, if any, and acts on the answer. Gives a command that is to be done.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if state.file_flow.waits_for_system() {
-        wait_for_system(ctx, state);
+        wait_for_system(ctx, &mut state.model, &mut state.file_flow);
         return None;
     }
     let shown = Id::unique("dialog shown");
@@ -143,10 +145,10 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
                 }
             }
-            Dialog::Help => help(ui, t, state, first),
-            Dialog::About => about::show(ui, t, state, first),
+            Dialog::Help => help(ui, t, &mut state.model, &mut state.file_flow, first),
+            Dialog::About => about::show(ui, t, &mut state.file_flow, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
-            Dialog::Coach => coach::show(ui, t, state, first),
+            Dialog::Coach => coach::show(ui, t, &mut state.model, &mut state.file_flow, &mut state.coach, first),
             // It has a window of its own.
             Dialog::Compare(_) => {}
             Dialog::Search => wanted = search::show(ui, state, first),
@@ -172,7 +174,9 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 state.gallery.end();
                 file_flow::begin(ctx, state, next);
             }
-            Dialog::Delete { names, below } => ask_delete(ui, t, state, (names, below), first),
+            Dialog::Delete { names, below } => {
+                ask_delete(ui, t, &mut state.model, &mut state.file_flow, (names, below), first)
+            }
             Dialog::DeleteProgress => {
                 let words = exercise_window::texts(state.model.settings.lang);
                 text(ui, words.delete_progress, words.delete_progress_text);
@@ -202,14 +206,14 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
 }
 
 /// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
-fn wait_for_system(ctx: &egui::Context, state: &mut State) {
-    let t = window::texts(state.model.settings.lang);
+fn wait_for_system(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
+    let t = window::texts(model.settings.lang);
     Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
         ui.set_width(380.0);
         text(ui, t.choosing_title, t.choosing_text);
         // A system that does not answer must not keep the window for ever.
         if matches!(buttons(ui, t.cancel, &[], None), Pressed::Cancel) {
-            state.file_flow.asking = None;
+            file_flow.asking = None;
         }
     });
 }
@@ -245,11 +249,12 @@ fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: After
 fn ask_delete(
     ui: &mut egui::Ui,
     t: &'static Texts,
-    state: &mut State,
+    model: &mut Model,
+    file_flow: &mut FileFlow,
     (names, below): (BTreeSet<String>, usize),
     first: bool,
 ) {
-    let words = scenes::texts(state.model.settings.lang);
+    let words = scenes::texts(model.settings.lang);
     let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
     text(
         ui,
@@ -261,11 +266,11 @@ fn ask_delete(
         Pressed::Action(_) => Children::Removed,
         Pressed::Cancel => return,
         Pressed::Nothing => {
-            state.file_flow.dialog = Some(Dialog::Delete { names, below });
+            file_flow.dialog = Some(Dialog::Delete { names, below });
             return;
         }
     };
-    scene::remove(state, &names, children);
+    scene::remove(model, &names, children);
 }
 
 /// Asks about a file changed by another program: the choice that loses nothing is the default.
@@ -381,8 +386,8 @@ fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     field.store(ui.ctx(), response.id);
 }
 
-fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
-    let pictures = canvas::texts(state.model.settings.lang);
+fn help(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, file_flow: &mut FileFlow, first: bool) {
+    let pictures = canvas::texts(model.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),
         (t.show_canonical, pictures.keys_in_canonical),
@@ -404,8 +409,8 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         for (name, text) in keys {
             ui.label(format!("{name}: {text}"));
         }
-        if state.model.in_browser {
-            let words = sharing::texts(state.model.settings.lang);
+        if model.in_browser {
+            let words = sharing::texts(model.settings.lang);
             title(ui, words.help_touch);
             ui.label(words.help_touch_text);
         }
@@ -415,16 +420,16 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         title(ui, t.help_numbers);
         ui.label(t.help_numbers_text);
         title(ui, t.help_commands);
-        if state.model.in_browser {
-            ui.label(sharing::texts(state.model.settings.lang).keys_of_browser);
+        if model.in_browser {
+            ui.label(sharing::texts(model.settings.lang).keys_of_browser);
         }
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
-            for command in MENUS.iter().flat_map(|menu| menu.groups(state)).flatten() {
+            for command in MENUS.iter().flat_map(|menu| menu.groups(model)).flatten() {
                 ui.monospace(
                     command
-                        .keys(state)
-                        .map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
+                        .keys(model)
+                        .map(|keys| written(ui.ctx(), &keys, model.settings.lang))
                         .collect::<Vec<_>>()
                         .join(", "),
                 );
@@ -435,7 +440,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
     });
     ui.add_space(8.0);
     match buttons(ui, t.close, &[], first.then_some(CANCEL)) {
-        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Help),
+        Pressed::Nothing => file_flow.dialog = Some(Dialog::Help),
         Pressed::Action(_) | Pressed::Cancel => {}
     }
 }

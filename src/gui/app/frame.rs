@@ -5,6 +5,7 @@
 //! pointer is on, and the pictures mark it in the same frame. Dialogs lie over both. What was done is committed, and
 //! handed to the threads that write files, after everything has been shown.
 
+use crate::gui::model::Model;
 use std::time::Duration;
 
 use eframe::egui;
@@ -16,7 +17,7 @@ use crate::gui::app::state::State;
 use crate::gui::files::{changed_file, file_flow};
 use crate::gui::inspector::{numerics, operations, parameters, values};
 use crate::gui::kit::{text_field, tooltip};
-use crate::gui::learn::lesson;
+use crate::gui::learn::{exercises, lesson};
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::layout::Side;
 use crate::gui::model::shown::PanelHover;
@@ -56,8 +57,8 @@ impl App {
             text_field::drop_letters_with_alt(&mut input.events, os);
         });
         self.caret.follow(ctx);
-        motion::advance(ctx, &mut self.state);
-        lesson::advance(ctx, &mut self.state);
+        motion::advance(ctx, &mut self.state.model);
+        lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, &mut self.state.file_flow);
         self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.model.document.commit();
@@ -66,8 +67,9 @@ impl App {
         file_flow::poll(ctx, &mut self.state);
         self.act(ctx);
         self.canvas.listen_for_cancel(ctx, &mut self.state);
-        if !self.canvas.holds_something(&self.state)
-            && let Some(command) = presentation::escape(ctx, &mut self.state)
+        if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
+            && let Some(command) =
+                presentation::escape(ctx, &mut self.state.model, &mut self.state.file_flow, &mut self.state.annotations)
         {
             self.perform(ctx, command);
         }
@@ -110,18 +112,18 @@ impl App {
         if !presenting {
             self.notices(ui);
         }
-        status::error(ui, &mut self.state);
+        status::error(ui, &mut self.state.model);
         if presenting {
-            presentation::caption(ui, &self.state);
+            presentation::caption(ui, &self.state.model);
         }
-        let of_lesson = lesson::panel(ui, &mut self.state);
+        let of_lesson = lesson::panel(ui, &mut self.state.model, &mut self.state.learn);
         self.act(&ctx);
         self.side_panels(ui, t);
         tooltip::beside_nothing(&ctx);
         if let Some(note) = context_help::called(&ctx) {
             self.state.explain.explain_by_note(&mut self.state.model, note);
         }
-        motion::show_done(&ctx, &mut self.state);
+        motion::show_done(&ctx, &mut self.state.model, &mut self.state.operations);
         self.act(&ctx);
         self.state.model.follow_panels();
         self.state.model.answered = self.state.learn.exercises.answered_camera();
@@ -131,7 +133,7 @@ impl App {
     /// News and offers, each in a line of its own.
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
-        session_news::bar(ui, &mut self.state);
+        session_news::bar(ui, &mut self.state.model, &mut self.state.file_flow);
         changed_file::bar(ui, &mut self.state);
         if let Some(command) = lesson::welcome(ui, &mut self.state) {
             self.perform(ui.ctx(), command);
@@ -146,7 +148,7 @@ impl App {
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
-                numerics::ui(ui, &mut self.state);
+                numerics::ui(ui, &mut self.state.model, &mut self.state.numerics);
             });
             name_handle(ui, "numerics", t.panel_width);
         }
@@ -154,7 +156,7 @@ impl App {
             egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
-                parameters::ui(ui, &mut self.state);
+                parameters::ui(ui, &mut self.state.model, &mut self.state.photograph, &mut self.state.cameras);
             });
             name_handle(ui, "parameters", t.panel_width);
         }
@@ -174,7 +176,11 @@ impl App {
             egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                why::ui(ui, &mut self.state);
+                let State { model, explain, learn, .. } = &mut self.state;
+                why::ui(ui, model, explain, &mut |ui, model, part| match part {
+                    why::Part::Head => exercises::head(ui, model, learn),
+                    why::Part::Content => exercises::ui(ui, model, learn),
+                });
             });
             name_handle(ui, id, t.panel_width);
         }
@@ -185,12 +191,12 @@ impl App {
         let share = if self.state.model.settings.numbers_open { 0.56 } else { 0.8 };
         let half = ui.available_height() * share;
         egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
-            operations::ui(ui, &mut self.state);
+            operations::ui(ui, &mut self.state.model, &mut self.state.operations);
             focus::keep_in_sight(ui);
         });
         ui.add_space(4.0);
         egui::ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
-            values::ui(ui, &mut self.state);
+            values::ui(ui, &mut self.state.model);
             focus::keep_in_sight(ui);
         });
     }
@@ -204,13 +210,13 @@ impl App {
         }
         self.act(&ctx);
         self.state.coach.check_camera(&mut self.state.model, &ctx);
-        presentation::show(&ctx, &mut self.state, pictures.response.rect);
+        presentation::show(&ctx, &mut self.state.model, &mut self.state.annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
         if let Some(command) = of_bar {
             self.perform(&ctx, command);
         }
-        let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
+        let of_speaker = lesson::speaker_window(&ctx, &mut self.state.model, &mut self.state.learn);
         // Its window does not know of questions in this one.
         let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = called.of_lesson.or(of_speaker) {
@@ -225,7 +231,7 @@ impl App {
             ctx.request_repaint();
         }
         self.act(ctx);
-        drop_hint(ctx, &self.state);
+        drop_hint(ctx, &self.state.model);
         self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
     }
@@ -283,14 +289,14 @@ fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
 }
 
 /// Tells the effect of dropping a file that is held over the window.
-fn drop_hint(ctx: &egui::Context, state: &State) {
+fn drop_hint(ctx: &egui::Context, model: &Model) {
     if ctx.input(|input| input.raw.hovered_files.is_empty()) {
         return;
     }
     let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
     let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
     painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
-    let text = window::texts(state.model.settings.lang).drop_here;
+    let text = window::texts(model.settings.lang).drop_here;
     let font = egui::FontId::proportional(24.0);
     painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
 }

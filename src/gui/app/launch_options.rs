@@ -2,11 +2,11 @@
 //! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure
 //! inside a page.
 
+use crate::gui::model::Model;
 use percent_encoding::percent_decode_str;
 
 use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
-use crate::gui::app::state::State;
 use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};
@@ -60,17 +60,17 @@ impl LaunchOptions {
     }
 
     /// Sets a window up so, but for the lesson.
-    pub fn apply(self, state: &mut State) {
-        let settings = &mut state.model.settings;
+    pub fn apply(self, model: &mut Model) {
+        let settings = &mut model.settings;
         settings.lang = self.lang.unwrap_or(settings.lang);
         settings.theme = self.theme.unwrap_or(settings.theme);
         if self.bare {
             settings.bare = true;
             settings.panels.wanted = [false; 3];
-            state.model.layout.strip = false;
+            model.layout.strip = false;
         }
         if let Some(views) = self.views {
-            state.model.layout.shown = View::ALL.map(|view| views.contains(view));
+            model.layout.shown = View::ALL.map(|view| views.contains(view));
         }
     }
 
@@ -97,6 +97,7 @@ mod tests {
 
     use super::*;
     use crate::gui::Start;
+    use crate::gui::State;
 
     #[test]
     fn an_address_says_what_is_shown_and_what_it_does_not_know_is_told() {
@@ -111,7 +112,7 @@ mod tests {
         };
         assert_eq!(asked, all);
         let mut state = State::new(Start::default()).unwrap();
-        asked.apply(&mut state);
+        asked.apply(&mut state.model);
         assert_eq!((state.model.layout.shown, state.model.settings.panels.wanted), ([false, false, true], [false; 3]));
         assert_eq!(
             (state.model.settings.lang, state.model.settings.theme, state.model.settings.bare),

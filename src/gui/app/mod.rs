@@ -155,7 +155,7 @@ impl App {
         };
         let mut shortcuts: Vec<_> = Command::all()
             .filter(|command| !(typing && command.is_for_text_too()))
-            .flat_map(|command| command.keys(&self.state).map(move |keys| (keys, command)))
+            .flat_map(|command| command.keys(&self.state.model).map(move |keys| (keys, command)))
             .collect();
         if self.state.model.settings.presentation && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::KEYS);

@@ -1,5 +1,8 @@
 //! One search for everything in the window: commands, parameters, explanations, matrices, notes, exercises, figures.
 
+use crate::gui::app::search_state::Search;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use std::borrow::Cow;
 
 use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
@@ -98,8 +101,8 @@ const MATRICES: [NamedMatrix; 3] = [
 ];
 
 /// Everything that can be found, in the order in which equally good results are listed.
-fn entries(state: &State) -> Vec<Entry> {
-    let lang = state.model.settings.lang;
+fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
+    let lang = model.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
     let mut all = Vec::new();
     for Descriptor { freedom, .. } in &OPERATIONS {
@@ -127,7 +130,7 @@ fn entries(state: &State) -> Vec<Entry> {
             about: about.into(),
         });
     }
-    for command in Command::all().filter(|command| *command != Command::Search && command.is_there(state)) {
+    for command in Command::all().filter(|command| *command != Command::Search && command.is_there(model)) {
         let (title, about) = (command.label(t_window), command.hint(t_window));
         all.push(Entry { target: Target::Command(command), kind: t.command, title: title.into(), about: about.into() });
     }
@@ -183,7 +186,7 @@ fn entries(state: &State) -> Vec<Entry> {
             about: note.searched().into(),
         });
     }
-    for entry in state.learn.exercises.entries() {
+    for entry in learn.exercises.entries() {
         let title = exercise_words::title(lang, entry).to_owned();
         let about = format!("{} {}", entry.id, entry.source);
         all.push(Entry {
@@ -227,10 +230,10 @@ fn controls(lang: Lang) -> Vec<Entry> {
 }
 
 /// The results, best first: where the words begin the title, are in it, are elsewhere; the same by other names.
-fn found(state: &State) -> Vec<Entry> {
-    let called = also_called(&state.search.wanted);
+fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
+    let called = also_called(&search.wanted);
     // The ways of shading are its choices.
-    let shading = Target::Parameter(Tab::Drawing, window::texts(state.model.settings.lang).shading);
+    let shading = Target::Parameter(Tab::Drawing, window::texts(model.settings.lang).shading);
     let rank = |entry: &Entry| {
         let title = folded(&entry.title);
         let whole = format!("{title} {}", folded(&entry.about));
@@ -248,7 +251,8 @@ fn found(state: &State) -> Vec<Entry> {
         let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
         [own, others].into_iter().flatten().min()
     };
-    let mut ranked: Vec<_> = entries(state).into_iter().filter_map(|entry| Some((rank(&entry)?, entry))).collect();
+    let mut ranked: Vec<_> =
+        entries(model, learn).into_iter().filter_map(|entry| Some((rank(&entry)?, entry))).collect();
     ranked.sort_by_key(|(rank, _)| *rank);
     ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
 }
@@ -260,7 +264,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
     let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.title);
-    let results = found(state);
+    let results = found(&state.model, &state.learn, &state.search);
     let last = results.len().saturating_sub(1);
     let before = state.search.wanted.clone();
     let (mut chosen, enter) = ui.input_mut(|input| {
@@ -317,7 +321,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
 fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
     let keys = match &entry.target {
         Target::Command(command) => {
-            command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
+            command.keys(&state.model).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
         }
         _ => None,
     };
@@ -386,7 +390,11 @@ mod tests {
         let mut state =
             State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).expect("nothing is opened");
         state.search.wanted = wanted.to_owned();
-        found(&state).into_iter().take(3).map(|entry| entry.title.into_owned()).collect()
+        found(&state.model, &state.learn, &state.search)
+            .into_iter()
+            .take(3)
+            .map(|entry| entry.title.into_owned())
+            .collect()
     }
 
     #[test]

@@ -222,7 +222,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
-        Purpose::CompareWith => compare::with_file(state, path),
+        Purpose::CompareWith => compare::with_file(&mut state.model, &mut state.file_flow, path),
         Purpose::Texture(object) => texture(state, &object, path),
         Purpose::Photograph => photograph(state, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed),

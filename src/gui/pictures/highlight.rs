@@ -1,12 +1,12 @@
 //! The selection of the tree, marked in the pictures.
 
+use crate::gui::model::Model;
 use std::collections::BTreeSet;
 
 use glam::{DMat4, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
-use crate::gui::app::state::State;
 use crate::gui::background::memo::Memo;
 use crate::gui::model::scene_tree::Selected;
 use crate::scene::edit::{descendants, placement};
@@ -24,13 +24,13 @@ const MOST_EDGES: usize = 400;
 
 impl Highlight {
     /// The scene that the pictures show.
-    pub(in crate::gui) fn scene(&mut self, state: &State) -> SharedScene {
-        let (scene, figure) = (state.model.scene_cache.scene(), state.model.document.figure());
-        let Some(selected) = state.model.tree.selected(&figure.scene) else {
+    pub(in crate::gui) fn scene(&mut self, model: &Model) -> SharedScene {
+        let (scene, figure) = (model.scene_cache.scene(), model.document.figure());
+        let Some(selected) = model.tree.selected(&figure.scene) else {
             self.marked.forget();
             return scene.clone();
         };
-        let key = (scene.clone(), selected.clone(), state.model.tree.also().clone(), state.model.settings.theme);
+        let key = (scene.clone(), selected.clone(), model.tree.also().clone(), model.settings.theme);
         let mark = |(scene, selected, also, theme): &(SharedScene, Selected, BTreeSet<String>, Theme)| {
             let color = Palette::of(*theme).probe;
             let mut marked = Scene::clone(scene);

@@ -20,6 +20,12 @@ mod status;
 mod strip;
 mod texture;
 
+use crate::gui::app::annotations::Annotations;
+use crate::gui::inspector::state::coach::Coach;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::pictures::labels::label_mode::LabelMode;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -196,9 +202,9 @@ impl Canvas {
     }
 
     /// A picture of the shot with what the pointer adds to it.
-    fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
-        let (camera, scene) = (state.model.document.camera(), state.model.scene_cache.scene());
-        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(state.model.settings.lang), size);
+    fn request(&self, model: &Model, picture: &Picture, size: Size) -> Request {
+        let (camera, scene) = (model.document.camera(), model.scene_cache.scene());
+        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
 
@@ -210,13 +216,13 @@ impl Canvas {
 
     /// True if Esc would let go of something in a picture.
     #[must_use]
-    pub fn holds_something(&self, state: &State) -> bool {
+    pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
         self.drag.is_some()
-            || state.label_mode.on
-            || state.photograph.on
+            || label_mode.on
+            || photograph.on
             || self.is_probing()
-            || state.model.pinned().is_some()
-            || state.model.can_release_shown()
+            || model.pinned().is_some()
+            || model.can_release_shown()
     }
 
     /// The command that was chosen in a context menu, once.
@@ -251,49 +257,49 @@ impl Canvas {
         self.hover = Hover {
             ghost: state.model.hover.ghost.clone(),
             measured: state.model.hover.measured.clone(),
-            object: why::object_transform(state),
-            gizmo: Movable::selected(state).map(|movable| movable.gizmo),
+            object: why::object_transform(&state.model),
+            gizmo: Movable::selected(&state.model).map(|movable| movable.gizmo),
             ..Hover::default()
         };
         self.shot = state.model.shot(std::mem::take(&mut self.shot.pictures));
         self.shot.pictures.truncate(MAX_PICTURES);
         self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
-        let mut panes = self.panes(ui, pictures, state, texts);
+        let mut panes = self.panes(ui, pictures, &mut state.model, texts);
         self.pictures.iter_mut().for_each(|picture| picture.place = None);
         for pane in &panes {
             self.pictures[pane.picture].place = Some(pane.rect.rect);
             state.model.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
             state.model.screen_scale = pane.rect.size.scale;
         }
-        self.settle_observers(ui, state, &mut panes);
+        self.settle_observers(ui, &mut state.model, &mut panes);
         let mut status = self.interact(ui, state, &panes, texts);
-        self.pin_clicked(&ctx, state);
-        self.take_click(&ctx, state);
-        self.take_probe_steps(&ctx, state, &panes);
+        self.pin_clicked(&ctx, &mut state.model);
+        self.take_click(&ctx, &mut state.model, &mut state.explain);
+        self.take_probe_steps(&ctx, &mut state.model, &panes);
         state.model.probe = state.model.pinned().or(self.hover.probe);
         state.model.seen = Picture::observers(&self.shot.pictures);
-        self.draw(ui, state, &mut panes);
-        self.decorate(ui, state, &panes, texts);
-        self.axis_cross(ui, state, &panes, texts);
-        self.outline_labels(ui, state, &panes);
-        self.labels_card(ui, state, &panes);
+        self.draw(ui, &mut state.model, &mut state.learn, &mut state.annotations, &mut panes);
+        self.decorate(ui, &state.model, &panes, texts);
+        self.axis_cross(ui, &state.model, &panes, texts);
+        self.outline_labels(ui, &state.label_mode, &panes);
+        self.labels_card(ui, &mut state.model, &mut state.label_mode, &panes);
         Self::marks(ui, state.learn.placing(&state.model, &state.operations).as_ref(), &panes);
-        Self::wipers(ui, state, &panes);
-        Self::photograph_lines(ui, state, &panes);
-        Self::photograph_card(ui, state, &panes);
+        Self::wipers(ui, &mut state.model, &panes);
+        Self::photograph_lines(ui, &mut state.model, &mut state.photograph, &panes);
+        Self::photograph_card(ui, &mut state.model, &mut state.photograph, &panes);
 
         if state.model.layout.strip {
-            self.strip(ui, stages, state, texts);
+            self.strip(ui, stages, &mut state.model, texts);
         }
 
         // Below the titles, whose buttons a card would cover.
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
-        self.describe_probe((ui, room), &panes, state, &mut status, texts);
-        self.say_why_empty(ui, state, &panes);
-        status.coach = Brief::of(state);
+        self.describe_probe((ui, room), &panes, &mut state.model, &mut status, texts);
+        self.say_why_empty(ui, &mut state.model, &mut state.coach, &panes);
+        status.coach = Brief::of(&state.model, &state.coach);
         status.presenting = state.model.settings.presentation;
-        status.keys = presentation::keys(&ctx, state);
-        let loading = loading(state);
+        status.keys = presentation::keys(&ctx, &mut state.model, &mut state.learn, &mut state.annotations);
+        let loading = loading(&state.model);
         if !loading.is_empty() {
             status.message = loading;
         }
@@ -318,63 +324,60 @@ impl Canvas {
     }
 
     /// The axes in the corner of the world. A presentation, and a figure inside of a text, show the picture alone.
-    fn axis_cross(&mut self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
-        let is_alone = state.model.settings.presentation || state.model.settings.bare;
+    fn axis_cross(&mut self, ui: &Ui, model: &Model, panes: &[Pane], texts: &CanvasTexts) {
+        let is_alone = model.settings.presentation || model.settings.bare;
         let world = panes.iter().find(|pane| pane.view == View::World && !is_alone);
         let Some((pane, observer)) = world.and_then(|pane| Some((pane, pane.request.seen_from()?))) else { return };
-        if let Some(change) = axis_cross::show(ui, pane.rect.rect, &observer, texts, state.model.settings.theme) {
+        if let Some(change) = axis_cross::show(ui, pane.rect.rect, &observer, texts, model.settings.theme) {
             self.asked = Some((pane.picture, change));
             ui.request_repaint();
         }
     }
 
     /// Explains an empty image, in it.
-    fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
+    fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, coach: &mut Coach, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
         if let Some(pane) = image.filter(is_there) {
-            coach::why_empty(ui, pane.rect.rect, state);
+            coach::why_empty(ui, pane.rect.rect, model, coach);
         }
     }
 
     /// The stages of the pipeline, as they were for the picture that is on the screen.
-    fn strip(&self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) {
-        let view = state.model.layout.strip_of;
-        let hidden = !state.model.layout.is_shown(view);
+    fn strip(&self, ui: &mut Ui, room: Rect, model: &mut Model, texts: &CanvasTexts) {
+        let view = model.layout.strip_of;
+        let hidden = !model.layout.is_shown(view);
         let account = self.picture_of(view).and_then(|picture| picture.account.as_ref()).filter(|_| !hidden);
         focus::region(ui, room, Region::Strip, texts.strip);
-        let strip =
-            Strip { lang: state.model.settings.lang, texts, view, account, hidden, shown: state.model.shown_stage() };
+        let strip = Strip { lang: model.settings.lang, texts, view, account, hidden, shown: model.shown_stage() };
         match strip.show(ui, room) {
             None => return,
-            Some(StripAction::Of(view)) => state.model.list_stages_of(view),
-            Some(StripAction::Close) => state.model.layout.strip = false,
-            Some(StripAction::Show(stage)) => state.model.toggle_stage(stage),
+            Some(StripAction::Of(view)) => model.list_stages_of(view),
+            Some(StripAction::Close) => model.layout.strip = false,
+            Some(StripAction::Show(stage)) => model.toggle_stage(stage),
         }
         ui.request_repaint();
     }
 
     /// Lays the pictures out, with their titles and the bars between them.
-    fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
-        let alone =
-            (state.model.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| state.model.main_picture());
+    fn panes(&mut self, ui: &mut Ui, room: Rect, model: &mut Model, texts: &CanvasTexts) -> Vec<Pane> {
+        let alone = (model.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| model.main_picture());
         let is_visible = |view| {
-            state.model.layout.is_shown(view)
-                && (state.model.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
+            model.layout.is_shown(view) && (model.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
         };
         let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| is_visible(shown.kind));
         let framed = |(picture, shown): (usize, &Picture)| Framed {
             picture,
-            aspect: aspect_shown(shown.kind, state.model.document.figure().image),
+            aspect: aspect_shown(shown.kind, model.document.figure().image),
         };
         let mut framed: Vec<Framed> = visible.map(framed).collect();
-        if state.model.shows_explanation(Explanation::Steps) {
+        if model.shows_explanation(Explanation::Steps) {
             // What moves has the largest place.
             framed.sort_by_key(|framed| self.shot.pictures[framed.picture].kind != View::Canonical);
         }
-        let presenting = state.model.settings.presentation;
-        let panels = if presenting { 0 } else { 2 - usize::from(state.model.settings.panels.narrow) };
-        let arrangement = state.model.layout.arrangement;
+        let presenting = model.settings.presentation;
+        let panels = if presenting { 0 } else { 2 - usize::from(model.settings.panels.narrow) };
+        let arrangement = model.layout.arrangement;
         let arrangement = arrangement.unwrap_or_else(|| automatic(ui.ctx().content_rect().size(), panels, &framed));
         let (rects, bars) = arrange(room, &framed, arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
@@ -396,78 +399,81 @@ impl Canvas {
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
             let heading = Title {
                 view,
-                name: if view == View::Canonical && state.model.is_on_the_way() {
+                name: if view == View::Canonical && model.is_on_the_way() {
                     texts.on_the_way
                 } else {
                     texts.view(view)
                 },
                 texts,
-                linked: state.model.layout.linked,
-                maximized: state.model.layout.maximized == Some(view),
+                linked: model.layout.linked,
+                maximized: model.layout.maximized == Some(view),
                 quiet: presenting,
-                can_hide: state.model.layout.maximized.is_none() && framed.len() > 1,
-                undistorted: undistorted(state).filter(|_| view == View::Image),
-                section: (view == View::World).then_some(state.model.document.figure().world.section),
+                can_hide: model.layout.maximized.is_none() && framed.len() > 1,
+                undistorted: undistorted(model).filter(|_| view == View::Image),
+                section: (view == View::World).then_some(model.document.figure().world.section),
             };
             let mut action = heading.show(ui, title);
-            let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.model.settings.stroke_scale());
+            let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), model.settings.stroke_scale());
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
-            let description = words::describe(
-                state.model.settings.lang,
-                view,
-                state.model.document.camera(),
-                state.model.document.figure().image,
-            );
+            let description =
+                words::describe(model.settings.lang, view, model.document.camera(), model.document.figure().image);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
-            let t = window::texts(state.model.settings.lang);
+            let t = window::texts(model.settings.lang);
             response.context_menu(|ui| action = heading.context_menu(ui, t).or(action.take()));
-            self.take_action(ui, state, (picture, view), action);
+            self.take_action(ui, model, (picture, view), action);
             focus::note(ui.ctx(), Region::Picture(picture), response.id, rect);
-            let request = self.request(state, &self.shot.pictures[picture], pane_rect.size);
+            let request = self.request(model, &self.shot.pictures[picture], pane_rect.size);
             panes.push(Pane { picture, view, rect: pane_rect, response, request });
         }
         panes
     }
 
-    fn take_action(&mut self, ui: &Ui, state: &mut State, (picture, view): (usize, View), action: Option<TitleAction>) {
+    fn take_action(&mut self, ui: &Ui, model: &mut Model, (picture, view): (usize, View), action: Option<TitleAction>) {
         match action {
             None => return,
             Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
-            Some(TitleAction::ToggleLink) => state.model.layout.linked = !state.model.layout.linked,
-            Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
-            Some(TitleAction::Hide) => state.model.layout.shown[view.index()] = false,
-            Some(TitleAction::ToggleSection) => state.model.document.edit(|figure| figure.world.section ^= true),
+            Some(TitleAction::ToggleLink) => model.layout.linked = !model.layout.linked,
+            Some(TitleAction::ToggleMaximized) => toggle_maximized(model, view),
+            Some(TitleAction::Hide) => model.layout.shown[view.index()] = false,
+            Some(TitleAction::ToggleSection) => model.document.edit(|figure| figure.world.section ^= true),
             Some(TitleAction::Do(command)) => self.wanted = Some(command),
             Some(TitleAction::ToggleUndistorted) => {
-                state.model.document.edit(|figure| figure.undistorted = !figure.undistorted);
+                model.document.edit(|figure| figure.undistorted = !figure.undistorted);
             }
         }
         ui.request_repaint();
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
-    fn draw(&mut self, ui: &Ui, state: &mut State, panes: &mut [Pane]) {
+    fn draw(
+        &mut self,
+        ui: &Ui,
+        model: &mut Model,
+        learn: &mut Learn,
+        annotations: &mut Annotations,
+        panes: &mut [Pane],
+    ) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
-        let style = state.model.style();
-        let scene = self.highlight.scene(state);
+        let style = model.style();
+        let scene = self.highlight.scene(model);
         for pane in panes.iter_mut() {
             let Pane { picture, view, ref mut request, .. } = *pane;
             // What pointer and keys have changed in this frame.
             let shown = &self.shot.pictures[picture];
-            request.camera = shown.camera.as_ref().unwrap_or(state.model.document.camera()).rounded();
+            request.camera = shown.camera.as_ref().unwrap_or(model.document.camera()).rounded();
             (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;
             }
             let request = Request { scene: scene.clone(), ..pane.request.clone() };
             let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, self.patience);
-            let accounted = state.model.accounts_for_stages() && state.model.layout.strip_of == pane.view;
-            if !state.annotations.frozen {
+            let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;
+            if !annotations.frozen {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
             }
         }
-        let fades = state.learn.lesson.as_ref().map_or(0, |playing| playing.fades);
+        let fades = learn.lesson.as_ref().map_or(0, |playing| playing.fades);
         if std::mem::replace(&mut self.faded, fades) < fades {
             let now = ui.input(|input| input.time);
             self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));
@@ -481,14 +487,14 @@ impl Canvas {
             let is_known =
                 |new: &OverBudget| self.pictures.iter().any(|picture| picture.over_budget.as_ref() == Some(new));
             if let Some(over_budget) = over_budget.as_ref().filter(|new| !is_known(new)) {
-                state.model.say(Message::OverBudget(over_budget.clone()));
+                model.say(Message::OverBudget(over_budget.clone()));
             }
             let picture = &mut self.pictures[i];
-            picture.texture.set(ctx, words::texts(state.model.settings.lang).view(shown.kind), tiles);
+            picture.texture.set(ctx, words::texts(model.settings.lang).view(shown.kind), tiles);
             (picture.missing, picture.account, picture.over_budget) = (missing, account, over_budget);
             picture.labels = labels;
         }
-        self.report(ctx, state);
+        self.report(ctx, model);
         let palette = Palette::of(style.theme);
         for pane in panes.iter() {
             let texture = &mut self.pictures[pane.picture].texture;
@@ -502,19 +508,19 @@ impl Canvas {
     }
 
     /// Tells the side of explanations how the picture came about.
-    fn report(&self, ctx: &eframe::egui::Context, state: &mut State) {
-        let of = state.model.layout.strip_of;
-        let is_asked = state.model.shows_explanation(Explanation::Stages) && state.model.layout.is_shown(of);
+    fn report(&self, ctx: &eframe::egui::Context, model: &mut Model) {
+        let of = model.layout.strip_of;
+        let is_asked = model.shows_explanation(Explanation::Stages) && model.layout.is_shown(of);
         let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
         let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
-        if state.model.explained.reports != reports {
-            state.model.explained.reports = reports.to_vec();
+        if model.explained.reports != reports {
+            model.explained.reports = reports.to_vec();
             ctx.request_repaint();
         }
     }
 
     /// Overlays of the pictures: borders, the focus ring, the cross hairs of the pointer.
-    fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
+    fn decorate(&self, ui: &Ui, model: &Model, panes: &[Pane], texts: &CanvasTexts) {
         for pane in panes {
             let rect = pane.rect.rect;
             let border = ui.visuals().widgets.noninteractive.bg_stroke;
@@ -531,7 +537,7 @@ impl Canvas {
                 let color = ui.visuals().error_fg_color;
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
             }
-            note(ui, rect, &loading(state));
+            note(ui, rect, &loading(model));
             if pane.view == View::Image && pane.response.hovered() && self.drag.is_none() {
                 cross(ui, pane);
             }
@@ -541,19 +547,19 @@ impl Canvas {
 
 /// Whether the image is shown as the eye would see it; `None` if its pixels are square, so that it makes no
 /// difference.
-fn undistorted(state: &State) -> Option<bool> {
-    let figure = state.model.document.figure();
-    let differs = state.model.document.camera().aspect_warning(figure.image).is_some();
+fn undistorted(model: &Model) -> Option<bool> {
+    let figure = model.document.figure();
+    let differs = model.document.camera().aspect_warning(figure.image).is_some();
     (differs || figure.undistorted).then_some(figure.undistorted)
 }
 
 /// The mesh files being read, in a sentence. Empty if there are none.
-fn loading(state: &State) -> String {
-    let files = state.model.scene_cache.loading();
+fn loading(model: &Model) -> String {
+    let files = model.scene_cache.loading();
     if files.is_empty() {
         return String::new();
     }
-    format!("{} {}…", window::scenes::texts(state.model.settings.lang).loading, files.join(", "))
+    format!("{} {}…", window::scenes::texts(model.settings.lang).loading, files.join(", "))
 }
 
 /// A sentence over a picture.
@@ -570,8 +576,8 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
 }
 
 /// Gives a picture all the room, or gives it back.
-fn toggle_maximized(state: &mut State, view: View) {
-    state.model.layout.maximized = if state.model.layout.maximized == Some(view) { None } else { Some(view) };
+fn toggle_maximized(model: &mut Model, view: View) {
+    model.layout.maximized = if model.layout.maximized == Some(view) { None } else { Some(view) };
 }
 
 /// Two lines that cross at the pointer, within the frame of the image.

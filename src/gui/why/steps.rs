@@ -1,6 +1,8 @@
 //! The explanation of steps. The view volume becomes the canonical one, step by step, in the picture of the canonical
 //! volume; here its factors.
 
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use std::time::Duration;
 
 use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, Slider, Ui};
@@ -10,7 +12,6 @@ use super::answer::{self, Writing};
 use crate::camera::{Camera, Decomposition, Factor};
 use crate::explain::{EntryFormula, Setting, entry_product, factor_entries};
 use crate::figure::ShownStep;
-use crate::gui::app::state::State;
 use crate::gui::inspector::values::brackets;
 use crate::gui::kit::mathematics::Both;
 use crate::gui::kit::theme;
@@ -29,41 +30,41 @@ use crate::numbers::without_rests;
 use crate::views::View;
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let lang = state.model.settings.lang;
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
-    let camera = state.model.document.camera().clone();
+    let camera = model.document.camera().clone();
     let now = ui.input(|input| input.time);
-    let now_shown = state.model.shown().step.map_or(state.model.explained.steps.way, |step| step.way);
+    let now_shown = model.shown().step.map_or(model.explained.steps.way, |step| step.way);
     let way = sources(ui, lang, &camera, now_shown);
-    let mut shown = state.model.shown().step.filter(|step| step.way == way).unwrap_or(ShownStep { way, at: None });
-    state.model.explained.steps.way = way;
+    let mut shown = model.shown().step.filter(|step| step.way == way).unwrap_or(ShownStep { way, at: None });
+    model.explained.steps.way = way;
     let Some(factors) = camera.decomposed(way) else {
         ui.label(command_line::no_steps(lang, way));
-        state.model.document.show_mut().step = Some(shown);
+        model.document.show_mut().step = Some(shown);
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        state.model.actions.push(Action::Animation(way));
+        model.actions.push(Action::Animation(way));
     }
-    let steps = &mut state.model.explained.steps;
+    let steps = &mut model.explained.steps;
     shown = steps.advance(shown, now, &camera);
     controls(ui, t, &camera, (steps, &mut shown), now);
     if steps.plays() {
         // Whole steps do not move in between.
-        let pause = if state.model.settings.reduce_motion { 200 } else { 0 };
+        let pause = if model.settings.reduce_motion { 200 } else { 0 };
         ui.ctx().request_repaint_after(Duration::from_millis(pause));
     }
-    if !state.model.layout.is_shown(View::Canonical) {
+    if !model.layout.is_shown(View::Canonical) {
         ui.label(t.steps_hidden);
     }
-    list(ui, lang, &camera, &factors, (&mut state.model.explained.steps, &mut shown));
-    state.model.document.show_mut().step = Some(shown);
+    list(ui, lang, &camera, &factors, (&mut model.explained.steps, &mut shown));
+    model.document.show_mut().step = Some(shown);
     let time = time_of(shown, &camera);
     ui.separator();
     match running(time).checked_sub(1) {
         None => drop(ui.label(t.nothing_done)),
-        Some(last) => matrices_of(ui, state, &camera, (way, &factors, last), time),
+        Some(last) => matrices_of(ui, model, &camera, (way, &factors, last), time),
     }
     ui.separator();
     let ndc = way.ndc();
@@ -82,21 +83,21 @@ fn running(time: f64) -> usize {
 /// The matrix of the step that runs, the product as far as steps are done, and the explanation of the chosen entry.
 fn matrices_of(
     ui: &mut Ui,
-    state: &mut State,
+    model: &mut Model,
     camera: &Camera,
     (way, factors, last): (Decomposition, &[Factor], usize),
     time: f64,
 ) {
-    let lang = state.model.settings.lang;
-    let figure = state.model.document.figure();
+    let lang = model.settings.lang;
+    let figure = model.document.figure();
     let setting = Setting::new(camera.possible_clip_space(way.ndc()), figure.image, figure.viewport);
-    let writing = Writing { setting: &setting, lang, digits: state.model.settings.digits.min(5) };
+    let writing = Writing { setting: &setting, lang, digits: model.settings.digits.min(5) };
     let done = factors.iter().take(last + usize::from((last + 1) as f64 <= time + 1e-9)).copied().collect::<Vec<_>>();
     let formulas: Vec<EntryFormula> =
         factors.iter().take(last + 1).map(|factor| factor_entries(factor.step, &setting)).collect();
     let (Some(factor), Some(of_factor)) = (factors.get(last), formulas.last()) else { return };
     let shown = [
-        Some((words::factor(lang, last + 1), of_factor.clone(), factor.matrix, state.model.explained.matrices.reading)),
+        Some((words::factor(lang, last + 1), of_factor.clone(), factor.matrix, model.explained.matrices.reading)),
         (done.len() > 1).then(|| {
             let formulas =
                 formulas.iter().take(done.len()).cloned().reduce(|before, next| entry_product(&next, &before));
@@ -108,25 +109,25 @@ fn matrices_of(
             )
         }),
     ];
-    reading(ui, words::texts(lang), &mut state.model.explained.matrices.reading);
+    reading(ui, words::texts(lang), &mut model.explained.matrices.reading);
     for (place, (name, formulas, matrix, reading)) in shown.into_iter().flatten().enumerate() {
         ui.push_id(("step", place), |ui| {
             ui.label(RichText::new(&name).strong());
             let rows = matrix.transpose().to_cols_array_2d().map(|row| without_rests(&row, writing.digits));
             let values = rows.map(|row| std::array::from_fn(|j| row[j] + 0.0));
-            let cells = cells(state, writing, (&name, &formulas, reading), &values, |_| 0.0);
-            let chosen = state.model.explained.steps.entry.filter(|(of, _)| *of == place).map(|(_, entry)| entry);
+            let cells = cells(model, writing, (&name, &formulas, reading), &values, |_| 0.0);
+            let chosen = model.explained.steps.entry.filter(|(of, _)| *of == place).map(|(_, entry)| entry);
             let pointed =
                 entries::show(ui, &cells, (chosen.unwrap_or([usize::MAX; 2]), false), notes::of_step(factor.step));
             if let Some(entry) = pointed.chosen {
-                state.model.explained.steps.entry = Some((place, entry));
+                model.explained.steps.entry = Some((place, entry));
             }
             if let Some([row, column]) = pointed.hovered.or(chosen) {
                 let (text, place) = (format!("m_{}{}", row + 1, column + 1), format!("{}{}", row + 1, column + 1));
                 let name = Both { latex: format!("m_{{{place}}}"), text };
                 let entry = (&formulas[row][column], values[row][column]);
-                let lit = answer::show(ui, writing, &name, entry, &mut state.model.explained.matrices);
-                state.model.hover.measured.extend(answer::lights(entry.0, lit));
+                let lit = answer::show(ui, writing, &name, entry, &mut model.explained.matrices);
+                model.hover.measured.extend(answer::lights(entry.0, lit));
             } else {
                 ui.label(RichText::new(words::texts(lang).click_an_entry).small().weak());
             }

@@ -1,5 +1,6 @@
 //! The rows of the commands: words, keys, when each can be done, and what it does.
 
+use crate::gui::learn::Learn;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
 use super::Command::{self, *};
@@ -157,8 +158,12 @@ pub const MENUS: &[Menu] = &[
                     .enabled(|s| !s.model.document.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
                 Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
-                Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| kept_camera::keep_as_a(s)),
-                Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| kept_camera::swap(s)),
+                Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| {
+                    kept_camera::keep_as_a(&mut s.model, &mut s.camera_a)
+                }),
+                Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| {
+                    kept_camera::swap(&mut s.model, &mut s.camera_a)
+                }),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
                 Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),
             ],
@@ -249,7 +254,7 @@ pub const MENUS: &[Menu] = &[
                     alt(Key::C),
                     |t| lesson_words(t, |t| (t.text_command, t.text_hint)),
                     |s, _| {
-                        change_lesson(s, |playing| playing.shows_text ^= true);
+                        change_lesson(&mut s.learn, |playing| playing.shows_text ^= true);
                     },
                 )
                 .in_lesson(|s| s.learn.lesson.is_some())
@@ -260,7 +265,7 @@ pub const MENUS: &[Menu] = &[
                     |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
                     |s, _| {
                         let presents = s.model.settings.presentation;
-                        change_lesson(s, |playing| playing.go_on_asking(presents));
+                        change_lesson(&mut s.learn, |playing| playing.go_on_asking(presents));
                     },
                 )
                 .in_lesson(|s| s.learn.lesson.is_some())
@@ -270,7 +275,7 @@ pub const MENUS: &[Menu] = &[
                     alt(Key::N),
                     |t| lesson_words(t, |t| (t.notes_command, t.notes_hint)),
                     |s, _| {
-                        change_lesson(s, |playing| playing.shows_notes ^= true);
+                        change_lesson(&mut s.learn, |playing| playing.shows_notes ^= true);
                     },
                 )
                 .in_lesson(|s| s.learn.lesson.is_some())
@@ -465,8 +470,8 @@ fn write_lesson(state: &mut State, ctx: &Context) {
     }
 }
 
-fn change_lesson(state: &mut State, change: impl FnOnce(&mut Playing)) {
-    if let Some(playing) = &mut state.learn.lesson {
+fn change_lesson(learn: &mut Learn, change: impl FnOnce(&mut Playing)) {
+    if let Some(playing) = &mut learn.lesson {
         change(playing);
     }
 }
@@ -527,7 +532,7 @@ fn show_export(state: &mut State) {
 }
 
 fn copy_numbers(state: &mut State, ctx: &Context) {
-    ctx.copy_text(number_tables::text(state));
+    ctx.copy_text(number_tables::text(&state.model));
     state.model.say(Message::NumbersCopied);
 }
 

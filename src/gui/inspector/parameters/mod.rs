@@ -9,6 +9,9 @@ mod photograph;
 mod style;
 mod world_section;
 
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::model::Model;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use eframe::egui;
 use glam::DVec3;
 
@@ -18,7 +21,6 @@ use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::keep_in_sight;
-use crate::gui::app::state::State;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
@@ -34,21 +36,21 @@ use crate::numbers;
 use crate::scene::Preset;
 
 /// Shows the panel's content: one of its tabs.
-pub fn ui(ui: &mut egui::Ui, state: &mut State) {
-    tabs(ui, state);
-    let scroll = egui::ScrollArea::vertical().id_salt(state.model.settings.tab).auto_shrink(false);
-    match state.model.settings.tab {
+pub fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
+    tabs(ui, model);
+    let scroll = egui::ScrollArea::vertical().id_salt(model.settings.tab).auto_shrink(false);
+    match model.settings.tab {
         Tab::Camera => {
             scroll.show(ui, |ui| {
-                camera_tab(ui, state);
+                camera_tab(ui, model, photograph, cameras);
                 keep_in_sight(ui);
             });
         }
-        Tab::Scene => super::scene::ui(ui, state),
+        Tab::Scene => super::scene::ui(ui, model),
         Tab::Drawing => {
             scroll.show(ui, |ui| {
-                style::ui(ui, state);
-                world_section::ui(ui, state);
+                style::ui(ui, model);
+                world_section::ui(ui, model);
                 keep_in_sight(ui);
             });
         }
@@ -56,22 +58,22 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 }
 
 /// The heads of the tabs, side by side.
-fn tabs(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.model.settings.lang);
-    let drawing = scenes::texts(state.model.settings.lang).drawing;
+fn tabs(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let drawing = scenes::texts(model.settings.lang).drawing;
     ui.add_space(2.0);
     ui.columns(3, |columns| {
         let all = [(Tab::Camera, t.camera), (Tab::Scene, t.scene), (Tab::Drawing, drawing)];
         for (column, (tab, text)) in columns.iter_mut().zip(all) {
             let command = Command::Tab(tab);
-            let keys = written(column.ctx(), &command.shortcut(), state.model.settings.lang);
+            let keys = written(column.ctx(), &command.shortcut(), model.settings.lang);
             let hint = format!("{} ({keys})", command.hint(t));
-            let impossible = tab == Tab::Camera && state.model.document.problem().is_some();
+            let impossible = tab == Tab::Camera && model.document.problem().is_some();
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
             column.vertical_centered_justified(|ui| {
-                let button = egui::Button::selectable(state.model.settings.tab == tab, text).frame_when_inactive(true);
+                let button = egui::Button::selectable(model.settings.tab == tab, text).frame_when_inactive(true);
                 if ui.add(button).explained(hint).accessible_name(command.label(t)).clicked() {
-                    state.model.settings.tab = tab;
+                    model.settings.tab = tab;
                 }
             });
         }
@@ -79,35 +81,35 @@ fn tabs(ui: &mut egui::Ui, state: &mut State) {
     ui.add_space(2.0);
 }
 
-fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
-    let mut form = ParameterForm::new(state);
-    if form.error.is_some() && state.model.problem_out_of_sight {
+fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
+    let mut form = ParameterForm::new(model);
+    if form.error.is_some() && model.problem_out_of_sight {
         form.problem(ui);
         form.said = false;
     }
     camera::placement(ui, &mut form);
-    camera::projection(ui, &mut form, state);
+    camera::projection(ui, &mut form, model);
     camera::window(ui, &mut form);
-    state.model.hover.measured = form.measured;
-    state.model.hover.pointed = form.pointed;
-    state.model.problem_out_of_sight = form.error.is_some() && !form.said;
+    model.hover.measured = form.measured;
+    model.hover.pointed = form.pointed;
+    model.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
-        Some(camera) => state.model.document.set_camera(camera),
-        None => state.model.document.set_parameters(form.parameters),
+        Some(camera) => model.document.set_camera(camera),
+        None => model.document.set_parameters(form.parameters),
     }
     if let Some(lens) = form.new_lens {
-        state.model.document.set_lens(lens);
+        model.document.set_lens(lens);
     }
     if let Some(point) = form.follows {
-        state.model.follow_point(point);
-        state.model.show_explanation(Explanation::Point);
+        model.follow_point(point);
+        model.show_explanation(Explanation::Point);
     }
     if let Some(measure) = form.keeps {
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
-        state.model.document.edit_labels(|labels| labels.measure(measure, shown));
+        model.document.edit_labels(|labels| labels.measure(measure, shown));
     }
-    cameras::ui(ui, state);
-    image::ui(ui, state);
+    cameras::ui(ui, model, cameras);
+    image::ui(ui, model, photograph);
 }
 
 /// The camera's parameters while their fields are shown, and their faults.
@@ -139,22 +141,22 @@ struct ParameterForm {
 }
 
 impl ParameterForm {
-    fn new(state: &State) -> Self {
+    fn new(model: &Model) -> Self {
         Self {
-            t: window::texts(state.model.settings.lang),
-            lang: state.model.settings.lang,
-            preset: state.model.document.figure().scene.preset,
-            parameters: *state.model.document.draft(),
-            error: state.model.document.problem().cloned(),
-            good: state.model.document.camera().clone(),
-            lens: state.model.document.figure().lens_in_force(),
+            t: window::texts(model.settings.lang),
+            lang: model.settings.lang,
+            preset: model.document.figure().scene.preset,
+            parameters: *model.document.draft(),
+            error: model.document.problem().cloned(),
+            good: model.document.camera().clone(),
+            lens: model.document.figure().lens_in_force(),
             new_lens: None,
-            image: state.model.document.figure().image,
+            image: model.document.figure().image,
             replaced: None,
             said: false,
             measured: Vec::new(),
             pointed: Vec::new(),
-            kept: state.model.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
+            kept: model.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
             keeps: None,
             follows: None,
         }

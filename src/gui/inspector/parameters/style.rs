@@ -1,19 +1,19 @@
 //! The section about the style of the drawing.
 
+use crate::gui::model::Model;
 use eframe::egui;
 
 use super::row;
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
-use crate::gui::app::state::State;
 use crate::gui::inspector::{choice, more, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.model.settings.lang);
-    let old = state.model.document.figure().style;
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let old = model.document.figure().style;
     let mut style = old;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
@@ -54,9 +54,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         });
     });
     if style != old {
-        state.model.document.edit(|figure| figure.style = style);
+        model.document.edit(|figure| figure.style = style);
     }
     if opens {
-        state.model.show_explanation(Explanation::HiddenSurfaces);
+        model.show_explanation(Explanation::HiddenSurfaces);
     }
 }

@@ -44,8 +44,6 @@ pub struct Advice {
 #[derive(Debug)]
 pub struct Coach {
     advice: Latest<HealthRequest, Advice>,
-    /// The gap between two surfaces, in scene units, for the test whether they can be told apart.
-    pub gap: f64,
 }
 
 impl Default for Coach {
@@ -65,7 +63,7 @@ impl Default for Coach {
                 }
             }
         });
-        Self { advice, gap: 0.01 }
+        Self { advice }
     }
 }
 

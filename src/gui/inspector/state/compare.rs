@@ -1,11 +1,12 @@
 //! The comparison of the figure with itself in another way, with a kept camera or with another file.
 
+use crate::gui::files::questions::FileFlow;
+use crate::gui::model::Model;
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
 use crate::files;
-use crate::gui::app::state::State;
 use crate::gui::files::questions::Dialog;
 use crate::gui::model::message::Message;
 
@@ -35,75 +36,75 @@ impl CompareForm {
 }
 
 /// Ends the comparison: the views show the figure alone, framed as before.
-pub(in crate::gui) fn end(state: &mut State) {
-    if state.model.document.figure().compare.is_some() {
-        state.model.document.edit(|figure| figure.compare = None);
-        state.model.document.commit();
+pub(in crate::gui) fn end(model: &mut Model) {
+    if model.document.figure().compare.is_some() {
+        model.document.edit(|figure| figure.compare = None);
+        model.document.commit();
     }
 }
 
 /// Keeps the camera of the figure as A.
-pub(in crate::gui) fn keep_as_a(state: &mut State) {
-    state.camera_a = Some(Arc::new(state.model.document.figure().clone()));
-    state.model.say(Message::CameraKept);
+pub(in crate::gui) fn keep_as_a(model: &mut Model, camera_a: &mut Option<Arc<Figure>>) {
+    *camera_a = Some(Arc::new(model.document.figure().clone()));
+    model.say(Message::CameraKept);
 }
 
 /// Swaps the sides of the comparison; without one, compares with A.
-pub(in crate::gui) fn swap(state: &mut State) {
-    let figure = in_window(state);
-    let swapped = match (&figure.compare, state.camera_a.clone()) {
+pub(in crate::gui) fn swap(model: &mut Model, camera_a: &mut Option<Arc<Figure>>) {
+    let figure = in_window(model);
+    let swapped = match (&figure.compare, camera_a.clone()) {
         (Some(comparison), _) => comparison.swapped(&figure),
-        (None, Some(a)) => Some(compared_with(state, &a)),
-        (None, None) => return state.model.say(Message::NothingToSwap),
+        (None, Some(a)) => Some(compared_with(model, &a)),
+        (None, None) => return model.say(Message::NothingToSwap),
     };
     if let Some(figure) = swapped {
-        take(state, figure);
-        state.model.document.commit();
+        take(model, figure);
+        model.document.commit();
     }
 }
 
 /// Compares with the figure in a file.
-pub(in crate::gui) fn with_file(state: &mut State, path: &Path) {
+pub(in crate::gui) fn with_file(model: &mut Model, file_flow: &mut FileFlow, path: &Path) {
     match files::open_figure_with_any_camera(path) {
         Ok((opened, _)) => {
-            let is_same_scene = opened.figure.scene == state.model.document.figure().scene;
-            let figure = compared_with(state, &opened.figure);
-            take(state, figure);
-            state.model.document.commit();
-            state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.model.document.figure())));
+            let is_same_scene = opened.figure.scene == model.document.figure().scene;
+            let figure = compared_with(model, &opened.figure);
+            take(model, figure);
+            model.document.commit();
+            file_flow.dialog = Some(Dialog::Compare(CompareForm::of(model.document.figure())));
             if !is_same_scene {
-                state.model.say(Message::OtherScene(path.to_owned()));
+                model.say(Message::OtherScene(path.to_owned()));
             }
         }
-        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+        Err(error) => model.say(Message::File(path.to_owned(), error)),
     }
 }
 
 /// The figure compared with the camera and the ways of drawing of another one.
-pub(in crate::gui) fn compared_with(state: &State, other: &Figure) -> Figure {
-    let figure = in_window(state);
+pub(in crate::gui) fn compared_with(model: &Model, other: &Figure) -> Figure {
+    let figure = in_window(model);
     let before = figure.compare.clone().unwrap_or_else(|| Comparison { beside: true, ..Comparison::default() });
     Figure { compare: Some(before.with_figure(&figure, other)), ..figure }
 }
 
 /// The figure with the convention of the window, which is not in it.
-pub(in crate::gui) fn in_window(state: &State) -> Figure {
-    let mut figure = state.model.document.figure().clone();
-    figure.show.ndc = Some(state.model.settings.conventions.ndc);
+pub(in crate::gui) fn in_window(model: &Model) -> Figure {
+    let mut figure = model.document.figure().clone();
+    figure.show.ndc = Some(model.settings.conventions.ndc);
     figure
 }
 
 /// Makes a figure that differs in its comparison and in what belongs to it that of the window.
-pub(in crate::gui) fn take(state: &mut State, figure: Figure) {
+pub(in crate::gui) fn take(model: &mut Model, figure: Figure) {
     let Figure { camera, image, undistorted, photograph, viewport, style, reveal, world, show, compare, .. } = figure;
-    if camera != state.model.document.figure().camera {
+    if camera != model.document.figure().camera {
         // Only then: what is being typed stays.
-        state.model.document.set_parameters(camera);
+        model.document.set_parameters(camera);
     }
-    state.model.document.edit(|figure| {
+    model.document.edit(|figure| {
         (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
         figure.photograph = photograph;
         (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
     });
-    *state.model.document.show_mut() = show;
+    *model.document.show_mut() = show;
 }

@@ -11,6 +11,9 @@ mod task;
 mod task_fields;
 pub(in crate::gui) mod writing;
 
+use crate::gui::files::questions::FileFlow;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -61,21 +64,21 @@ const ANSWER: f32 = 0.23;
 const TYPED: f64 = 0.9;
 
 /// Goes on with the move to a step, and with what is typed; at the begin of a frame.
-pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
+pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &mut FileFlow) {
     let now = ctx.input(|input| input.time);
     let presses = |event: &egui::Event| {
         matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
     };
-    if state.learn.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
+    if learn.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
         // The click is for what the step shows at its end.
-        state.learn.end_move(&mut state.model);
+        learn.end_move(model);
     }
-    if state.learn.go_on_moving(&mut state.model, now) {
+    if learn.go_on_moving(model, now) {
         ctx.request_repaint();
     }
-    typed_step(ctx, state, now);
-    hands::count(ctx, state);
-    state.learn.check_goal(&mut state.model);
+    typed_step(ctx, model, learn, file_flow, now);
+    hands::count(ctx, model, learn, file_flow);
+    learn.check_goal(model);
 }
 
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
@@ -161,9 +164,9 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
 }
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
-fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
-    let listens = state.model.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
-    let Some(playing) = state.learn.lesson.as_mut().filter(|_| listens) else { return };
+fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &mut FileFlow, now: f64) {
+    let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
+    let Some(playing) = learn.lesson.as_mut().filter(|_| listens) else { return };
     // In their order, and each as often as it was pressed: a slow frame brings several.
     ctx.input_mut(|input| {
         input.events.retain(|event| {
@@ -181,7 +184,7 @@ fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
     if is_whole {
         playing.typed = None;
         if let Some(step) = number.checked_sub(1) {
-            state.learn.go_to_step(&mut state.model, step);
+            learn.go_to_step(model, step);
         }
     } else {
         ctx.request_repaint_after(Duration::from_secs_f64(TYPED - (now - since)));
@@ -193,46 +196,47 @@ const DIGITS: [Key; 10] =
 
 /// The bar of the lesson, and the text and the task of its step, below the pictures. Gives a command that is to be
 /// done. All steps have one height, so that nothing moves under the pointer.
-pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let playing = state.learn.lesson.as_ref()?;
+pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
+    let playing = learn.lesson.as_ref()?;
     let key = (playing.lesson.id.clone(), playing.step);
-    let t = words::texts(state.model.settings.lang);
+    let t = words::texts(model.settings.lang);
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
-    let (writes, presents) = (state.learn.writes_lesson(&state.model), state.model.settings.presentation);
+    let (writes, presents) = (learn.writes_lesson(model), model.settings.presentation);
     let share = match (writes, presents && asks) {
         (true, _) => SHARE_WRITTEN,
         (false, true) => SHARE_ASKED,
         (false, false) => SHARE,
     };
     let most = share * ctx.content_rect().height();
-    let notes = playing.shows_notes && !speaker::has_window(&ctx, state);
+    let notes = playing.shows_notes && !speaker::has_window(&ctx, model, learn);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
     let fits = Fits { size, lang: t.lang, writes, presents, asks: presents && asks, shows };
     let height = match &playing.height {
         Some((kept, height)) if *kept == fits => *height,
         _ if writes || fits.asks => most,
-        _ => first_height(ui, t, state, &fits).min(most),
+        _ => first_height(ui, t, learn, &fits).min(most),
     };
     let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
         focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
-        let command = bar(ui, t, state);
+        let command = bar(ui, t, model, learn);
         if writes {
-            editor::tools(ui, t, state);
+            editor::tools(ui, t, model, learn);
         }
         let mut is_cut = false;
         if shows {
             ui.add_space(2.0);
             // As low as its text: taller than its panel, it would push the bar out of sight.
             let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
-            let shown = area.show(ui, |ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
+            let shown =
+                area.show(ui, |ui| if writes { written(ui, t, model, learn) } else { content(ui, t, model, learn) });
             is_cut = shown.content_size.y > shown.inner_rect.height();
         }
         (command, is_cut)
     });
     let (command, is_cut) = panel.inner;
-    if let Some(playing) = &mut state.learn.lesson {
+    if let Some(playing) = &mut learn.lesson {
         playing.is_cut = is_cut;
         playing.height = Some((fits, height));
     }
@@ -253,10 +257,10 @@ pub(in crate::gui) struct Fits {
 }
 
 /// The height for the tallest text of all steps, and with a question for its answer and the verdict.
-fn first_height(ui: &mut Ui, t: &Texts, state: &State, fits: &Fits) -> f32 {
+fn first_height(ui: &mut Ui, t: &Texts, learn: &Learn, fits: &Fits) -> f32 {
     let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum();
     let bar = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y + margin.y + 4.0;
-    let Some(playing) = state.learn.lesson.as_ref().filter(|_| fits.shows) else { return bar };
+    let Some(playing) = learn.lesson.as_ref().filter(|_| fits.shows) else { return bar };
     let line = ui.text_style_height(&egui::TextStyle::Body);
     let width = ui.available_width() - margin.x;
     let tallest = playing.lesson.steps.iter().enumerate().map(|(k, step)| {
@@ -293,17 +297,17 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 }
 
 /// One line: title, number of the step, the ways on.
-fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
+fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<Command> {
     let lang = t.lang;
-    let writes_own = state.learn.plays_own_lesson(&state.model) && !state.model.settings.presentation;
-    let playing = state.learn.lesson.as_ref()?;
+    let writes_own = learn.plays_own_lesson(model) && !model.settings.presentation;
+    let playing = learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
     let (step, count, may_go_on, moved) = (
         playing.step,
         lesson.steps.len(),
         playing.may_go_on(),
-        state.model.document.is_changed() && playing.moving.is_none(),
+        model.document.is_changed() && playing.moving.is_none(),
     );
     let mut command = None;
     let mut go_to = None;
@@ -315,14 +319,14 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         if step + 1 < count {
             let next = Button::new(RichText::new(format!("{label} ▶")).strong());
             if ui.add(next).explained(hint).clicked() {
-                state.learn.pass_over();
+                learn.pass_over();
                 command = Some(Command::NextFigure);
             }
         } else if let Some(next) = after(&lesson) {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
             if ui.button(name).clicked() {
                 let open = lessons::OpenLesson { lesson: next, path: None, step: 0 };
-                state.model.actions.push(Action::Begin(AfterSave::Lesson(open)));
+                model.actions.push(Action::Begin(AfterSave::Lesson(open)));
             }
         }
         let place = words::place(lang, step + 1, count);
@@ -354,7 +358,7 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         });
     });
     if let Some(step) = go_to {
-        state.learn.go_to_step(&mut state.model, step);
+        learn.go_to_step(model, step);
     }
     command
 }
@@ -367,21 +371,21 @@ fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
 }
 
 /// The fields of the step or of the lesson, beside what they look like.
-fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+fn written(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
     ui.horizontal_top(|ui| {
         let half = 0.5 * (ui.available_width() - GUTTER);
         ui.vertical(|ui| {
             ui.set_width(half);
-            editor::fields(ui, t, state);
+            editor::fields(ui, t, model, learn);
         });
         ui.add_space(GUTTER - ui.spacing().item_spacing.x);
         ui.vertical(|ui| {
             ui.set_width(half);
-            match state.learn.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
+            match learn.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
                 Some((playing, writing)) if writing.shows == writing::Fields::Lesson => {
                     whole(ui, writing.lang, &playing.lesson);
                 }
-                _ => content(ui, t, state),
+                _ => content(ui, t, model, learn),
             }
         });
     });
@@ -396,28 +400,28 @@ fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
 }
 
 /// Text, task, links and notes of the step.
-fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
-    let Some(playing) = state.learn.lesson.as_ref() else { return };
+fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
+    let Some(playing) = learn.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
-    let writing = playing.writing.as_ref().filter(|_| state.learn.writes_lesson(&state.model));
+    let writing = playing.writing.as_ref().filter(|_| learn.writes_lesson(model));
     let shows_text = playing.shows_text || writing.is_some();
-    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), state) || writing.is_some();
+    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), model, learn) || writing.is_some();
     // What is written is shown in the language of its fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers are those of what is on the screen.
-    let report = lessons::numbers_of(state.model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
         Some(report) => words::filled_from(lang, text, report),
         None => told(lang, text).to_owned(),
     };
-    let presents = state.model.settings.presentation;
+    let presents = model.settings.presentation;
     let say = |ui: &mut Ui| {
         if !presents {
             ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
         }
         prose::show(ui, text(&step.text).trim());
     };
-    let asks = step.task.is_some() && state.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
+    let asks = step.task.is_some() && learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
     let half = column(ui, ui.available_width(), presents, asks);
     if shows_text && asks && half < 0.5 * ui.available_width() {
         // Side by side they leave the pictures more room.
@@ -430,7 +434,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
             ui.vertical(|ui| {
                 // Without a width of its own, a field that wants more would reach out of the window.
                 ui.set_width(half);
-                task::show(ui, t, state, &step, &text);
+                task::show(ui, t, model, learn, &step, &text);
             });
         });
     } else {
@@ -438,9 +442,9 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         if shows_text {
             say(ui);
         }
-        task::show(ui, t, state, &step, &text);
+        task::show(ui, t, model, learn, &step, &text);
     }
-    links(ui, t, state, &step.links);
+    links(ui, t, model, learn, &step.links);
     if let Some(notes) = step.notes.as_ref().filter(|_| shows_notes) {
         ui.separator();
         ui.weak(t.notes_command);
@@ -450,8 +454,8 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
 }
 
 /// Buttons that lead from the step to notes, exercises and lessons.
-fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
-    if links.is_empty() || state.model.settings.presentation {
+fn links(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn, links: &[Link]) {
+    if links.is_empty() || model.settings.presentation {
         return;
     }
     let lang = t.lang;
@@ -463,21 +467,21 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                     let name = format!("{}: {}", t.read_more, notes::plain(note.title));
                     let job = theme::sentence(ui, &name, &egui::TextStyle::Body, ui.visuals().hyperlink_color);
                     if ui.link(job).accessible_name(name).clicked() {
-                        state.model.actions.push(Action::Note(note.id));
+                        model.actions.push(Action::Note(note.id));
                     }
                 }
                 Link::Exercise(id, seed) => {
                     let Some(entry) = crate::exercises::entry(id) else { continue };
                     if ui.link(format!("{}: {}", t.practise, exercises::title(lang, entry))).clicked() {
-                        state.learn.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
-                        state.model.show_explanation(Explanation::Exercises);
+                        learn.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
+                        model.show_explanation(Explanation::Exercises);
                     }
                 }
                 Link::Lesson(id, step) => {
                     let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
                     if ui.link(words::lesson_link(lang, &other.lesson, *step)).clicked() {
                         let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: *step };
-                        state.model.actions.push(Action::Begin(AfterSave::Lesson(open)));
+                        model.actions.push(Action::Begin(AfterSave::Lesson(open)));
                     }
                 }
             }

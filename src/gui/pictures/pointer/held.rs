@@ -1,6 +1,8 @@
 //! Drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection, a followed
 //! point.
 
+use crate::gui::model::Model;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip, Ui};
 use glam::DVec2;
 
@@ -77,13 +79,13 @@ impl Canvas {
         if pane.response.drag_started()
             && let Some(origin) = origin
         {
-            self.drag = self.taken(ui, state, pane, origin);
+            self.drag = self.taken(ui, &state.model, &state.label_mode, pane, origin);
         }
         if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
-            self.give_up(state);
+            self.give_up(&mut state.model);
             return;
         }
         if let (Some(origin), Some(pointer)) = (origin, pointer) {
@@ -95,25 +97,25 @@ impl Canvas {
     }
 
     /// The drag that a press at `origin` begins.
-    fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
+    fn taken(&self, ui: &Ui, model: &Model, label_mode: &LabelMode, pane: &Pane, origin: Pos2) -> Option<Drag> {
         let Pane { picture, view, request, .. } = pane;
         let picture = *picture;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         let from = pane.rect.pixel(origin);
         let point = || PointDrag::taken(request.clone(), from, pane);
-        if state.label_mode.on && primary {
+        if label_mode.on && primary {
             let labels = &self.pictures[picture].labels;
-            if let Some(held) = LabelDrag::taken(labels, *view, from, state) {
+            if let Some(held) = LabelDrag::taken(labels, *view, from, model) {
                 return Some(Drag::Label(picture, Box::new(held)));
             }
         }
-        let is_own = pane.is_own(origin) && !state.label_mode.on;
+        let is_own = pane.is_own(origin) && !label_mode.on;
         if *view == View::Image {
             if let Some(held) = (primary && is_own).then(point).flatten() {
                 return Some(Drag::Point(picture, Box::new(held)));
             }
             let pans = !primary || modifiers.shift;
-            let held = is_own.then(|| CameraDrag::taken(request, state.model.document.camera(), from, pans));
+            let held = is_own.then(|| CameraDrag::taken(request, model.document.camera(), from, pans));
             return held.flatten().map(|held| Drag::Camera(picture, Box::new(held)));
         }
         if *view == View::World && primary && is_own {
@@ -121,10 +123,10 @@ impl Canvas {
                 let held = HandleDrag::new(handle, request.clone(), from, modifiers);
                 return Some(Drag::Handle(picture, Box::new(held)));
             }
-            if let Some(movable) = Movable::selected(state)
+            if let Some(movable) = Movable::selected(model)
                 && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let (observer, before) = (request.observer, state.model.document.figure().scene.clone());
+                let (observer, before) = (request.observer, model.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
                 return Some(Drag::Gizmo(picture, Box::new(held)));
             }
@@ -146,16 +148,16 @@ impl Canvas {
             None => {}
             Some(Drag::Orbit { picture, pressed }) => {
                 let (picture, pressed) = (*picture, pressed.clone());
-                for other in self.turning_with(picture, state) {
+                for other in self.turning_with(picture, &state.model) {
                     if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(state, other, orbit::orbited(pressed, motion));
+                        self.turn(&mut state.model, other, orbit::orbited(pressed, motion));
                     }
                 }
             }
             Some(Drag::Pan { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
-                self.turn(state, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
+                self.turn(&mut state.model, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
             }
             Some(Drag::Handle(_, held)) => {
                 let modifiers = ui.input(|i| i.modifiers);
@@ -165,11 +167,13 @@ impl Canvas {
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Point(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
-            Some(Drag::Label(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Point(_, held)) => held.follow(&mut state.model, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Label(_, held)) => {
+                held.follow(&mut state.model, &mut state.label_mode, pane.rect.pixel(pointer), ui.ctx())
+            }
             Some(Drag::Camera(_, held)) => {
                 let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));
-                if held.follow(state, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
+                if held.follow(&mut state.model, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
                     ui.request_repaint();
                 }
             }
@@ -179,7 +183,7 @@ impl Canvas {
                 let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
                     return;
                 };
-                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(state));
+                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(&state.model));
                 // Where the scene cannot be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
@@ -192,40 +196,40 @@ impl Canvas {
     }
 
     /// The pictures whose observers turn with that of one.
-    pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, state: &State) -> Vec<usize> {
+    pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, model: &Model) -> Vec<usize> {
         let turns =
-            |(i, other): &(usize, &Picture)| *i == picture || (state.model.layout.linked && other.kind != View::Image);
+            |(i, other): &(usize, &Picture)| *i == picture || (model.layout.linked && other.kind != View::Image);
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
     /// Restores the state before the press.
-    pub(in crate::gui::pictures) fn give_up(&mut self, state: &mut State) {
+    pub(in crate::gui::pictures) fn give_up(&mut self, model: &mut Model) {
         match self.drag.take() {
             None => {}
             Some(Drag::Orbit { pressed, picture }) => {
-                for other in self.turning_with(picture, state) {
+                for other in self.turning_with(picture, model) {
                     if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(state, other, pressed);
+                        self.turn(model, other, pressed);
                     }
                 }
             }
-            Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
-            Some(Drag::Handle(_, held)) => state.model.document.set_camera(held.before()),
-            Some(Drag::Gizmo(_, held)) => state.model.document.edit(|figure| figure.scene = held.before),
-            Some(Drag::Point(_, held)) => held.give_up(state),
-            Some(Drag::Label(_, held)) => held.give_up(state),
-            Some(Drag::Camera(_, held)) => state.model.document.set_camera(held.before()),
+            Some(Drag::Pan { picture, pressed }) => self.turn(model, picture, pressed),
+            Some(Drag::Handle(_, held)) => model.document.set_camera(held.before()),
+            Some(Drag::Gizmo(_, held)) => model.document.edit(|figure| figure.scene = held.before),
+            Some(Drag::Point(_, held)) => held.give_up(model),
+            Some(Drag::Label(_, held)) => held.give_up(model),
+            Some(Drag::Camera(_, held)) => model.document.set_camera(held.before()),
         }
     }
 
     pub(in crate::gui::pictures) fn say_drag(
         &mut self,
         ui: &Ui,
-        state: &State,
+        model: &Model,
         status: &mut Status,
         texts: &CanvasTexts,
     ) {
-        let digits = state.model.settings.digits.min(6);
+        let digits = model.settings.digits.min(6);
         match &self.drag {
             None => {}
             Some(Drag::Orbit { picture, .. }) => {
@@ -240,11 +244,11 @@ impl Canvas {
             }
             Some(Drag::Handle(_, held)) => {
                 self.hover.hovered = Some(held.handle());
-                let camera = state.model.document.camera();
+                let camera = model.document.camera();
                 let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
                     Some(error) => {
-                        let reason = format!("{} {}", texts.stopped, camera_error(state.model.settings.lang, error));
+                        let reason = format!("{} {}", texts.stopped, camera_error(model.settings.lang, error));
                         lines.push(reason.clone());
                         status.warning = true;
                         reason
@@ -255,17 +259,17 @@ impl Canvas {
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
             Some(Drag::Point(_, held)) => {
-                let lines = held.lines(state);
+                let lines = held.lines(model);
                 status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
             Some(Drag::Label(_, held)) => {
-                status.message = held.line(state);
+                status.message = held.line(model);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
             Some(Drag::Camera(_, held)) => {
-                let camera = state.model.document.camera();
+                let camera = model.document.camera();
                 let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
                 status.message = handle_drag::readout(moved, camera, digits, texts);
                 ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
@@ -274,9 +278,9 @@ impl Canvas {
                 if let Some(gizmo) = &mut self.hover.gizmo {
                     gizmo.hovered = Some(held.part);
                 }
-                let mut lines = gizmo_lines(state, digits);
+                let mut lines = gizmo_lines(model, digits);
                 if held.is_sheared {
-                    scenes::texts(state.model.settings.lang).sheared.clone_into(&mut lines[1]);
+                    scenes::texts(model.settings.lang).sheared.clone_into(&mut lines[1]);
                     status.warning = true;
                 }
                 status.message = lines.join(" · ");
@@ -300,14 +304,14 @@ pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
 }
 
 /// Length of one step of a move while the modifier is held: a tenth of D, as a power of ten.
-fn snap_length(state: &State) -> f64 {
-    power_of_ten(state.model.document.camera().distance() / 10.0).unwrap_or(1.0)
+fn snap_length(model: &Model) -> f64 {
+    power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
 /// The transform of the selection that the gizmo changes, and how it is dragged.
-pub(in crate::gui::pictures) fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
-    let t = scenes::texts(state.model.settings.lang);
-    let Some(movable) = Movable::selected(state) else { return Default::default() };
+pub(in crate::gui::pictures) fn gizmo_lines(model: &Model, digits: usize) -> [String; 2] {
+    let t = scenes::texts(model.settings.lang);
+    let Some(movable) = Movable::selected(model) else { return Default::default() };
     let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {
         (true, Transforming::Turn) => ("L", movable.place, t.drag_parallel_light),
         (true, Transforming::Move | Transforming::Scale) => ("P", movable.place, t.drag_lamp),

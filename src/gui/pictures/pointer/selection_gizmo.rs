@@ -1,11 +1,11 @@
 //! The effect of the gizmo in the world on the selection.
 
+use crate::gui::model::Model;
 use std::collections::BTreeSet;
 
 use glam::{DMat4, DVec3};
 
 use crate::geometry::{Angle, try_unit};
-use crate::gui::app::state::State;
 use crate::gui::model::scene_tree::Selected;
 use crate::numbers::round_to;
 use crate::scene::edit::placement;
@@ -44,14 +44,12 @@ enum MovedThing {
 
 impl Movable {
     /// The selection, where it can be changed.
-    pub(in crate::gui) fn selected(state: &State) -> Option<Self> {
-        let scene = &state.model.document.figure().scene;
-        match state.model.tree.selected(scene)? {
-            Selected::Object(name) => {
-                Self::objects(scene, name, state.model.tree.names(scene), state.model.tree.transforming)
-            }
+    pub(in crate::gui) fn selected(model: &Model) -> Option<Self> {
+        let scene = &model.document.figure().scene;
+        match model.tree.selected(scene)? {
+            Selected::Object(name) => Self::objects(scene, name, model.tree.names(scene), model.tree.transforming),
             Selected::Light(index) => {
-                let middle = state.model.scene_cache.scene().bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
+                let middle = model.scene_cache.scene().bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
                 Some(Self::light(*index, *scene.lights.get(*index)?, middle))
             }
             Selected::OfPreset(_) => None,

@@ -167,7 +167,7 @@ impl Page {
         let mut app = App::new(ctx, state);
         if is_framed(&window) {
             // A figure in somebody's page changes nothing stored in this browser.
-            asked.apply(&mut app.state);
+            asked.apply(&mut app.state.model);
         } else {
             app.keep_preferences(ctx, Path::new(KEPT), asked);
             app.keep_session(Path::new(KEPT), restore);

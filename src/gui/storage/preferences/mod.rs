@@ -11,6 +11,7 @@ mod progress_tests;
 mod shared_file;
 mod store;
 
+use crate::gui::export::family_choice::FamilyChoice;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -222,8 +223,16 @@ const KEYS: [Key; 42] = [
         },
     },
     // Keys or operations with their values; empty: none.
-    Key { name: "family", of: |state| family_of(state, 0), apply: |state, value| set_family(state, value, 0) },
-    Key { name: "family_rows", of: |state| family_of(state, 1), apply: |state, value| set_family(state, value, 1) },
+    Key {
+        name: "family",
+        of: |state| family_of(&state.family, 0),
+        apply: |state, value| set_family(&mut state.family, value, 0),
+    },
+    Key {
+        name: "family_rows",
+        of: |state| family_of(&state.family, 1),
+        apply: |state, value| set_family(&mut state.family, value, 1),
+    },
     // 0: as many as there is room for.
     Key {
         name: "family_columns",
@@ -262,18 +271,18 @@ fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
 }
 
 /// A key of the last family: its word, then its values.
-fn family_of(state: &State, place: usize) -> Plain<'_> {
-    let Varied { subject, values } = &state.family.remembered()[place];
+fn family_of(family: &FamilyChoice, place: usize) -> Plain<'_> {
+    let Varied { subject, values } = &family.remembered()[place];
     [subject.word().into(), Plain::from(values.clone())].into_iter().collect()
 }
 
-fn set_family(state: &mut State, value: &Value, place: usize) {
+fn set_family(family: &mut FamilyChoice, value: &Value, place: usize) {
     let texts: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     if let [word, values] = texts[..]
         && let Some(subject) = Subject::of_word(word)
         && values.chars().count() <= MAX_TYPED_NAME
     {
-        state.family.last[place] = Varied { subject, values: values.to_owned() };
+        family.last[place] = Varied { subject, values: values.to_owned() };
     }
 }
 

@@ -1,5 +1,6 @@
 //! The storage of the preferences.
 
+use crate::gui::storage::recent::Recent;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -97,8 +98,8 @@ impl Preferences {
         }
         let kept_before = content.unwrap_or_default();
         state.model.show_screen(state.model.document.figure().screen);
-        asked.apply(state);
-        let progress = KeptProgress::begin(folder, state, &kept_before);
+        asked.apply(&mut state.model);
+        let progress = KeptProgress::begin(folder, &mut state.learn, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state).map(|(key, value)| (key, value.into_owned())).collect();
@@ -122,16 +123,16 @@ impl Preferences {
 
     /// Saves changes, beside the window's thread. A failed write is repeated with the next change.
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
-        self.progress.keep(ctx, state);
-        self.take(state, Duration::ZERO);
+        self.progress.keep(ctx, &mut state.model, &mut state.learn);
+        self.take(&mut state.recent, Duration::ZERO);
         let job = self.job(state);
         self.file.ask(ctx, job);
     }
 
     /// Saves the rest, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
-        self.progress.finish(state);
-        self.take(state, MAX_WAIT);
+        self.progress.finish(&mut state.learn);
+        self.take(&mut state.recent, MAX_WAIT);
         let job = self.job(state);
         self.file.finish(&job);
     }
@@ -153,18 +154,18 @@ impl Preferences {
     fn job(&mut self, state: &State) -> SettingsJob {
         let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value));
         let changed = changed.map(|(key, value)| (key, value.into_owned())).collect();
-        let answers_moved = self.has_answers && self.progress.is_written(state);
+        let answers_moved = self.has_answers && self.progress.is_written(&state.learn);
         SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
     }
 
     /// Takes the result of a write.
-    fn take(&mut self, state: &mut State, patience: Duration) {
+    fn take(&mut self, recent_state: &mut Recent, patience: Duration) {
         if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
             self.has_answers &= !answers_moved;
             self.remembered.extend(changed.keys().map(|key| (*key).to_owned()));
             self.kept.extend(changed);
-            state.recent.new.retain(|path| !opened.contains(path));
-            state.recent.files = merged(&state.recent.new, &recent);
+            recent_state.new.retain(|path| !opened.contains(path));
+            recent_state.files = merged(&recent_state.new, &recent);
         }
     }
 }
@@ -208,7 +209,7 @@ pub(super) mod tests {
 
     fn keep(preferences: &mut Preferences, state: &mut State) {
         preferences.keep(&egui::Context::default(), state);
-        preferences.take(state, Duration::from_secs(60));
+        preferences.take(&mut state.recent, Duration::from_secs(60));
     }
 
     #[test]

@@ -1,19 +1,20 @@
 //! Whose NDC, compared with whose, and how matrices are written.
 
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
-use crate::gui::app::state::State;
 use crate::gui::inspector::{choice, complaint, row, values};
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::why::conventions;
 use crate::i18n::why::conventions::{Texts, finite_instead};
 
 /// Shows the choices, and below them the numbers that depend on them.
-pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = conventions::texts(state.model.settings.lang);
-    let camera = state.model.document.camera();
-    let shown = &mut state.model.settings.conventions;
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
+    let t = conventions::texts(model.settings.lang);
+    let camera = model.document.camera();
+    let shown = &mut model.settings.conventions;
     let mut ndc = Some(shown.ndc);
     one(ui, t, (t.ndc, t.ndc_hint), &mut ndc, false);
     shown.ndc = ndc.unwrap_or_default();
@@ -33,7 +34,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
     }
     ui.separator();
     let compared = shown.compared;
-    values::list(ui, state, false, compared, |table| table.is_matrix());
+    values::list(ui, model, false, compared, |table| table.is_matrix());
 }
 
 /// A library, reversed, without a far plane; with `or_none` also none.

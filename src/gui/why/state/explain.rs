@@ -20,6 +20,8 @@ pub struct Explain {
     pub notes: Notes,
     /// The position of a point along a segment whose image is shown, 0 … 1.
     pub share: f64,
+    /// The gap between two surfaces, in scene units, for the test whether they can be told apart.
+    pub gap: f64,
     /// The numbers of the triangle that is followed step by step.
     pub triangle: TriangleNumbers,
     /// The target of the code.
@@ -55,6 +57,7 @@ impl Default for Explain {
             order: Order::default(),
             notes: Notes::default(),
             share: 0.5,
+            gap: 0.01,
             triangle: TriangleNumbers::default(),
             code: CodeTarget::default(),
             refused: None,
