@@ -118,13 +118,13 @@ pub const fn labels(lang: Lang) -> &'static Labels {
 /// Three pictures with less room on their paper than their letters want.
 #[must_use]
 pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
-    let Crowded { smallest, letters, wanted, room } = crowded;
+    let Crowded { smallest, wanted, room } = crowded;
     let number = |value: &f64| lang.mark().printed(&format!("{value:.1}"));
     let size = |size: &[f64; 2]| format!("{} × {} cm", number(&size[0]), number(&size[1]));
-    let (smallest, letters, room) = (size(smallest), number(letters), size(room));
+    let (smallest, room) = (size(smallest), size(room));
     let wanted = lang.mark().number(*wanted, 3);
-    both!(lang; "the smallest image is {smallest}, with letters of {letters} pt; letters of {wanted} pt need images of at least {room}",
-        "a menor imagem tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}")
+    both!(lang; "the smallest image is {smallest}; letters of {wanted} pt need images of at least {room}, so some names may be missing",
+        "a menor imagem tem {smallest}; letras de {wanted} pt pedem imagens de pelo menos {room}, por isso podem faltar nomes")
 }
 
 /// Letters that are too small on paper.

@@ -72,12 +72,56 @@ fn a_figure_made_of_a_card_has_words_of_its_own() {
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
     type_into(&mut window, &format!("{}, {}", t.title_name, t.in_english), "Azimuth");
-    window.key(Key::Enter);
+    let proposed = window.harness.get_by_role_and_label(Role::TextInput, t.title_file).value();
+    assert_eq!(proposed.as_deref(), Some("azimuth.toml"));
     let file = folder.file("azimuth.toml");
-    window.choose(&file);
+    window.harness.get_by_role_and_label(Role::TextInput, t.title_file).click();
+    window.run();
+    window.command_key(Key::A);
+    window.harness.event(Event::Text(file.display().to_string()));
+    window.run();
+    window.key(Key::Enter);
     window.wait(|_| file.exists());
     let text = fs::read_to_string(&file).expect("a figure");
     assert!(text.starts_with("title   = \"Azimuth\"") && !text.contains("caption"), "{text}");
+}
+
+/// From the gallery into the folder of the last file: open, save, title, Enter. The values of a family: a click, and
+/// Enter.
+#[test]
+fn a_figure_and_a_family_need_four_actions() {
+    let t = en::WINDOW;
+    let folder = Folder::new("titles-four");
+    let mut window = Window::new(Lang::En);
+    let last = folder.file("last.toml");
+    window.command_key(Key::S);
+    window.choose(&last);
+    window.wait(|_| last.exists());
+    window.command_key(Key::G);
+    window.wait_for("House: ");
+    window.search_cards("mirror image");
+    window.run();
+    window.key(Key::Enter);
+    window.command_key(Key::S);
+    window.harness.event(Event::Text("Azimuth 30".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    let file = folder.file("azimuth-30.toml");
+    window.wait(|_| file.exists());
+    assert_eq!(
+        window.state().model.document.figure().title.as_ref().map(|title| title.en.as_str()),
+        Some("Azimuth 30")
+    );
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+    window.run();
+    window.click_in_dialog(t.azimuth);
+    window.harness.event(Event::Text("10, 20".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    let picture = folder.file("azimuths.png");
+    window.choose(&picture);
+    window.wait(|_| picture.exists());
+    assert_eq!(window.state().family.last[0].values, "10, 20");
 }
 
 /// Gives the figure a title, in the place of the one that it has.

@@ -238,6 +238,12 @@ impl Window {
         self.run();
     }
 
+    /// Clicks what has this label in a dialog, which comes after the panels that may have it too.
+    pub(crate) fn click_in_dialog(&mut self, label: &str) {
+        self.harness.query_all_by_label(label).last().expect("the label").click();
+        self.run();
+    }
+
     /// Chooses an entry of a menu.
     pub(crate) fn menu(&mut self, menu: &str, entry: &str) {
         self.click(menu);

@@ -41,8 +41,8 @@ pub(in crate::cli) struct OutputArgs {
     /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
-    /// Height of the letters of names in points on paper, 9 where --width-cm is given. Strokes are in proportion. On a
-    /// sheet of all three they are smaller where an image has no room for them, but still legible (6 points)
+    /// Height of the letters of names in points on paper, 9 where --width-cm is given. Strokes are in proportion. A
+    /// sheet of all three leaves names out if an image has no room for them
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
     /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the

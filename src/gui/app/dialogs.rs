@@ -6,8 +6,6 @@ use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
-use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
@@ -20,15 +18,16 @@ use crate::gui::files::comparison::{Comparison, LineOrigin};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
 use crate::gui::files::link_dialog;
+use crate::gui::files::qr;
 use crate::gui::files::questions::{Agreed, Changed, Dialog, Purpose};
-use crate::gui::files::{qr, title_dialog};
+use crate::gui::files::title_dialog::{self, Answer};
 use crate::gui::gallery::{self, Chosen};
 use crate::gui::inspector::coach;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::{complaint, scene};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::gui::kit::keys::written;
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
@@ -127,11 +126,11 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 }
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
-            Dialog::Title(form) => {
-                if let Some(purpose) = title_dialog::show(ui, t, state, form, first) {
-                    file_flow::ask(ctx, state, purpose);
-                }
-            }
+            Dialog::Title(form) => match title_dialog::show(ui, t, state, form, first) {
+                Some(Answer::Save(purpose, path)) => choose_typed(ctx, state, purpose, path),
+                Some(Answer::Choose(purpose)) => file_flow::ask(ctx, state, purpose),
+                None => {}
+            },
             Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
             Dialog::Handout(form) => handout_dialog::show(ui, state, form, first),
             // It has no frame.
@@ -366,13 +365,19 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         return;
     }
+    choose_typed(ui.ctx(), state, purpose, path);
+    if state.file_flow.refused.is_some() {
+        response.request_focus();
+    }
+}
+
+/// Goes on with a typed path. Errors are shown below the path, and there alone.
+fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: String) {
     (state.model.message, state.file_flow.refused) = (None, None);
-    file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
-    // Errors are shown where the path was typed, and there alone.
+    file_flow::chosen(ctx, state, purpose.clone(), PathBuf::from(path.trim()));
     if state.file_flow.dialog.is_none() && state.model.message.as_ref().is_some_and(|message| message.is_error()) {
         state.file_flow.refused = state.model.message.take();
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
-        response.request_focus();
     }
 }
 
@@ -380,10 +385,8 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
 fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     let begin = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
     let end = path[begin..].rfind('.').map_or(path.len(), |at| begin + at);
-    let [begin, end] = [begin, end].map(|at| CCursor::new(path[..at].chars().count()));
-    let mut field = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
-    field.cursor.set_char_range(Some(CCursorRange::two(begin, end)));
-    field.store(ui.ctx(), response.id);
+    let [begin, end] = [begin, end].map(|at| path[..at].chars().count());
+    text_field::select(ui.ctx(), response.id, begin..end);
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, file_flow: &mut FileFlow, first: bool) {

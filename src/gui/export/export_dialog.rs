@@ -19,7 +19,7 @@ use crate::gui::kit::tooltip::Explained;
 use crate::i18n::window::Texts;
 use crate::i18n::{families, pictures};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
-use crate::picture::{Crowded, Faces};
+use crate::picture::Faces;
 use crate::views::{View, Views};
 
 /// The width of the settings, of the preview beside them and of both with the gap, in points.
@@ -40,7 +40,9 @@ const LEAST_PICTURE: f32 = 120.0;
 /// Asks how. Goes on to the question where.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
     let mut enter = !first && enter(ui);
-    if first && export.on_paper {
+    if first && state.family.variations().is_some() {
+        family::take_keyboard(ui.ctx(), t, &state.family);
+    } else if first && export.on_paper {
         number_field::take_keyboard(ui.ctx(), t.export_width_cm);
     }
     ui.heading(t.export_heading);
@@ -202,7 +204,8 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 /// A field, and the fault of the typed text.
 type Fault = (&'static str, FieldError);
 
-/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper.
+/// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper or
+/// in the values of a family.
 fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -222,7 +225,7 @@ fn settings(
         (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
-    family::rows(ui, t, &mut state.family);
+    family::rows(ui, t, &mut state.family, enter);
     let sizes = [
         ((Some(1), false), "1 ×"),
         ((Some(2), false), "2 ×"),
@@ -236,8 +239,7 @@ fn settings(
         choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
     });
     (export.times, export.on_paper) = size;
-    let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
-    let mut errors = if export.on_paper { paper(ui, t, export, crowded, enter) } else { Vec::new() };
+    let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
     // A family in multiples of the screen is larger than its figure.
     let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
@@ -302,13 +304,7 @@ fn formats(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
 }
 
 /// The size on paper. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width.
-fn paper(
-    ui: &mut egui::Ui,
-    t: &'static Texts,
-    export: &mut Export,
-    crowded: Option<Crowded>,
-    enter: &mut bool,
-) -> Vec<Fault> {
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, enter: &mut bool) -> Vec<Fault> {
     let mut field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
         let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
         let output = field.show(ui, t, value);
@@ -330,8 +326,7 @@ fn paper(
     row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
         errors.extend(field(ui, t.export_letters, PAPER_LETTERS, &mut paper.letters));
     });
-    let letters = crowded.map_or(paper.letters, |crowded| crowded.letters);
-    errors.extend(lines(ui, t, &mut paper.lines, as_letters(letters)));
+    errors.extend(lines(ui, t, &mut paper.lines, as_letters(paper.letters)));
     errors
 }
 

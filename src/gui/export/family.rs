@@ -1,28 +1,42 @@
 //! A family in the export dialog: the same figure at several values of a key or an operation, on one sheet.
 
-use eframe::egui;
+use eframe::egui::{self, Key};
 
 use super::family_choice::{FamilyChoice, Subject, Varied};
 use crate::gui::inspector::{choice, row};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::number_field;
+use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::families;
 use crate::i18n::window::Texts;
 use crate::limits::MAX_TYPED_NAME;
 
-/// The rows of the dialog: those of the values once something varies.
-pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut FamilyChoice) {
+/// The rows of the dialog: those of the values once something varies. `enter` becomes true if Enter is pressed in the
+/// values.
+pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut FamilyChoice, enter: &mut bool) {
     let words = families::texts(t.lang);
     let mut subject = family.first.subject;
-    row(ui, "", words.family, words.family_hint, |ui| {
-        choice(ui, words.family, words.family_hint, &mut subject, &subjects(t, words.none));
-    });
+    if subject == Subject::Nothing {
+        row(ui, "", words.family, words.family_hint, |ui| {
+            choice(ui, words.family, words.family_hint, &mut subject, &subjects(t, words.none));
+        });
+    } else {
+        // Side by side: one click for the one you want.
+        ui.label(words.family).explained(words.family_hint);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = egui::vec2(2.0, 2.0);
+            for (option, name) in subjects(t, words.none) {
+                ui.selectable_value(&mut subject, option, name).explained(words.family_hint);
+            }
+        });
+    }
     if subject != family.first.subject {
         family.choose(subject);
+        take_keyboard(ui.ctx(), t, family);
     }
     if subject != Subject::Nothing {
         row(ui, "", words.values, words.values_hint, |ui| {
-            values(ui, t, &mut family.first, words.values);
+            *enter |= values(ui, t, &mut family.first, words.values);
         });
         let mut second = family.second.subject;
         row(ui, "", words.second, words.second_hint, |ui| {
@@ -33,7 +47,7 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
         }
         if second != Subject::Nothing {
             row(ui, "", words.second_values, words.values_hint, |ui| {
-                values(ui, t, &mut family.second, words.second_values);
+                *enter |= values(ui, t, &mut family.second, words.second_values);
             });
         }
         row(ui, "", words.columns, words.columns_hint, |ui| {
@@ -47,8 +61,15 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
             ui.checkbox(&mut family.parts, words.parts).explained(words.parts_hint);
         });
         row(ui, "", words.captions, words.captions_hint, |ui| {
-            line(ui, t, &mut family.captions, (words.captions, words.captions_hint));
+            *enter |= line(ui, t, &mut family.captions, (words.captions, words.captions_hint));
         });
+    }
+}
+
+/// The values take the keyboard, if they are typed.
+pub(in crate::gui) fn take_keyboard(ctx: &egui::Context, t: &Texts, family: &FamilyChoice) {
+    if family.first.subject != Subject::Nothing && words_of(family.first.subject, t).is_empty() {
+        number_field::take_keyboard(ctx, families::texts(t.lang).values);
     }
 }
 
@@ -70,8 +91,8 @@ fn subjects(t: &'static Texts, nothing: &'static str) -> Vec<(Subject, &'static 
     [(Subject::Nothing, nothing)].into_iter().chain(ready).chain([(Subject::Typed, words.typed)]).collect()
 }
 
-/// The values of a key: those that have words are switched, the others are typed.
-fn values(ui: &mut egui::Ui, t: &'static Texts, varied: &mut Varied, name: &str) {
+/// The values of a key: those that have words are switched, the others are typed. True if Enter is pressed in them.
+fn values(ui: &mut egui::Ui, t: &'static Texts, varied: &mut Varied, name: &str) -> bool {
     let hint = families::texts(t.lang).values_hint;
     let words = words_of(varied.subject, t);
     if words.is_empty() {
@@ -89,6 +110,7 @@ fn values(ui: &mut egui::Ui, t: &'static Texts, varied: &mut Varied, name: &str)
         let kept = words.iter().zip(on).filter(|(_, on)| *on).map(|((word, _), _)| *word);
         varied.values = kept.collect::<Vec<_>>().join(", ");
     }
+    false
 }
 
 /// The values of a key as files have them, with the words of the window. Empty for numbers.
@@ -110,9 +132,14 @@ fn words_of(subject: Subject, t: &Texts) -> Vec<(&'static str, &'static str)> {
     }
 }
 
-/// A field for typed values or captions.
-fn line(ui: &mut egui::Ui, t: &'static Texts, text: &mut String, (name, hint): (&str, &str)) {
+/// A field for typed values or captions. True if Enter is pressed in it.
+fn line(ui: &mut egui::Ui, t: &'static Texts, text: &mut String, (name, hint): (&str, &str)) -> bool {
     let width = ui.available_width().min(200.0);
+    let end = text.chars().count();
     let field = TextField::line(text, MAX_TYPED_NAME).with(|edit| edit.desired_width(width));
-    field.show(ui, t.lang).explained(hint).accessible_name(name);
+    let response = field.show(ui, t.lang).explained(hint).accessible_name(name);
+    if number_field::answer_call(ui, &response, name) {
+        text_field::select(ui.ctx(), response.id, 0..end);
+    }
+    response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }

@@ -86,7 +86,7 @@ impl Varied {
 }
 
 /// The settings of a family.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FamilyChoice {
     /// The key that varies. Nothing: no family is wanted.
     pub first: Varied,
@@ -100,6 +100,15 @@ pub struct FamilyChoice {
     pub captions: String,
     /// The keys of the last family, also of an earlier session.
     pub last: [Varied; 2],
+}
+
+impl Default for FamilyChoice {
+    /// No family; one that is asked for has letters, since a text names its parts.
+    fn default() -> Self {
+        let nothing = Varied::default();
+        let (first, second) = (nothing.clone(), nothing.clone());
+        Self { first, second, columns: None, parts: true, captions: String::new(), last: [nothing.clone(), nothing] }
+    }
 }
 
 impl FamilyChoice {

@@ -10,7 +10,7 @@ use crate::i18n::learn::{exercise_window, handouts, lessons};
 use crate::i18n::why::explain;
 use crate::i18n::window::search::folded;
 use crate::i18n::window::{gallery, photograph, scenes};
-use crate::i18n::{told, window};
+use crate::i18n::{families, told, window};
 use crate::views::Views;
 
 /// The greatest length of a name that is made of a title.
@@ -76,7 +76,9 @@ impl FileKind {
                 let filters = formats.map(|of| format(t.picture_filter, of)).to_vec();
                 let is_family = state.family.variations().is_some();
                 let what = match export.what {
-                    _ if is_family => "-family".to_owned(),
+                    _ if is_family => {
+                        from_title(families::texts(lang).family).map_or_else(String::new, |name| format!("-{name}"))
+                    }
                     Views::All => String::new(),
                     some => format!("-{}", some.name().replace(',', "-")),
                 };
@@ -134,8 +136,17 @@ impl FileKind {
             Purpose::Folder => (Wanted::Folder, gallery::texts(lang).choose, t.open_action, Vec::new(), String::new()),
             Purpose::Exercises => (Wanted::Folder, exercises.own_open, t.open_action, Vec::new(), String::new()),
         };
-        let folder = state.model.document.folder().map(Path::to_owned).unwrap_or_default();
+        // A figure without a folder goes to that of the last file.
+        let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
+        let folder = state.model.document.folder().or_else(|| last.and_then(|path| path.parent()));
+        let folder = folder.map(Path::to_owned).unwrap_or_default();
         Self { wanted, title, action, filters, name, folder }
+    }
+
+    /// The kind for a figure with a title, whose words are its name.
+    pub(in crate::gui) fn with_name_of(self, title: Option<&str>) -> Self {
+        let name = title.and_then(from_title).map(|name| format!("{name}.toml"));
+        Self { name: name.unwrap_or(self.name), ..self }
     }
 
     /// The path that is proposed.

@@ -2,14 +2,15 @@
 
 use eframe::egui::{self, Key, Modifiers, RichText};
 
+use super::file_kind::FileKind;
 use crate::figure::{Bilingual, Figure};
 use crate::gui::app::state::State;
 use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::{self, TextField};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, told};
-use crate::limits::{MAX_CAPTION, MAX_TITLE};
+use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
 
 /// The words of a figure as they are typed.
@@ -19,31 +20,41 @@ pub struct TitleForm {
     caption: Bilingual,
     /// The words of the gallery's card, of which the figure was made.
     of_card: [Option<Bilingual>; 2],
-    /// The file that is asked for next.
+    /// The save that goes with it.
     then: Option<Purpose>,
+    /// The file, once it has another name than the title gives it.
+    path: Option<String>,
+}
+
+/// The answer of the dialog, if the figure is saved with its words.
+pub(in crate::gui) enum Answer {
+    /// In this file.
+    Save(Purpose, String),
+    /// In a file of which the system's dialog asks.
+    Choose(Purpose),
 }
 
 impl TitleForm {
     /// The words of the figure, or none if they are those of a card and the figure is another one by now. `then` is the
-    /// file that is asked for next.
+    /// save that goes with it.
     pub(in crate::gui) fn of(state: &State, then: Option<Purpose>) -> Self {
         let Figure { title, caption, .. } = state.model.document.figure();
         if state.model.document.has_words_of_card() {
             return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
         }
         let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
-        Self { title: text(title), caption: text(caption), of_card: [None, None], then }
+        Self { title: text(title), caption: text(caption), then, ..Self::default() }
     }
 }
 
-/// Shows the dialog. Gives the file that is asked for next. `first`: it has just been opened.
+/// Shows the dialog. Gives the save that goes with it. `first`: it has just been opened.
 pub(in crate::gui) fn show(
     ui: &mut egui::Ui,
     t: &'static Texts,
     state: &mut State,
     mut form: TitleForm,
     first: bool,
-) -> Option<Purpose> {
+) -> Option<Answer> {
     ui.heading(t.title_heading);
     ui.add_space(6.0);
     ui.label(t.title_text);
@@ -60,31 +71,61 @@ pub(in crate::gui) fn show(
             let label = ui.label(format!("{name}, {}", language(t, lang)));
             let hint = of_card.as_ref().map(|text| told(lang, text)).unwrap_or_default();
             let typed = if lang == Lang::En { &mut text.en } else { &mut text.pt_br };
+            let typed_length = typed.chars().count();
             let field = if lines == 1 { TextField::line(typed, most) } else { TextField::lines(typed, most) };
             let field = field
                 .with(|edit| edit.desired_width(f32::INFINITY).desired_rows(lines).hint_text(hint).return_key(None));
             let response = field.show(ui, t.lang).labelled_by(label.id);
             if first && lines == 1 && lang == t.lang {
                 response.request_focus();
+                text_field::select(ui.ctx(), response.id, 0..typed_length);
             }
             done |= response.has_focus() && entered;
         }
     }
     ui.label(RichText::new(t.title_note).small().weak());
+    let path = form.then.as_ref().map(|purpose| {
+        let mut path = form.path.clone().unwrap_or_else(|| proposal(state, purpose, form.title.clone()));
+        let label = ui.label(t.title_file);
+        let field = TextField::line(&mut path, MAX_TYPED);
+        let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(t.path_hint).return_key(None));
+        let response = field.show(ui, t.lang).labelled_by(label.id);
+        done |= response.has_focus() && entered;
+        if response.changed() {
+            form.path = Some(path.clone());
+        }
+        path
+    });
     ui.add_space(10.0);
-    let action = if form.then.is_some() { t.save_as } else { t.title_action };
-    let pressed = match buttons(ui, t.cancel, &[action], None) {
-        Pressed::Nothing if done => Pressed::Action(0),
+    let actions: &[&str] = match path {
+        None => &[t.title_action],
+        Some(_) if state.file_flow.native && !state.model.in_browser => &[t.title_choose, t.save_action],
+        Some(_) => &[t.save_action],
+    };
+    let last = actions.len() - 1;
+    let pressed = match buttons(ui, t.cancel, actions, None) {
+        Pressed::Nothing if done => Pressed::Action(last),
         pressed => pressed,
     };
     match pressed {
-        Pressed::Action(_) => accept(state, form),
+        Pressed::Action(which) if which == last && path.as_ref().is_none_or(|path| !path.trim().is_empty()) => {
+            let purpose = accept(state, form)?;
+            Some(Answer::Save(purpose, path?.trim().to_owned()))
+        }
+        Pressed::Action(which) if which < last => accept(state, form).map(Answer::Choose),
         Pressed::Cancel => None,
-        Pressed::Nothing => {
+        Pressed::Action(_) | Pressed::Nothing => {
             state.file_flow.dialog = Some(Dialog::Title(form));
             None
         }
     }
+}
+
+/// The file of a figure with this title.
+fn proposal(state: &State, purpose: &Purpose, title: Bilingual) -> String {
+    let title = written(title);
+    let title = title.as_ref().map(|title| told(state.model.settings.lang, title));
+    FileKind::of(state, purpose).with_name_of(title).proposal().display().to_string()
 }
 
 fn accept(state: &mut State, form: TitleForm) -> Option<Purpose> {

@@ -6,10 +6,10 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
+use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextWrapMode, WidgetInfo};
 
 use crate::expression::{self, Dimension, ExpressionProblem};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip;
 use crate::gui::kit::tooltip::Explained;
@@ -108,12 +108,14 @@ pub(in crate::gui) fn take_keyboard(ctx: &egui::Context, name: &str) {
     ctx.request_repaint();
 }
 
-/// The control of this name takes the keyboard and comes into sight, if it was asked to.
-pub(in crate::gui) fn answer_call(ui: &egui::Ui, control: &egui::Response, name: &str) {
-    if is_called(ui, name) {
+/// The control of this name takes the keyboard and comes into sight, if it was asked to. True if it was.
+pub(in crate::gui) fn answer_call(ui: &egui::Ui, control: &egui::Response, name: &str) -> bool {
+    let called = is_called(ui, name);
+    if called {
         control.request_focus();
         control.scroll_to_me(None);
     }
+    called
 }
 
 fn is_called(ui: &egui::Ui, name: &str) -> bool {
@@ -377,9 +379,7 @@ impl<'a> NumberField<'a> {
         let state = state.get_or_insert_with(|| Editing { text: exact.clone(), first: exact, value, error: None });
         state.error = None;
         if fresh {
-            let mut edit = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-            edit.cursor.set_char_range(Some(egui::text::CCursorRange::select_all_str(&state.text)));
-            edit.store(ui.ctx(), id);
+            text_field::select(ui.ctx(), id, 0..state.text.chars().count());
         }
         let field = TextField::line(&mut state.text, MAX_EXPRESSION.0).refused_beyond().with(|edit| {
             let edit = edit.id(id).clip_text(true).desired_width(self.width);

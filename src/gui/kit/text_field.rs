@@ -3,8 +3,11 @@
 //! Pasted text may be any file that somebody had on the clipboard. It is cut before it is laid out, which is reported
 //! beside the field. No other file makes fields of egui's own, which take everything.
 
+use std::ops::Range;
+
 use eframe::egui::os::OperatingSystem;
-use eframe::egui::{Align2, Context, Event, Response, TextEdit, Ui};
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::{Align2, Context, Event, Id, Response, TextEdit, Ui};
 
 use super::tooltip;
 use crate::i18n::{Lang, messages};
@@ -58,6 +61,14 @@ impl<'t> TextField<'t> {
         }
         response
     }
+}
+
+/// Selects characters of a field, so that typing replaces them.
+pub(in crate::gui) fn select(ctx: &Context, id: Id, characters: Range<usize>) {
+    let mut edit = TextEdit::load_state(ctx, id).unwrap_or_default();
+    let [begin, end] = [characters.start, characters.end].map(CCursor::new);
+    edit.cursor.set_char_range(Some(CCursorRange::two(begin, end)));
+    edit.store(ctx, id);
 }
 
 /// Cuts pasted text to the limit of the largest field, and one character more.

@@ -435,6 +435,8 @@ texts! {
     in_portuguese: "in Portuguese", "em português";
     title_note: "If you leave one language empty, the other one is used for both.", "Se você deixar um idioma vazio, vale o outro para os dois.";
     title_action: "Apply", "Aplicar";
+    title_file: "File", "Arquivo";
+    title_choose: "Other folder…", "Outra pasta…";
     more: "More", "Mais";
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";

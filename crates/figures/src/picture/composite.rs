@@ -53,11 +53,6 @@ impl OnPaper {
         [self.letters.unwrap_or(LEAST_LETTERS), LEAST_LETTERS].map(|letters| ROOM_IN_LETTERS[0] * self.pixels(letters))
     }
 
-    /// Pixels in points.
-    fn points(&self, pixels: f64) -> f64 {
-        pixels * 72.0 / self.dpi
-    }
-
     /// Pixels in centimetres.
     fn centimetres(&self, pixels: u32) -> f64 {
         f64::from(pixels) / self.dpi * 2.54
@@ -69,8 +64,6 @@ impl OnPaper {
 pub struct Crowded {
     /// Width and height of the smallest picture in centimetres.
     pub smallest: [f64; 2],
-    /// The height of its letters in points.
-    pub letters: f64,
     /// The requested height of letters, or else of the smallest that can be read, in points.
     pub wanted: f64,
     /// Width and height in centimetres of a picture with room for those.
@@ -253,8 +246,8 @@ pub(super) fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, 
     request
 }
 
-/// Gives several pictures the letters of the paper, as far as they fit into the smallest. Returns the message where
-/// they hardly do.
+/// Gives several pictures the letters of the paper. Returns the message if the smallest hardly has room for them: names
+/// that find no place are left out there, but the letters keep the height that was asked for.
 pub(super) fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;
@@ -262,18 +255,15 @@ pub(super) fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     };
     let smallest = sizes.iter_mut().min_by(|a, b| room_of(a).total_cmp(&room_of(b)))?;
     let room = room_of(smallest);
-    let smallest = *smallest;
+    let smallest = [smallest.width, smallest.height].map(|side| paper.centimetres(side));
     let wanted = paper.letters.unwrap_or(LEAST_LETTERS);
     if let Some(letters) = paper.letters {
-        let least = paper.pixels(LEAST_LETTERS);
         #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
-        let letters = paper.pixels(letters).min(room.max(least)) as f32;
+        let letters = paper.pixels(letters) as f32;
         sizes.iter_mut().for_each(|size| *size = Size::with_letters(size.width, size.height, letters));
     }
-    let of_smallest = sizes.iter().find(|size| (size.width, size.height) == (smallest.width, smallest.height))?;
     (room < paper.pixels(wanted)).then(|| Crowded {
-        smallest: [smallest.width, smallest.height].map(|side| paper.centimetres(side)),
-        letters: paper.points(f64::from(of_smallest.letters())),
+        smallest,
         wanted,
         room: ROOM_IN_LETTERS.map(|letters| letters * wanted / 72.0 * 2.54),
     })
@@ -396,28 +386,27 @@ mod tests {
     }
 
     #[test]
-    fn letters_have_their_height_where_there_is_room_and_are_smaller_but_legible_elsewhere() {
+    fn letters_have_their_height_and_pictures_without_room_for_them_are_named() {
         let heights = |size, paper: OnPaper| {
             let sheet = sheet(Views::All, size, Some(paper));
             let letters: Vec<f32> = sheet.requests.iter().map(|request| request.size.letters()).collect();
             assert!(letters.iter().all(|height| (height - letters[0]).abs() < 0.01 * height), "{letters:?}");
-            (paper.points(f64::from(letters[0])), sheet.crowded)
+            (f64::from(letters[0]) / paper.dpi * 72.0, sheet.crowded)
         };
         let about = |a: f64, b: f64| assert!((a - b).abs() < 0.02 * b, "{a} {b}");
         // 16 × 12 cm: 9 points have room.
         let (letters, crowded) = heights([1890, 1417], PAPER);
         about(letters, 9.0);
         assert_eq!(crowded, None);
-        // 8 × 6 cm: the two at the right are 3.5 cm wide, sixteen letters of 6.2 points.
+        // 8 × 6 cm: the two at the right are 3.5 cm wide.
         let (letters, crowded) = heights([945, 709], PAPER);
         let crowded = crowded.unwrap();
-        about(letters, 6.2);
-        about(crowded.letters, letters);
+        about(letters, 9.0);
         about(crowded.smallest[0], 3.5);
         assert_eq!(crowded.wanted, 9.0);
         about(crowded.room[0], 16.0 * 9.0 / 72.0 * 2.54);
-        // 3 × 2 cm: no smaller than 6 points, unless requested.
-        about(heights([354, 236], PAPER).0, 6.0);
+        // 3 × 2 cm.
+        about(heights([354, 236], PAPER).0, 9.0);
         about(heights([354, 236], OnPaper { letters: Some(4.0), ..PAPER }).0, 4.0);
         // A single picture has the requested letters.
         assert_eq!(sheet(Views::One(View::World), [354, 236], Some(PAPER)).crowded, None);

@@ -2,8 +2,6 @@
 
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
-use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{self, Align2, Color32, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
@@ -13,7 +11,7 @@ use crate::expression::{Dimension, evaluate_with};
 use crate::gui::inspector::complaint;
 use crate::gui::kit::mathematics;
 use crate::gui::kit::prose;
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::state::{is_whole, joined};
 use crate::i18n::learn::{exercise_window as words, exercises as said};
@@ -286,10 +284,8 @@ fn numbers(
 fn select_on_arrival(ui: &Ui, response: &egui::Response, text: &str) {
     let came_by_key =
         response.gained_focus() && !ui.input(|input| input.pointer.any_down() || input.pointer.any_released());
-    if let Some(mut state) = TextEditState::load(ui.ctx(), response.id).filter(|_| came_by_key) {
-        let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
-        state.cursor.set_char_range(Some(all));
-        state.store(ui.ctx(), response.id);
+    if came_by_key {
+        text_field::select(ui.ctx(), response.id, 0..text.chars().count());
     }
 }
 

@@ -11,7 +11,7 @@ use crate::appearance::Rgba;
 use crate::figure::labels::{LEGEND, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::{Canvas, Pane};
@@ -152,7 +152,7 @@ impl Canvas {
             .inner;
         if std::mem::take(&mut label_mode.is_new) {
             response.request_focus();
-            select_all(ui.ctx(), response.id, typed.chars().count());
+            text_field::select(ui.ctx(), response.id, 0..typed.chars().count());
         }
         label_mode.is_typing = response.has_focus() || response.lost_focus();
         if response.changed() {
@@ -180,13 +180,6 @@ fn with_letters(ui: &Ui, typed: &str) -> Arc<Galley> {
         job.append(&letter.to_string(), 0.0, TextFormat { font_id: font, color, italics, ..TextFormat::default() });
     }
     ui.fonts_mut(|fonts| fonts.layout_job(job))
-}
-
-fn select_all(ctx: &egui::Context, id: Id, count: usize) {
-    use egui::text::{CCursor, CCursorRange};
-    let mut edit = egui::TextEdit::load_state(ctx, id).unwrap_or_default();
-    edit.cursor.set_char_range(Some(CCursorRange::two(CCursor::new(0), CCursor::new(count))));
-    edit.store(ctx, id);
 }
 
 /// The lengths and angles that the author shows in the world.

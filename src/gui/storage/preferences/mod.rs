@@ -466,7 +466,7 @@ mod tests {
             paper,
             ..changed.export
         };
-        changed.family = FamilyChoice { columns: Some(3), parts: true, ..FamilyChoice::default().or_last() };
+        changed.family = FamilyChoice { columns: Some(3), parts: false, ..FamilyChoice::default().or_last() };
         changed.family.first.values = "20, 30".to_owned();
         changed.family.second.choose(Subject::Typed);
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
