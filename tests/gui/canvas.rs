@@ -4,7 +4,6 @@
 
 use std::time::Duration;
 
-use crate::words::en;
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::kit::theme;
@@ -25,6 +24,7 @@ use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
 use super::window::Window;
+use crate::words::en;
 
 pub(super) struct Stage {
     pub(super) state: State,

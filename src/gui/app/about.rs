@@ -1,10 +1,9 @@
 //! The program: its version, its licence, and those of its components. Built in, so that a single copied file has it
 //! too.
 
-use crate::gui::files::questions::FileFlow;
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
-use crate::gui::files::questions::Dialog;
+use crate::gui::files::questions::{Dialog, FileFlow};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::i18n::window::Texts;
 

@@ -2,10 +2,10 @@
 
 mod table;
 
-use crate::gui::model::Model;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::app::state::State;
+use crate::gui::model::Model;
 use crate::gui::model::layout::{ObserverChange, Tab};
 use crate::i18n::window::Texts;
 use crate::views::{Arrangement, View};

@@ -1,7 +1,5 @@
 //! The questions in the window.
 
-use crate::gui::files::questions::FileFlow;
-use crate::gui::model::Model;
 use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
@@ -17,20 +15,18 @@ use crate::gui::export::{export_dialog, handout_dialog};
 use crate::gui::files::comparison::{Comparison, LineOrigin};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
-use crate::gui::files::link_dialog;
-use crate::gui::files::qr;
-use crate::gui::files::questions::{Agreed, Changed, Dialog, Purpose};
+use crate::gui::files::questions::{Agreed, Changed, Dialog, FileFlow, Purpose};
 use crate::gui::files::title_dialog::{self, Answer};
+use crate::gui::files::{link_dialog, qr};
 use crate::gui::gallery::{self, Chosen};
-use crate::gui::inspector::coach;
-use crate::gui::inspector::compare_dialog;
-use crate::gui::inspector::{complaint, scene};
+use crate::gui::inspector::{coach, compare_dialog, complaint, scene};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::gui::kit::keys::written;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
+use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::source::Source;
 use crate::gui::platform::native::Wanted;
@@ -45,7 +41,7 @@ use crate::scene::edit::Children;
 /// Shows the question that is open, if any, and acts on the answer. Gives a command that is to be done.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if state.file_flow.waits_for_system() {
-        wait_for_system(ctx, &mut state.model, &mut state.file_flow);
+        wait_for_system(ctx, &state.model, &mut state.file_flow);
         return None;
     }
     let shown = Id::unique("dialog shown");
@@ -144,10 +140,10 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
                 }
             }
-            Dialog::Help => help(ui, t, &mut state.model, &mut state.file_flow, first),
+            Dialog::Help => help(ui, t, &state.model, &mut state.file_flow, first),
             Dialog::About => about::show(ui, t, &mut state.file_flow, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
-            Dialog::Coach => coach::show(ui, t, &mut state.model, &mut state.file_flow, &mut state.coach, first),
+            Dialog::Coach => coach::show(ui, t, &mut state.model, &mut state.file_flow, &state.coach, first),
             // It has a window of its own.
             Dialog::Compare(_) => {}
             Dialog::Search => wanted = search::show(ui, state, first),
@@ -174,7 +170,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 file_flow::begin(ctx, state, next);
             }
             Dialog::Delete { names, below } => {
-                ask_delete(ui, t, &mut state.model, &mut state.file_flow, (names, below), first)
+                ask_delete(ui, t, &mut state.model, &mut state.file_flow, (names, below), first);
             }
             Dialog::DeleteProgress => {
                 let words = exercise_window::texts(state.model.settings.lang);
@@ -205,7 +201,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
 }
 
 /// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
-fn wait_for_system(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
+fn wait_for_system(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let t = window::texts(model.settings.lang);
     Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
         ui.set_width(380.0);
@@ -389,7 +385,7 @@ fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     text_field::select(ui.ctx(), response.id, begin..end);
 }
 
-fn help(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, file_flow: &mut FileFlow, first: bool) {
+fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, file_flow: &mut FileFlow, first: bool) {
     let pictures = canvas::texts(model.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),

@@ -5,7 +5,6 @@
 //! pointer is on, and the pictures mark it in the same frame. Dialogs lie over both. What was done is committed, and
 //! handed to the threads that write files, after everything has been shown.
 
-use crate::gui::model::Model;
 use std::time::Duration;
 
 use eframe::egui;
@@ -18,6 +17,7 @@ use crate::gui::files::{changed_file, file_flow};
 use crate::gui::inspector::{numerics, operations, parameters, values};
 use crate::gui::kit::{text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
+use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::layout::Side;
 use crate::gui::model::shown::PanelHover;
@@ -58,7 +58,7 @@ impl App {
         });
         self.caret.follow(ctx);
         motion::advance(ctx, &mut self.state.model);
-        lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, &mut self.state.file_flow);
+        lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, &self.state.file_flow);
         self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.model.document.commit();
@@ -69,7 +69,7 @@ impl App {
         self.canvas.listen_for_cancel(ctx, &mut self.state);
         if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
             && let Some(command) =
-                presentation::escape(ctx, &mut self.state.model, &mut self.state.file_flow, &mut self.state.annotations)
+                presentation::escape(ctx, &self.state.model, &self.state.file_flow, &self.state.annotations)
         {
             self.perform(ctx, command);
         }
@@ -209,14 +209,14 @@ impl App {
             self.perform(&ctx, command);
         }
         self.act(&ctx);
-        self.state.coach.check_camera(&mut self.state.model, &ctx);
-        presentation::show(&ctx, &mut self.state.model, &mut self.state.annotations, pictures.response.rect);
+        self.state.coach.check_camera(&self.state.model, &ctx);
+        presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
         if let Some(command) = of_bar {
             self.perform(&ctx, command);
         }
-        let of_speaker = lesson::speaker_window(&ctx, &mut self.state.model, &mut self.state.learn);
+        let of_speaker = lesson::speaker_window(&ctx, &self.state.model, &self.state.learn);
         // Its window does not know of questions in this one.
         let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = called.of_lesson.or(of_speaker) {

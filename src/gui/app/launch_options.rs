@@ -2,11 +2,11 @@
 //! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure
 //! inside a page.
 
-use crate::gui::model::Model;
 use percent_encoding::percent_decode_str;
 
 use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
+use crate::gui::model::Model;
 use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};

@@ -1,7 +1,5 @@
 //! The bar at the top: menus, the name of the figure, and the switches that a lecture needs at once.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{self, Button, RichText, TextStyle};
 
 use super::command::{Command, MENUS};
@@ -11,6 +9,8 @@ use crate::gui::app::status;
 use crate::gui::kit::elide;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
 

@@ -1,9 +1,5 @@
 //! The presentation besides large type: its keys, and the annotations over the pictures.
 
-use crate::gui::app::annotations::Annotations;
-use crate::gui::files::questions::FileFlow;
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::time::Duration;
 
 use eframe::egui::{
@@ -13,8 +9,12 @@ use eframe::egui::{
 
 use super::command::Command;
 use super::menu;
+use crate::gui::app::annotations::Annotations;
 use crate::gui::app::state::State;
+use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::theme;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::learn::lessons;
 use crate::i18n::{told, window};
 
@@ -63,9 +63,9 @@ pub(in crate::gui) const ARROWS: [(KeyboardShortcut, Command); 2] = [
 /// command.
 pub(in crate::gui) fn escape(
     ctx: &Context,
-    model: &mut Model,
-    file_flow: &mut FileFlow,
-    annotations: &mut Annotations,
+    model: &Model,
+    file_flow: &FileFlow,
+    annotations: &Annotations,
 ) -> Option<Command> {
     let shown = model.settings.presentation || annotations.any();
     let busy = ctx.text_edit_focused() || ctx.any_popup_open() || file_flow.dialog.is_some();
@@ -183,7 +183,7 @@ pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
 }
 
 /// The annotations over the pictures, which are in `room`.
-pub(in crate::gui) fn show(ctx: &Context, model: &mut Model, annotations: &mut Annotations, room: Rect) {
+pub(in crate::gui) fn show(ctx: &Context, model: &Model, annotations: &mut Annotations, room: Rect) {
     if annotations.pen {
         pen(ctx, annotations, room);
     }
@@ -229,8 +229,8 @@ fn pen(ctx: &Context, annotations: &mut Annotations, room: Rect) {
 /// that is said.
 pub(in crate::gui) fn keys(
     ctx: &Context,
-    model: &mut Model,
-    learn: &mut Learn,
+    model: &Model,
+    learn: &Learn,
     annotations: &mut Annotations,
 ) -> Option<(&'static str, f32)> {
     if annotations.any() {

@@ -1,8 +1,5 @@
 //! One search for everything in the window: commands, parameters, explanations, matrices, notes, exercises, figures.
 
-use crate::gui::app::search_state::Search;
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::borrow::Cow;
 
 use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
@@ -12,6 +9,7 @@ use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
 use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
+use crate::gui::app::search_state::Search;
 use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::files::questions::Dialog;
@@ -21,7 +19,9 @@ use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::list;
+use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::layout::{Side, Tab};
 use crate::gui::why;

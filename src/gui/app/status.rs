@@ -1,10 +1,10 @@
 //! The last message: news in the bar at the top, errors in full at the bottom until they are closed.
 
-use crate::gui::model::Model;
 use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::i18n::window;
 

@@ -1,11 +1,11 @@
 //! The button below a chart that writes it in a format of pictures.
 
-use crate::gui::model::Model;
 use eframe::egui::Ui;
 
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::i18n::window;
 

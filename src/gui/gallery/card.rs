@@ -1,6 +1,5 @@
 //! A figure in the gallery: its source, and its display. It is read and drawn beside the window's thread.
 
-use crate::gui::model::source::Source;
 use std::borrow::Cow;
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{HashMap, HashSet};
@@ -12,6 +11,7 @@ use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::Bilingual;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
+use crate::gui::model::source::Source;
 use crate::i18n::{Lang, messages, pictures, told, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;

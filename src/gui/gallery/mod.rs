@@ -3,7 +3,6 @@
 mod card;
 mod show;
 
-use crate::gui::model::source::Source;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -15,6 +14,7 @@ use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
 use crate::gui::background::worker::Worker;
+use crate::gui::model::source::Source;
 use crate::i18n::window::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
 pub use card::figures_in;
@@ -144,7 +144,7 @@ impl Gallery {
     }
 
     /// Cancels the drawing of thumbnails. The gallery is closed.
-    pub(super) fn end(&mut self) {
+    pub(super) fn end(&self) {
         self.worker.cancel();
     }
 

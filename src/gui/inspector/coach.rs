@@ -1,19 +1,16 @@
 //! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
 //! with repairs.
 
-use crate::gui::files::questions::FileFlow;
-use crate::gui::inspector::state::coach::Coach;
-use crate::gui::model::Model;
 use eframe::egui::{self, Align, Button, Color32, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2};
 
 use crate::camera::ImageSize;
 use crate::figure::{Explanation, Figure};
-use crate::gui::files::questions::Dialog;
-use crate::gui::inspector::state::coach::Advice;
+use crate::gui::files::questions::{Dialog, FileFlow};
+use crate::gui::inspector::state::coach::{Advice, Coach};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
-use crate::gui::kit::elide;
-use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{elide, theme};
+use crate::gui::model::Model;
 use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 use crate::i18n::window::coach as words;
@@ -99,7 +96,7 @@ fn is_empty(model: &Model, diagnosis: &Diagnosis) -> bool {
 }
 
 /// Explains an empty image over it, with the button of the repair.
-pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, model: &mut Model, coach: &mut Coach) {
+pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, model: &mut Model, coach: &Coach) {
     let lang = model.settings.lang;
     let t = words::texts(lang);
     let Some(diagnosis) = coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
@@ -148,7 +145,7 @@ pub(in crate::gui) fn show(
     t: &Texts,
     model: &mut Model,
     file_flow: &mut FileFlow,
-    coach: &mut Coach,
+    coach: &Coach,
     first: bool,
 ) {
     let words = words::texts(model.settings.lang);

@@ -1,8 +1,8 @@
 //! The dialog that compares the figure with itself in another way. What is chosen is seen at once.
 
-use crate::gui::model::Model;
-use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2};
 use std::sync::Arc;
+
+use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2};
 
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
@@ -10,11 +10,11 @@ use crate::gui::app::focus::at_right;
 use crate::gui::app::state::State;
 use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::complaint;
-use crate::gui::inspector::state::compare::CompareForm;
-use crate::gui::inspector::state::compare::{compared_with, end, in_window, keep_as_a, take};
+use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, keep_as_a, take};
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::i18n::messages;
 use crate::i18n::window::Texts;

@@ -1,10 +1,10 @@
 //! The numbers of a report as tables: their symbols, names and rows, as they are shown.
 
-use crate::gui::model::Model;
 use std::borrow::Cow;
 
 use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
+use crate::gui::model::Model;
 use crate::gui::model::conventions::Conventions;
 use crate::i18n::why::conventions;
 use crate::i18n::window::{self, Texts};

@@ -1,16 +1,15 @@
 //! The operations on the camera: by a step, or scrubbed with a slider from where the camera is.
 
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::model::Model;
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
 use super::predict;
 use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
-use crate::gui::inspector::state::operations::Scrub;
+use crate::gui::inspector::state::operations::{Operations, Scrub};
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::pictures::motion;
 use crate::gui::why::context_help::help_topic_row;
 use crate::i18n::why::notes;

@@ -1,15 +1,14 @@
 //! *Predict first*: the switch, the question of an operation, and what came of it.
 
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::model::Model;
 use eframe::egui::{self, Button, RichText};
 
 use crate::camera::Operation;
+use crate::gui::inspector::state::operations::Operations;
 use crate::gui::inspector::state::predict::{About, Change, Prediction};
-use crate::gui::kit::number_field;
-use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{number_field, prose};
 use crate::gui::learn::exercises::color;
+use crate::gui::model::Model;
 use crate::gui::pictures::motion;
 use crate::i18n::learn::exercise_messages;
 use crate::i18n::window::Texts as WindowTexts;

@@ -1,6 +1,5 @@
 //! The numbers: basis, matrices, window, corners. Each one is that of `camera-lab inspect` for the same figure.
 
-use crate::gui::model::Model;
 use std::sync::Arc;
 
 use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
@@ -13,6 +12,7 @@ use crate::gui::inspector::number_tables::{GAP, Table, ndc_of, report, tables};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::{self, help_topic, help_topic_row};
 use crate::i18n::why::conventions::differences;
 use crate::i18n::why::{explain, notes};

@@ -20,12 +20,12 @@ pub mod source;
 pub mod steps;
 pub mod view_history;
 
-use crate::figure::Figure;
 use glam::DVec3;
 
 use crate::appearance::{Style, Theme};
 use crate::camera::{Camera, CameraError};
 use crate::explain::Matrix;
+use crate::figure::Figure;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, NamedPoint, Observers};
 use crate::gui::background::memo::Memo;
@@ -118,7 +118,7 @@ impl Model {
             document,
             scene_cache: SceneCache::default(),
             settings: Settings {
-                lang: lang,
+                lang,
                 zoom: 1.0,
                 presentation: false,
                 panels: Panels { wanted: [true, true, false], ..Panels::default() },

@@ -1,6 +1,5 @@
 //! The card with the coordinates of the pinned probe: its place, and its buttons.
 
-use crate::gui::model::Model;
 use eframe::egui::{Context, Id, Pos2, Rect, Ui, Vec2, Window, vec2};
 use glam::DVec3;
 
@@ -9,6 +8,7 @@ use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
 use crate::figure::{Depth, Explanation};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
 use crate::i18n::why::explain_point;
 use crate::i18n::window::canvas::CanvasTexts;

@@ -1,6 +1,5 @@
 //! The selection of the tree, marked in the pictures.
 
-use crate::gui::model::Model;
 use std::collections::BTreeSet;
 
 use glam::{DMat4, DVec3};
@@ -8,6 +7,7 @@ use glam::{DMat4, DVec3};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
 use crate::gui::background::memo::Memo;
+use crate::gui::model::Model;
 use crate::gui::model::scene_tree::Selected;
 use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};

@@ -20,12 +20,6 @@ mod status;
 mod strip;
 mod texture;
 
-use crate::gui::app::annotations::Annotations;
-use crate::gui::inspector::state::coach::Coach;
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::pictures::labels::label_mode::LabelMode;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -43,6 +37,7 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::Rgba;
 use crate::figure::{Explanation, Observer};
+use crate::gui::app::annotations::Annotations;
 use crate::gui::app::command::Command;
 use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
@@ -50,12 +45,17 @@ use crate::gui::app::presentation;
 use crate::gui::app::state::State;
 use crate::gui::inspector::coach;
 use crate::gui::inspector::coach::Brief;
+use crate::gui::inspector::state::coach::Coach;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::model::message::Message;
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
 use crate::gui::pictures::highlight::Highlight;
+use crate::gui::pictures::labels::label_mode::LabelMode;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::pictures::pointer::held::Drag;
 use crate::gui::pictures::pointer::keyboard_probe::{ProbeStep, Probing};
 use crate::gui::pictures::pointer::picking::{PickRequest, Picker};
@@ -278,14 +278,14 @@ impl Canvas {
         self.take_probe_steps(&ctx, &mut state.model, &panes);
         state.model.probe = state.model.pinned().or(self.hover.probe);
         state.model.seen = Picture::observers(&self.shot.pictures);
-        self.draw(ui, &mut state.model, &mut state.learn, &mut state.annotations, &mut panes);
+        self.draw(ui, &mut state.model, &state.learn, &state.annotations, &mut panes);
         self.decorate(ui, &state.model, &panes, texts);
         self.axis_cross(ui, &state.model, &panes, texts);
         self.outline_labels(ui, &state.label_mode, &panes);
         self.labels_card(ui, &mut state.model, &mut state.label_mode, &panes);
         Self::marks(ui, state.learn.placing(&state.model, &state.operations).as_ref(), &panes);
         Self::wipers(ui, &mut state.model, &panes);
-        Self::photograph_lines(ui, &mut state.model, &mut state.photograph, &panes);
+        Self::photograph_lines(ui, &state.model, &mut state.photograph, &panes);
         Self::photograph_card(ui, &mut state.model, &mut state.photograph, &panes);
 
         if state.model.layout.strip {
@@ -295,10 +295,10 @@ impl Canvas {
         // Below the titles, whose buttons a card would cover.
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
         self.describe_probe((ui, room), &panes, &mut state.model, &mut status, texts);
-        self.say_why_empty(ui, &mut state.model, &mut state.coach, &panes);
+        self.say_why_empty(ui, &mut state.model, &state.coach, &panes);
         status.coach = Brief::of(&state.model, &state.coach);
         status.presenting = state.model.settings.presentation;
-        status.keys = presentation::keys(&ctx, &mut state.model, &mut state.learn, &mut state.annotations);
+        status.keys = presentation::keys(&ctx, &state.model, &state.learn, &mut state.annotations);
         let loading = loading(&state.model);
         if !loading.is_empty() {
             status.message = loading;
@@ -335,7 +335,7 @@ impl Canvas {
     }
 
     /// Explains an empty image, in it.
-    fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, coach: &mut Coach, panes: &[Pane]) {
+    fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, coach: &Coach, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
         if let Some(pane) = image.filter(is_there) {
@@ -445,14 +445,7 @@ impl Canvas {
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
-    fn draw(
-        &mut self,
-        ui: &Ui,
-        model: &mut Model,
-        learn: &mut Learn,
-        annotations: &mut Annotations,
-        panes: &mut [Pane],
-    ) {
+    fn draw(&mut self, ui: &Ui, model: &mut Model, learn: &Learn, annotations: &Annotations, panes: &mut [Pane]) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let style = model.style();

@@ -1,13 +1,12 @@
 //! A step of an operation that the eye can follow. The camera moves to its end in a moment, and is there exactly.
 
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::model::Model;
 use std::time::Duration;
 
 use eframe::egui::{self, Event};
 
 use crate::camera::{Amount, Camera, Convention, Freedom};
-use crate::gui::inspector::state::operations::DoneStep;
+use crate::gui::inspector::state::operations::{DoneStep, Operations};
+use crate::gui::model::Model;
 use crate::gui::model::motion::Motion;
 use crate::views::Ghost;
 

@@ -145,7 +145,7 @@ impl Strip<'_> {
     }
 
     /// Draws the cells. The one that is pointed at, or has the keyboard.
-    fn cells(&self, ui: &mut Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
+    fn cells(&self, ui: &Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
         let Some(account) = self.account else { return (None, None) };
         let mut clicked = None;
         let columns = columns(ui, rect.width() + 12.0);

@@ -1,11 +1,11 @@
 //! Notices about windows that did not close and about the storage of this one. Each line stays until the user closes
 //! it, or until it no longer holds.
 
-use crate::gui::files::questions::FileFlow;
-use crate::gui::model::Model;
 use eframe::egui::{self, Label, RichText};
 
 use crate::gui::app::focus::with_room_before;
+use crate::gui::files::questions::FileFlow;
+use crate::gui::model::Model;
 use crate::gui::model::message::about_session;
 use crate::gui::storage::session::News;
 use crate::i18n::window;

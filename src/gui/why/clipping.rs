@@ -1,15 +1,15 @@
 //! Clipping: the parts of the scene outside the view volume, the vertices that the planes make, and the division before
 //! clipping.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain;
 use crate::i18n::window::gallery;
 use crate::i18n::{told, window};

@@ -1,8 +1,6 @@
 //! Depth: the depth buffer as a picture, z_n over the distance from the eye, the resolution of formats of depth
 //! buffers, and planes that contain the scene.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine};
@@ -19,6 +17,8 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::window::{coach as words, compare};
 use crate::i18n::{Lang, window};
 use crate::numerics::health::{suggested_planes, with_planes};

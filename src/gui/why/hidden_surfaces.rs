@@ -1,8 +1,6 @@
 //! Hidden surfaces: the image painted so far, triangle by triangle, by each hidden-surface algorithm; the faces that
 //! are turned away.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, RichText, Slider, Ui};
 
 use crate::appearance::Visibility;
@@ -10,6 +8,8 @@ use crate::figure::{Depth, Reveal};
 use crate::gui::inspector::compare_dialog;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::stages;
 use crate::i18n::window;
 use crate::views::View;

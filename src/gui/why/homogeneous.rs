@@ -1,7 +1,5 @@
 //! The explanation of w: points in (x_r, w_r), where a middle goes, and a floor with and without w.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, Align2, Color32, FontId, Pos2, Rect, RichText, Sense, Shape, Stroke, TextStyle, vec2};
 use glam::{DVec2, DVec3, DVec4};
 
@@ -11,7 +9,9 @@ use crate::gui::inspector::{complaint, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::homogeneous;
 use crate::i18n::why::homogeneous::Texts;
 use crate::i18n::window;
@@ -183,7 +183,7 @@ fn ends(model: &Model) -> [(String, DVec3); 2] {
     [("A".to_owned(), near), ("B".to_owned(), far)]
 }
 
-fn middle(ui: &mut egui::Ui, t: &Texts, model: &mut Model, explain: &mut Explain) {
+fn middle(ui: &mut egui::Ui, t: &Texts, model: &Model, explain: &mut Explain) {
     ui.label(RichText::new(t.middle_hint).weak());
     let [(a, from), (b, to)] = ends(model);
     let camera = model.document.camera();

@@ -24,8 +24,6 @@ mod triangle;
 
 use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 
-pub(in crate::gui) use subject::object_transform;
-
 use crate::figure::Explanation;
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::elide;
@@ -35,6 +33,7 @@ use crate::gui::model::explained::Question;
 use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain;
 use crate::i18n::why::explain::Texts;
+pub(in crate::gui) use subject::object_transform;
 pub(super) use triangle::clicked;
 
 /// A name and a hint.

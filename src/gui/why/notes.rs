@@ -1,8 +1,6 @@
 //! The notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the
 //! thing itself.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::answer::{self, Writing};
@@ -13,6 +11,8 @@ use crate::gui::kit::mathematics;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::notes::Notes;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;

@@ -1,8 +1,6 @@
 //! The explanation of order: a list of transforms on an object, read from either end, and the same list in another
 //! order.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use std::collections::BTreeSet;
 
 use eframe::egui::{self, RichText, Slider, Ui};
@@ -17,11 +15,12 @@ use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
 use crate::gui::inspector::{choice, complaint, section};
-use crate::gui::kit::mathematics;
-use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{mathematics, theme};
+use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::gui::model::scene_tree::Selected;
+use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::order::{Order, Own};
 use crate::i18n::why::order as words;
 use crate::i18n::why::order::Texts;

@@ -1,7 +1,5 @@
 //! The tab that follows a point: which one, where it is in every space, and its whole way with the arithmetic.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, Key, RichText};
 use glam::{DVec2, DVec3};
 
@@ -14,8 +12,10 @@ use crate::gui::inspector::complaint;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::follow::Space;
 use crate::gui::why::context_help::help_topic_row;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain_point;
 use crate::i18n::why::explain_point::Texts;
 use crate::i18n::why::notes;

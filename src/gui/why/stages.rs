@@ -1,11 +1,11 @@
 //! Stages: each stage of the pipeline with what it did; a click shows its input and output in the picture.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, RichText, Ui};
 
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::help_topic;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::sources::with_titles;
 use crate::i18n::why::{notes, pipeline, stages};
 use crate::pipeline::Stage;

@@ -1,8 +1,6 @@
 //! The explanation of steps. The view volume becomes the canonical one, step by step, in the picture of the canonical
 //! volume; here its factors.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use std::time::Duration;
 
 use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, Slider, Ui};
@@ -16,12 +14,14 @@ use crate::gui::inspector::values::brackets;
 use crate::gui::kit::mathematics::Both;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::matrices::Reading;
 use crate::gui::model::steps::{Steps, end_of, step_at, time_of};
 use crate::gui::why::context_help::help_topic;
 use crate::gui::why::matrix::entries;
 use crate::gui::why::matrix::matrices::{cells, reading};
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;
 use crate::i18n::why::notes;

@@ -1,11 +1,11 @@
 //! The subject of the explanations: the figure's camera, and the selected object.
 
-use crate::gui::model::Model;
 use glam::DMat4;
 
 use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
 use crate::figure::Measured;
+use crate::gui::model::Model;
 use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::scene::edit::placement;
 use crate::scene::transform::Trs;

@@ -1,7 +1,5 @@
 //! One triangle step by step. Its corners in each space, the cuts, the pixels that it covers and their depths.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, RichText, Ui};
 use glam::DVec3;
 
@@ -10,7 +8,9 @@ use crate::figure::{ShownTriangle, TriangleStep, View};
 use crate::gui::inspector::complaint;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::triangle::Covered;
 use crate::i18n::pictures::labels;
 use crate::i18n::why::notes;
@@ -91,7 +91,7 @@ fn follow(ui: &Ui, model: &mut Model, shown: ShownTriangle) {
 }
 
 /// The numbers of the triangle that the image shows.
-fn found(ctx: &egui::Context, model: &mut Model, explain: &mut Explain) -> Option<(TriangleSteps, Covered)> {
+fn found(ctx: &egui::Context, model: &Model, explain: &mut Explain) -> Option<(TriangleSteps, Covered)> {
     // They do not depend on the size.
     let size = Size { width: 1, height: 1, scale: 1.0 };
     let (document, scene, labels) = (&model.document, model.scene_cache.scene(), labels(model.settings.lang));

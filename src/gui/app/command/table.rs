@@ -1,6 +1,5 @@
 //! The rows of the commands: words, keys, when each can be done, and what it does.
 
-use crate::gui::learn::Learn;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
 use super::Command::{self, *};
@@ -17,6 +16,7 @@ use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare as kept_camera;
 use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
@@ -159,10 +159,10 @@ pub const MENUS: &[Menu] = &[
                     .disabled_because(|t| t.dimensions_in_section),
                 Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
                 Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| {
-                    kept_camera::keep_as_a(&mut s.model, &mut s.camera_a)
+                    kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
                 }),
                 Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| {
-                    kept_camera::swap(&mut s.model, &mut s.camera_a)
+                    kept_camera::swap(&mut s.model, &s.camera_a);
                 }),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
                 Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),

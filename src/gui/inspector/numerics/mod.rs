@@ -3,10 +3,6 @@
 
 mod plot;
 
-pub(in crate::gui) use plot::color_of;
-
-use crate::gui::model::Model;
-use crate::gui::why::state::numerics::Numerics;
 use std::time::Duration;
 
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
@@ -14,10 +10,13 @@ use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::export::chart_export;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
+use crate::gui::why::state::numerics::Numerics;
 use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
+pub(in crate::gui) use plot::color_of;
 
 /// Interval between looks at the progress.
 const GLANCE: Duration = Duration::from_millis(100);
@@ -68,7 +67,7 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
 }
 
 /// The studies, each with a mark where it has been measured, and the button that measures.
-fn studies(ui: &mut Ui, model: &mut Model, numerics_state: &mut Numerics) {
+fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
     let lang = model.settings.lang;
     let t = words::texts(lang);
     ui.vertical(|ui| {
@@ -148,7 +147,7 @@ fn chart(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Fin
 }
 
 /// The methods at one parameter. Gives the row whose camera is to be opened.
-fn methods(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Findings) -> Option<Row> {
+fn methods(ui: &mut Ui, model: &Model, numerics: &mut Numerics, findings: &Findings) -> Option<Row> {
     let lang = model.settings.lang;
     let t = words::texts(lang);
     let case = findings.cases().get(numerics.case).copied().unwrap_or_default().to_owned();

@@ -1,6 +1,5 @@
 //! C, PF, VUP; projection, θ or H, A, F, B; the view window.
 
-use crate::gui::model::Model;
 use eframe::egui;
 
 use super::free_window::{closed, opened};
@@ -10,6 +9,7 @@ use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::help_topic;
 use crate::i18n::window::Texts;
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
@@ -61,7 +61,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
 }
 
 /// The kind of projection, θ or H, A, F and B.
-pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &mut Model) {
+pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Model) {
     let t = form.t;
     section(ui, t.projection, "projection", true, |ui| {
         kind(ui, form);

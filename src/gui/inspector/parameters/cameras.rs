@@ -1,7 +1,5 @@
 //! The cameras of the figure: the current one, the others, and ready-made pairs.
 
-use crate::gui::inspector::state::cameras::CameraList;
-use crate::gui::model::Model;
 use eframe::egui::{self, Key, Popup, PopupCloseBehavior};
 
 use super::{complaint, row};
@@ -9,9 +7,11 @@ use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
 use crate::figure::{Comparison, NamedCamera};
 use crate::gui::inspector::section;
+use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::i18n::window;
 use crate::i18n::window::cameras::{self, Texts};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};

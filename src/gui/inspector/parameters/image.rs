@@ -1,7 +1,5 @@
 //! The image and the viewport.
 
-use crate::gui::model::Model;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use std::ops::RangeInclusive;
 
 use eframe::egui;
@@ -12,6 +10,8 @@ use crate::explain::Symbol;
 use crate::gui::inspector::{more, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::why::context_help::{has_focus, help_topic_row};
 use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};

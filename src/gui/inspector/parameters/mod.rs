@@ -9,9 +9,6 @@ mod photograph;
 mod style;
 mod world_section;
 
-use crate::gui::inspector::state::cameras::CameraList;
-use crate::gui::model::Model;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use eframe::egui;
 use glam::DVec3;
 
@@ -21,11 +18,14 @@ use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::layout::Tab;
 use crate::gui::model::matrices::symbols_of;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::why::context_help::{has_focus, help_topic_row};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;

@@ -1,7 +1,5 @@
 //! The photograph under the image: its file, its opacity, and the way to its camera.
 
-use crate::gui::model::Model;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use eframe::egui::{self, Label, RichText};
 
 use super::row;
@@ -10,7 +8,9 @@ use crate::figure::Photograph;
 use crate::gui::inspector::scene;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::i18n::window::photograph::{self as words, Texts};
 use crate::i18n::{messages, window};
 use crate::sanitize;

@@ -1,6 +1,5 @@
 //! The section about the style of the drawing.
 
-use crate::gui::model::Model;
 use eframe::egui;
 
 use super::row;
@@ -8,6 +7,7 @@ use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
 use crate::gui::inspector::{choice, more, section};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::i18n::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.

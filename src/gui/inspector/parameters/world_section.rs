@@ -1,12 +1,12 @@
 //! The section about the content of the world picture besides scene and camera.
 
-use crate::gui::model::Model;
 use eframe::egui;
 
 use super::row;
 use crate::figure::{WorldPart, WorldParts};
 use crate::gui::inspector::{choice, section};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::i18n::pictures::labels;
 use crate::i18n::{Lang, window};
 use crate::numbers::significant;

@@ -1,12 +1,12 @@
 //! Objects and lights to add to a scene, and their placement.
 
-use crate::gui::model::Model;
 use eframe::egui;
 use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
 use crate::gui::inspector::state::insert::{free_place, rounded};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, MeshFor};
 use crate::gui::model::scene_tree::Selected;
 use crate::i18n::window::scenes::Texts;

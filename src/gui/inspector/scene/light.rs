@@ -1,6 +1,5 @@
 //! The fields of a light, and of its shadows.
 
-use crate::gui::model::Model;
 use eframe::egui;
 use glam::DVec3;
 
@@ -9,6 +8,7 @@ use crate::figure::ShadowReveal;
 use crate::gui::inspector::{VectorField, choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::i18n::window::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 

@@ -6,7 +6,6 @@ mod object;
 mod texture;
 mod tree;
 
-use crate::gui::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
 use eframe::egui::{self, RichText};
@@ -18,6 +17,7 @@ use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::number_field::FieldOutput;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
 use crate::gui::model::scene_tree::{Draft, Selected, Typing};

@@ -1,6 +1,5 @@
 //! The fields of an object: name, kind, parent, transform, colour, segments, and the data of its shape.
 
-use crate::gui::model::Model;
 use std::collections::BTreeSet;
 
 use eframe::egui::{self, Key, RichText};
@@ -12,6 +11,7 @@ use crate::explain::Matrix;
 use crate::gui::inspector::{VectorField, complaint, row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, MeshFor};
 use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
 use crate::gui::why::context_help::{help_topic, help_topic_row};

@@ -1,6 +1,5 @@
 //! The texture of an object: where it comes from, and how it lies on the surface.
 
-use crate::gui::model::Model;
 use eframe::egui::{self, Key, RichText};
 
 use super::{SceneForm, text_field, typing};
@@ -8,6 +7,7 @@ use crate::appearance::{Filter, TextureReveal, Wrap};
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::scene_tree::Typing;
 use crate::i18n::messages;

@@ -1,6 +1,5 @@
 //! The tree of objects and the list of lights: rows that are selected, folded, dragged onto each other and deleted.
 
-use crate::gui::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
 use eframe::egui::accesskit::Role;
@@ -13,6 +12,7 @@ use super::Edit;
 use crate::appearance::Rgba;
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::i18n::window::scenes::{Texts, preset_object};
 use crate::sanitize::escaped;

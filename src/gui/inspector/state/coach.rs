@@ -88,7 +88,7 @@ impl Coach {
 
 impl Coach {
     /// Has the coach look at the figure, where it has changed. Not while the hand moves.
-    pub(in crate::gui) fn check_camera(&mut self, model: &mut Model, ctx: &egui::Context) {
+    pub(in crate::gui) fn check_camera(&mut self, model: &Model, ctx: &egui::Context) {
         self.take(Duration::ZERO);
         if ctx.input(|input| input.pointer.any_down()) || model.motion.is_some() {
             return;

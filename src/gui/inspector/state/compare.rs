@@ -1,13 +1,12 @@
 //! The comparison of the figure with itself in another way, with a kept camera or with another file.
 
-use crate::gui::files::questions::FileFlow;
-use crate::gui::model::Model;
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
 use crate::files;
-use crate::gui::files::questions::Dialog;
+use crate::gui::files::questions::{Dialog, FileFlow};
+use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 
 /// The values of the dialog that no figure has yet.
@@ -50,7 +49,7 @@ pub(in crate::gui) fn keep_as_a(model: &mut Model, camera_a: &mut Option<Arc<Fig
 }
 
 /// Swaps the sides of the comparison; without one, compares with A.
-pub(in crate::gui) fn swap(model: &mut Model, camera_a: &mut Option<Arc<Figure>>) {
+pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
     let figure = in_window(model);
     let swapped = match (&figure.compare, camera_a.clone()) {
         (Some(comparison), _) => comparison.swapped(&figure),

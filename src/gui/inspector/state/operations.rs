@@ -4,10 +4,8 @@ use super::predict::Predict;
 use crate::camera::{Camera, Convention, Freedom, OPERATIONS, Operation};
 use crate::figure::Show;
 use crate::geometry::Angle;
-use crate::gui::inspector::state::predict::About;
-use crate::gui::inspector::state::predict::Prediction;
-use crate::gui::learn::exercises::state::Mark;
-use crate::gui::learn::exercises::state::Placing;
+use crate::gui::inspector::state::predict::{About, Prediction};
+use crate::gui::learn::exercises::state::{Mark, Placing};
 use crate::gui::model::Model;
 use crate::i18n::window::predict;
 use crate::views::Ghost;
@@ -116,7 +114,7 @@ impl Default for Operations {
 
 impl Operations {
     /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.
-    pub fn operate(&mut self, model: &mut Model, operation: Operation) {
+    pub fn operate(&self, model: &mut Model, operation: Operation) {
         let done = model.document.operate(operation, self.convention);
         model.say_camera_error(done);
     }

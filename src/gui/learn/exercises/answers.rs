@@ -1,7 +1,5 @@
 //! Fields for answers, and their interpretation before they are judged.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{self, Align2, Color32, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
@@ -9,11 +7,12 @@ use crate::clock;
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
 use crate::gui::inspector::complaint;
-use crate::gui::kit::mathematics;
-use crate::gui::kit::prose;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{mathematics, prose};
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{is_whole, joined};
+use crate::gui::model::Model;
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::{Lang, messages};
 use crate::limits::MAX_ANSWER;

@@ -11,7 +11,6 @@ pub mod state;
 mod statement;
 mod verdict;
 
-use crate::gui::model::Model;
 use std::sync::Arc;
 
 use eframe::egui::{self, Key, Modifiers, Ui};
@@ -22,6 +21,7 @@ use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
+use crate::gui::model::Model;
 use crate::i18n::learn::exercise_messages as messages;
 use crate::i18n::learn::exercise_window as words;
 use crate::i18n::learn::exercise_window::Texts;
@@ -36,7 +36,7 @@ struct Sheet<'a> {
 }
 
 /// The part that stays in sight above the list, and above an exercise.
-pub(in crate::gui) fn head(ui: &mut Ui, model: &mut Model, learn_state: &mut Learn) {
+pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) {
     let t = words::texts(model.settings.lang);
     let open = learn_state.exercises.open.clone();
     if open.is_none() {

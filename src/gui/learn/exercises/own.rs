@@ -1,12 +1,12 @@
 //! The folder of a lecturer's own exercises: open, read again, close, and the faults of its files.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
 use crate::files::BadExercise;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::messages;

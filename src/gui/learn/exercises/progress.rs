@@ -1,19 +1,19 @@
 //! Progress in exercises: its file, the frequency of mistakes, export as a table for spreadsheets, and deletion.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::learn::exercises as said;
 use crate::sanitize;
 
 /// The foot of the list.
-pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Learn) {
     ui.add_space(6.0);
     ui.separator();
     egui::CollapsingHeader::new(t.progress).id_salt("progress").show(ui, |ui| {

@@ -1,7 +1,5 @@
 //! The way to an answer, step by step, and the camera that a wrong answer describes.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::sync::Arc;
 
 use eframe::egui::{Button, Id, Key, Rect, Response, Ui, UiBuilder};
@@ -17,7 +15,9 @@ use crate::gui::kit::mathematics::{Both, Links, chain};
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Described, NotCamera};
+use crate::gui::model::Model;
 use crate::i18n::Lang;
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::why::dialects;
@@ -184,7 +184,7 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
 }
 
 /// The open steps, set as mathematics, and the reason why there is no camera. Returns the place of the last step.
-pub(super) fn steps(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
+pub(super) fn steps(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
     let described = learn.exercises.described.as_ref().filter(|described| described.ask == ask.name);
     if let Some(Err(error)) = described.map(|described| &described.camera) {

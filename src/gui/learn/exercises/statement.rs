@@ -1,7 +1,5 @@
 //! The statement, its assumptions, and the figure.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
@@ -9,6 +7,8 @@ use crate::gui::inspector::complaint;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, Way, lesson_of};
@@ -43,7 +43,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
 }
 
 /// The way to the lesson of the exercise, unless it is being played.
-fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &mut Learn, Sheet { t, entry, .. }: Sheet<'_>) {
+fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &Learn, Sheet { t, entry, .. }: Sheet<'_>) {
     let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
     let plays = |way: &Way| learn_state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
     let Some(way) = way.filter(|way| !plays(way)) else { return };
@@ -94,7 +94,7 @@ fn free(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>) {
 }
 
 /// The buttons that put figures into the pictures. What answers a question is shown once all of them have been tried.
-fn figures(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>) {
+fn figures(ui: &mut Ui, model: &mut Model, learn: &Learn, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
     let is_tried = exercise.asks.iter().all(|ask| learn.exercises.checked.contains_key(&ask.name));
     if exercise.is_told_by_figure() && !is_tried {

@@ -1,14 +1,14 @@
 //! The verdict on an answer: its right entries, the diagnosis, and the solution, opened one by one.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{self, RichText, Ui};
 
 use super::answers::color;
 use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
 use crate::gui::kit::prose;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, joined};
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, lesson_of};

@@ -1,8 +1,6 @@
 //! The texts of a step and of the lesson beside what they look like, and the order of the steps. A lesson of the user's
 //! own is written where it is played.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{Button, Id, RichText, Ui};
 
 use super::task_fields;
@@ -10,7 +8,9 @@ use super::writing::{FIELDS_OF_STEP, Fields, Writing};
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::writing::StepChange;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;

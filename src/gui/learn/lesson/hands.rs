@@ -1,16 +1,16 @@
 //! A question to the class: keys or clicks count hands, and the bars come with the answer.
 
-use crate::gui::files::questions::FileFlow;
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::collections::BTreeMap;
 
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
+use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::color;
+use crate::gui::model::Model;
 use crate::i18n::learn::exercises as said;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, told};
@@ -57,7 +57,7 @@ pub(super) fn question_with_choices(step: &Step) -> Option<(Exercise, usize)> {
 }
 
 /// Counts hands by keys: a letter raises one for its choice, Shift and the letter lower one.
-pub(super) fn count(ctx: &Context, model: &mut Model, learn: &mut Learn, file_flow: &mut FileFlow) {
+pub(super) fn count(ctx: &Context, model: &Model, learn: &mut Learn, file_flow: &FileFlow) {
     let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
     let Some(playing) = learn.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
     let Some((_, choices)) = playing.now().and_then(question_with_choices) else { return };

@@ -11,9 +11,6 @@ mod task;
 mod task_fields;
 pub(in crate::gui) mod writing;
 
-use crate::gui::files::questions::FileFlow;
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -26,11 +23,12 @@ use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
 use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
-use crate::gui::files::questions::Dialog;
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
+use crate::gui::files::questions::{Dialog, FileFlow};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{prose, theme};
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
@@ -64,7 +62,7 @@ const ANSWER: f32 = 0.23;
 const TYPED: f64 = 0.9;
 
 /// Goes on with the move to a step, and with what is typed; at the begin of a frame.
-pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &mut FileFlow) {
+pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &FileFlow) {
     let now = ctx.input(|input| input.time);
     let presses = |event: &egui::Event| {
         matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
@@ -164,7 +162,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
 }
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
-fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &mut FileFlow, now: f64) {
+fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &FileFlow, now: f64) {
     let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
     let Some(playing) = learn.lesson.as_mut().filter(|_| listens) else { return };
     // In their order, and each as often as it was pressed: a slow frame brings several.

@@ -1,7 +1,5 @@
 //! Lessons of the user's own: their steps as they are recorded, and those of a folder.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,6 +7,8 @@ use crate::figure::{Bilingual, Figure, Screen};
 use crate::files::{self, FileError};
 use crate::gui::app::state::State;
 use crate::gui::files::questions::{Agreed, Dialog};
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::layout::Side;
 use crate::gui::model::message::Message;
 use crate::i18n::learn::lessons as words;
@@ -58,7 +58,7 @@ impl Learn {
     }
 
     /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
-    pub(in crate::gui) fn is_recorded(&mut self, model: &mut Model) -> bool {
+    pub(in crate::gui) fn is_recorded(&self, model: &mut Model) -> bool {
         let Some(path) = self.file.as_deref().filter(|_| model.document.path().is_none()) else {
             return false;
         };

@@ -1,7 +1,5 @@
 //! The notes of the speaker, in a window of their own: the class sees the pictures, the speaker reads the notes.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{
     self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
 };
@@ -10,6 +8,8 @@ use crate::gui::app::command::Command;
 use crate::gui::app::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
 use crate::lessons::{self, Task};
@@ -25,7 +25,7 @@ pub(super) fn has_window(ctx: &Context, model: &Model, learn: &Learn) -> bool {
 }
 
 /// Shows the notes of the step, where they are wanted. Gives a command that is to be done.
-pub(in crate::gui) fn window(ctx: &Context, model: &mut Model, learn: &mut Learn) -> Option<Command> {
+pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &Learn) -> Option<Command> {
     let is_wanted = learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
     if !is_wanted || !has_window(ctx, model, learn) {
         return None;

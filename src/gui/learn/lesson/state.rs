@@ -1,15 +1,5 @@
 //! The lesson that is played. Its step, the move to it, and what is done.
 
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::learn::Learn;
-use crate::gui::learn::exercises::state::Mark;
-use crate::gui::learn::exercises::state::Placing;
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
-use crate::gui::model::follow::Follow;
-use crate::gui::model::scene_tree::SceneTree;
-use crate::gui::model::source::Source;
-use crate::i18n::learn::exercise_window;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,12 +12,20 @@ use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
 use crate::gui::app::state::State;
-use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Chosen, Mark, Placing};
 use crate::gui::learn::lesson::writing::Writing;
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::gui::model::document::Document;
+use crate::gui::model::follow::Follow;
 use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Panels;
 use crate::gui::model::message::Message;
+use crate::gui::model::scene_tree::SceneTree;
+use crate::gui::model::source::Source;
+use crate::i18n::learn::exercise_window;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 use crate::numbers::round_to;
 use crate::share;
@@ -216,7 +214,7 @@ impl Learn {
     }
 
     /// Keeps the work behind the figure.
-    pub(in crate::gui) fn keep_behind(&mut self, model: &mut Model) {
+    pub(in crate::gui) fn keep_behind(&self, model: &mut Model) {
         let mut behind = model.document.take_behind();
         behind.retain(|document| self.is_work(document));
         model.keep(behind);
@@ -562,7 +560,7 @@ impl Learn {
     }
 
     /// Notes what is reached in the step.
-    pub(in crate::gui) fn check_goal(&mut self, model: &mut Model) {
+    pub(in crate::gui) fn check_goal(&mut self, model: &Model) {
         let Some(mut playing) = self.lesson.take() else { return };
         let step = playing.step;
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {

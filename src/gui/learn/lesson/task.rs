@@ -1,15 +1,14 @@
 //! The task of a step: a question, an exercise, a goal.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{RichText, Ui};
 
 use super::hands;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::learn::exercises;
 use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::learn::{Learn, exercises};
+use crate::gui::model::Model;
 use crate::i18n::learn::exercises::title;
 use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};

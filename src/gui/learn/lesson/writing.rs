@@ -1,8 +1,6 @@
 //! A lesson of the user's own that is written in the window: its texts and those of its step as they are typed, the
 //! changes of its file, and the way back.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -10,6 +8,8 @@ use std::sync::Arc;
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError};
 use crate::gui::files::questions::Agreed;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::gui::storage::session::UnsavedText;
 use crate::i18n::Lang;

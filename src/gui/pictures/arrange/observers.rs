@@ -1,11 +1,11 @@
 //! The observers of the pictures in a frame: as requested by a button or a key, as in the figure, or fitted.
 
-use crate::gui::model::Model;
 use eframe::egui::Ui;
 
 use super::auto_observer::Moment;
 use super::orbit;
 use crate::figure::Observer;
+use crate::gui::model::Model;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::model::message::Message;
 use crate::gui::pictures::{Canvas, Pane};

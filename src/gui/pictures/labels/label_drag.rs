@@ -1,12 +1,12 @@
 //! Dragging a label, and the keys that move it.
 
-use crate::gui::model::Model;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use eframe::egui::{Context, CursorIcon, Key, Modifiers, PointerButton, Pos2, Stroke, StrokeKind, Ui};
 use glam::DVec2;
 
 use crate::figure::labels::note_name;
 use crate::figure::{Labels, Note, NotePlace};
+use crate::gui::model::Model;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};

@@ -1,7 +1,5 @@
 //! The card of the mode *Labels*: the chosen label, hidden ones, notes.
 
-use crate::gui::model::Model;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use std::sync::Arc;
 
 use eframe::egui::text::{LayoutJob, TextFormat};
@@ -14,6 +12,8 @@ use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::i18n::window::labels as words;
 use crate::i18n::window::labels::Texts;

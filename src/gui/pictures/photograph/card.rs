@@ -1,13 +1,13 @@
 //! The card of the tool: what is drawn, and the camera that follows, step by step.
 
-use crate::gui::model::Model;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 use super::tool::Drawn;
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::i18n::why::photograph as steps;
 use crate::i18n::window;
@@ -66,7 +66,7 @@ impl Canvas {
 }
 
 /// The thing that the next drag draws, and the coordinate of the known length.
-fn drawn(ui: &mut Ui, model: &mut Model, photograph_state: &mut PhotographTool, t: &Texts) {
+fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &Texts) {
     let lang = model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
     if model.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
@@ -95,7 +95,7 @@ fn drawn(ui: &mut Ui, model: &mut Model, photograph_state: &mut PhotographTool, 
 }
 
 /// The axis and the coordinate of the point of the length.
-fn length(ui: &mut Ui, model: &mut Model, photograph: &mut PhotographTool, t: &Texts) {
+fn length(ui: &mut Ui, model: &Model, photograph: &mut PhotographTool, t: &Texts) {
     let (mut axis, mut coordinate) = photograph.length;
     ui.horizontal(|ui| {
         for one in WorldAxis::ALL {

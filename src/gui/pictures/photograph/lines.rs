@@ -1,6 +1,5 @@
 //! The lines on the photograph: drawn, dragged by their ends, and prolonged to the vanishing points.
 
-use crate::gui::model::Model;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Color32, CursorIcon, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, TextStyle,
@@ -11,6 +10,7 @@ use glam::DVec2;
 use super::tool::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
+use crate::gui::model::Model;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
@@ -27,7 +27,7 @@ impl Canvas {
     /// Shows the lines while the tool is open, and lets pointer and keys draw and move them.
     pub(in crate::gui::pictures) fn photograph_lines(
         ui: &Ui,
-        model: &mut Model,
+        model: &Model,
         photograph: &mut PhotographTool,
         panes: &[Pane],
     ) {
@@ -91,7 +91,7 @@ fn held_at(response: &Response) -> Option<Pos2> {
 /// A grip follows the pointer and the arrow keys. Gives it back if its mark is to be removed.
 fn drag(
     ui: &Ui,
-    model: &mut Model,
+    model: &Model,
     photograph: &mut PhotographTool,
     pane: &Pane,
     place: &ImagePlace,

@@ -1,9 +1,9 @@
 //! The hand on the image: it moves the camera, as in Blender and `GeoGebra`.
 
-use crate::gui::model::Model;
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::camera::{Camera, Convention, Operation, Parameters, Projection};
+use crate::gui::model::Model;
 use crate::views::{Request, pick};
 
 /// Degrees for one point of a drag.

@@ -1,9 +1,9 @@
 //! Dragging a point that is followed, in the world and in the image.
 
-use crate::gui::model::Model;
 use eframe::egui::Context;
 use glam::{DVec2, DVec3};
 
+use crate::gui::model::Model;
 use crate::gui::pictures::Pane;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::i18n::why::explain_point;

@@ -1,8 +1,6 @@
 //! Drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection, a followed
 //! point.
 
-use crate::gui::model::Model;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip, Ui};
 use glam::DVec2;
 
@@ -10,8 +8,10 @@ use super::camera_drag::CameraDrag;
 use super::followed::PointDrag;
 use crate::figure::Observer;
 use crate::gui::app::state::State;
+use crate::gui::model::Model;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::LabelDrag;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::pointer::handle_drag::HandleDrag;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
@@ -169,7 +169,7 @@ impl Canvas {
             }
             Some(Drag::Point(_, held)) => held.follow(&mut state.model, pane.rect.pixel(pointer), ui.ctx()),
             Some(Drag::Label(_, held)) => {
-                held.follow(&mut state.model, &mut state.label_mode, pane.rect.pixel(pointer), ui.ctx())
+                held.follow(&mut state.model, &mut state.label_mode, pane.rect.pixel(pointer), ui.ctx());
             }
             Some(Drag::Camera(_, held)) => {
                 let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));

@@ -1,9 +1,5 @@
 //! Interaction with the pictures by keys and by a pointer without a drag. Drags are in `held`.
 
-use crate::gui::inspector::state::cameras::CameraList;
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::model::Model;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use eframe::egui::{self, Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
@@ -18,9 +14,13 @@ use super::probe_steps::Click;
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
 use crate::gui::app::state::State;
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::model::Model;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
@@ -80,7 +80,7 @@ impl Canvas {
             }
             if !self.fingers(ui, &mut state.model, pane) {
                 self.drag(ui, state, pane);
-                self.wheel(ui, &mut state.model, &mut state.operations, pane);
+                self.wheel(ui, &mut state.model, &state.operations, pane);
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
                 hovered = self.hover(ui, &state.model, &state.label_mode, pane, &mut status, texts);
@@ -154,7 +154,7 @@ impl Canvas {
         }
     }
 
-    fn wheel(&mut self, ui: &Ui, model: &mut Model, operations: &mut Operations, pane: &Pane) {
+    fn wheel(&mut self, ui: &Ui, model: &mut Model, operations: &Operations, pane: &Pane) {
         if !pane.response.hovered() {
             return;
         }
@@ -286,11 +286,11 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !Self::place_by_key(&mut state.model, &mut state.learn, &mut state.operations, pane, key, modifiers)
+            if !Self::place_by_key(&state.model, &mut state.learn, &mut state.operations, pane, key, modifiers)
                 && !self.label_by_key(&mut state.model, &mut state.label_mode, pane, key, modifiers)
                 && !self.probe_by_key(&mut state.model, pane, key, modifiers)
             {
-                self.key(&mut state.model, &mut state.operations, pane, key, modifiers);
+                self.key(&mut state.model, &state.operations, pane, key, modifiers);
             }
             ui.request_repaint();
         }
@@ -317,7 +317,7 @@ impl Canvas {
         probing.is_some()
     }
 
-    fn key(&mut self, model: &mut Model, operations: &mut Operations, pane: &Pane, key: Key, modifiers: Modifiers) {
+    fn key(&mut self, model: &mut Model, operations: &Operations, pane: &Pane, key: Key, modifiers: Modifiers) {
         let (picture, view) = (pane.picture, pane.view);
         let arrow = arrow_of(key);
         match (key, view) {
@@ -332,7 +332,7 @@ impl Canvas {
             (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
             (Key::PageUp, View::World | View::Image) => operations.operate(model, Operation::Dolly(STEP_FACTOR)),
             (Key::PageDown, View::World | View::Image) => {
-                operations.operate(model, Operation::Dolly(STEP_FACTOR.recip()))
+                operations.operate(model, Operation::Dolly(STEP_FACTOR.recip()));
             }
             (Key::T, View::World) => model.tree.transforming = Transforming::Move,
             (Key::R, View::World) => model.tree.transforming = Transforming::Turn,
@@ -345,14 +345,7 @@ impl Canvas {
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule
     /// a positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the
     /// world, the observer turns instead.
-    fn arrow(
-        &mut self,
-        model: &mut Model,
-        operations: &mut Operations,
-        pane: &Pane,
-        arrow: DVec2,
-        modifiers: Modifiers,
-    ) {
+    fn arrow(&mut self, model: &mut Model, operations: &Operations, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
         let view = pane.view;
         if view == View::Canonical || (view == View::World && modifiers.shift) {
             let step = STEP / orbit::DEGREES_PER_POINT;

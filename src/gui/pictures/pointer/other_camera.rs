@@ -1,10 +1,10 @@
 //! Another camera of the figure under the pointer: a click looks through it.
 
-use crate::gui::inspector::state::cameras::CameraList;
-use crate::gui::model::Model;
 use glam::DVec2;
 
 use super::handle_drag;
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::model::Model;
 use crate::gui::pictures::Pane;
 use crate::i18n::window::cameras;
 use crate::sanitize::escaped;

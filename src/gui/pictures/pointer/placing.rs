@@ -1,13 +1,13 @@
 //! A question for a place in the image: a cross that a click, a drag or the arrow keys put there, and beside it the
 //! guess and the right place, once they may be seen.
 
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
 
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Placing;
+use crate::gui::model::Model;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
@@ -47,7 +47,7 @@ impl Canvas {
 
     /// Moves the cross by an arrow key. Returns whether it was one.
     pub(in crate::gui::pictures) fn place_by_key(
-        model: &mut Model,
+        model: &Model,
         learn: &mut Learn,
         operations: &mut Operations,
         pane: &Pane,

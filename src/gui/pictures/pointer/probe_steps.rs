@@ -1,18 +1,18 @@
 //! Searches that take a while in a heavy scene, and what is done with their results: steps of the keys are pinned, and
 //! so are clicks, which also select an object or choose a triangle.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::Context;
 use glam::DVec2;
 
 use super::keyboard_probe::ProbeStep;
 use super::picking::{PickQuery, PickRequest};
 use crate::figure::Explanation;
+use crate::gui::model::Model;
 use crate::gui::model::layout::{Side, Tab};
 use crate::gui::model::scene_tree::Selected;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::gui::why;
+use crate::gui::why::state::explain::Explain;
 use crate::views::{Hover, Request, View};
 
 /// A click on an object or on a triangle.

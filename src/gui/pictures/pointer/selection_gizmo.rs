@@ -1,11 +1,11 @@
 //! The effect of the gizmo in the world on the selection.
 
-use crate::gui::model::Model;
 use std::collections::BTreeSet;
 
 use glam::{DMat4, DVec3};
 
 use crate::geometry::{Angle, try_unit};
+use crate::gui::model::Model;
 use crate::gui::model::scene_tree::Selected;
 use crate::numbers::round_to;
 use crate::scene::edit::placement;

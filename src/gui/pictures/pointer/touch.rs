@@ -1,8 +1,8 @@
 //! Two fingers on a picture: it moves with them, and grows with their distance. One finger is a pointer.
 
-use crate::gui::model::Model;
 use eframe::egui::Ui;
 
+use crate::gui::model::Model;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::View;

@@ -1,9 +1,9 @@
 //! The wiper between the two sides of a picture that is compared, and what is under the pointer on either side.
 
-use crate::gui::model::Model;
 use eframe::egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
 
+use crate::gui::model::Model;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::i18n::window::compare as words;
 use crate::views::{Request, Side};

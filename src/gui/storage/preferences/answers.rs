@@ -1,8 +1,8 @@
 //! Answers typed in exercises, a key for each: `"answers basis 3" = { u = ["1", "0", "0"], "is judged" = ["u"] }`.
 
-use crate::gui::learn::Learn;
 use toml_edit::{Array, DocumentMut, InlineTable, Value};
 
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, Typed};
 
 /// The prefix of the keys.

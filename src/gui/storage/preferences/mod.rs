@@ -11,7 +11,6 @@ mod progress_tests;
 mod shared_file;
 mod store;
 
-use crate::gui::export::family_choice::FamilyChoice;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -23,7 +22,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::gui::app::launch_options::LANGUAGES;
 use crate::gui::app::state::State;
-use crate::gui::export::family_choice::{Subject, Varied};
+use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
 use crate::gui::model::layout::{Side, WindowPlace};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;

@@ -2,8 +2,6 @@
 //!
 //! A window merges its progress into the present content of the file. Nothing of two windows is lost.
 
-use crate::gui::learn::Learn;
-use crate::gui::model::Model;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
@@ -14,7 +12,9 @@ use toml_edit::{DocumentMut, Value};
 use super::answers::{self, NOTHING};
 use super::shared_file::{Change, MAX_WAIT, SharedFile};
 use crate::exercises::Progress;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
+use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::gui::storage::session::{Keeping, News};
 

@@ -1,6 +1,5 @@
 //! The storage of the preferences.
 
-use crate::gui::storage::recent::Recent;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -15,7 +14,7 @@ use super::{LESSONS, LESSONS_DONE, RECENT, answers, apply, merged_done, merged_l
 use crate::files;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::state::State;
-use crate::gui::storage::recent::merged;
+use crate::gui::storage::recent::{Recent, merged};
 use crate::gui::storage::session::{Keeping, News};
 
 /// The changes of one window.

@@ -1,7 +1,5 @@
 //! The explanation as code: the camera for other libraries.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, FontId, TextStyle};
 
 use crate::explain::Setting;
@@ -9,6 +7,8 @@ use crate::explain::code::CodeTarget;
 use crate::gui::inspector::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::{code, dialects, explain};
 
 /// Shows the tab.

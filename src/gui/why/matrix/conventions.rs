@@ -1,12 +1,12 @@
 //! Whose NDC, compared with whose, and how matrices are written.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
 use crate::gui::inspector::{choice, complaint, row, values};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::conventions;
 use crate::i18n::why::conventions::{Texts, finite_instead};
 

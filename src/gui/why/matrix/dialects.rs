@@ -1,7 +1,5 @@
 //! The explanation of other vocabularies: the camera in the words of other sources, whose numbers are controls.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, RichText};
 
 use super::pasted_matrix::{self, note_on_matrix, take};
@@ -13,8 +11,10 @@ use crate::gui::inspector::{complaint, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::{has_focus, help_topic, help_topic_row};
 use crate::gui::why::measures::of_symbol;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::dialects;
 use crate::i18n::{messages, window};
 use crate::numbers::{is_rest, power_of_ten};
@@ -126,7 +126,7 @@ const IN_A_ROW: usize = 3;
 fn numbers(
     ui: &mut egui::Ui,
     model: &mut Model,
-    explain: &mut Explain,
+    explain: &Explain,
     vocabulary: Vocabulary,
     line: &Line,
 ) -> Option<(CameraNumber, f64)> {

@@ -1,7 +1,5 @@
 //! The explanation of matrices: each entry of each matrix with its formula, its numbers and its value.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use std::time::Duration;
 
 use eframe::egui::{self, RichText, Ui};
@@ -11,13 +9,14 @@ use crate::camera::{Ndc, Projection};
 use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
 use crate::gui::inspector::erratum;
 use crate::gui::kit::mathematics::Both;
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{prose, theme};
+use crate::gui::model::Model;
 use crate::gui::model::matrices::{Matrices, Reading};
 use crate::gui::why::answer;
 use crate::gui::why::answer::Writing;
 use crate::gui::why::context_help::help_topic;
+use crate::gui::why::state::explain::Explain;
 use crate::gui::why::subject::ExplainedSetting;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;

@@ -1,7 +1,5 @@
 //! A matrix of another program → its camera: what it is, in whose axes, recognised or chosen.
 
-use crate::gui::model::Model;
-use crate::gui::why::state::explain::Explain;
 use eframe::egui::{self, RichText};
 
 use crate::camera::{
@@ -14,7 +12,9 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::why::context_help::help_topic;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::conventions;
 use crate::i18n::why::dialects;
 use crate::i18n::why::dialects::Texts;
@@ -79,7 +79,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
 }
 
 /// Makes the first camera that of the figure, and the others its list.
-fn take_all(model: &mut Model, explain: &mut Explain, cameras: &[Pasted], stated: &Stated) {
+fn take_all(model: &mut Model, explain: &Explain, cameras: &[Pasted], stated: &Stated) {
     let Some(first) = cameras.first() else { return };
     let image = explain.pasted.image.or(first.image).unwrap_or(stated.image);
     let stated = Stated { image, ..*stated };
@@ -137,7 +137,7 @@ fn choices(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts) {
 /// Why it is not the matrix of a camera, and as what it would be.
 fn refused(
     ui: &mut egui::Ui,
-    model: &mut Model,
+    model: &Model,
     explain: &mut Explain,
     camera: &Pasted,
     stated: &Stated,
@@ -202,7 +202,7 @@ fn note(ui: &mut egui::Ui, text: &str) {
 }
 
 /// A button for each other kind as which it gives a camera.
-fn read_as(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, others: &[MatrixKind]) {
+fn read_as(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, others: &[MatrixKind]) {
     let t = dialects::texts(model.settings.lang);
     if others.is_empty() {
         return;
@@ -218,7 +218,7 @@ fn read_as(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, others: 
 }
 
 /// The size of the image that K is for.
-fn image(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, t: &Texts) {
+fn image(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, t: &Texts) {
     let own = model.document.figure().image;
     let old = explain.pasted.image.unwrap_or(own);
     let mut sides = [old.width, old.height].map(f64::from);

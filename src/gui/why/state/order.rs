@@ -1,8 +1,9 @@
 //! The explanation of order. The list of transforms, and how it is read.
 
+use glam::DVec3;
+
 use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
 use crate::scene::transform::Trs;
-use glam::DVec3;
 
 /// A call of the list, known by a number that it keeps wherever it goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
