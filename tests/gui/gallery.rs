@@ -103,6 +103,19 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
 }
 
 #[test]
+fn the_card_of_an_exercise_opens_the_exercise() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::G);
+    window.wait_for("House: ");
+    window.search_cards("5.1");
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().model.document.shipped_name(), Some("exercise-5.1"));
+    assert!(window.state().model.shows_exercises());
+    assert_eq!(window.state().learn.exercises.open.as_ref().map(|open| open.id.as_str()), Some("0-5.1"));
+}
+
+#[test]
 fn who_types_in_the_gallery_searches_and_headings_are_links() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::G);

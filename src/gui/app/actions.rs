@@ -7,7 +7,7 @@ use crate::gui::files::file_flow::{ask, begin};
 use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::inspector::state::compare::CompareForm;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::gui::pictures::photograph::tool::PhotographTool;
 
 /// Does what has been asked since the last call.
@@ -30,6 +30,14 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
                 state.cameras = CameraList::default();
                 state.photograph = PhotographTool::default();
             }
+            Action::Offered(open) => {
+                begin(ctx, state, AfterSave::Lesson(open));
+                // It stays if the question about changes does.
+                if state.learn.lesson.is_some() {
+                    state.learn.take_offer(&mut state.model);
+                }
+            }
+            Action::Lessons => open(state, Dialog::Lessons),
             Action::Note(note) => state.explain.explain_by_note(&mut state.model, note),
             Action::Delete { names, below } => open(state, Dialog::Delete { names, below }),
             Action::DeleteProgress => open(state, Dialog::DeleteProgress),

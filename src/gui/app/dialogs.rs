@@ -62,7 +62,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         return None;
     }
     if let Dialog::Compare(form) = dialog {
-        compare_dialog::show(ctx, t, state, form);
+        let draws = state.annotations.any();
+        let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
+        // A command may have opened another one meanwhile.
+        if state.file_flow.dialog.is_none() {
+            state.file_flow.dialog = stays.map(Dialog::Compare);
+        }
         return None;
     }
     let modal = Modal::new(id).frame(frame).show(ctx, |ui| {
@@ -131,7 +136,11 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Handout(form) => handout_dialog::show(ui, state, form, first),
             // It has no frame.
             Dialog::Qr => {}
-            Dialog::Lessons => lesson::list(ui, state),
+            Dialog::Lessons => {
+                if lesson::list(ui, &mut state.model, &state.learn) {
+                    state.file_flow.dialog = Some(Dialog::Lessons);
+                }
+            }
             Dialog::Closing => {
                 text(ui, t.closing_title, t.closing_text);
                 match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {

@@ -66,7 +66,7 @@ impl App {
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
         self.act(ctx);
-        self.canvas.listen_for_cancel(ctx, &mut self.state);
+        self.canvas.listen_for_cancel(ctx, &mut self.state.model, &self.state.file_flow);
         if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
             && let Some(command) =
                 presentation::escape(ctx, &self.state.model, &self.state.file_flow, &self.state.annotations)
@@ -135,10 +135,10 @@ impl App {
         self.recovery(ui);
         session_news::bar(ui, &mut self.state.model, &mut self.state.file_flow);
         changed_file::bar(ui, &mut self.state);
-        if let Some(command) = lesson::welcome(ui, &mut self.state) {
+        if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
         }
-        lesson::go_on(ui, &mut self.state);
+        lesson::go_on(ui, &mut self.state.model, &mut self.state.learn);
         self.act(ui.ctx());
     }
 

@@ -128,4 +128,13 @@ impl State {
         }
         Ok(state)
     }
+
+    /// Whether closing the window would lose something.
+    #[must_use]
+    pub fn would_lose_something(&self) -> bool {
+        self.learn.has_unsaved(&self.model)
+            || self.learn.unsaved_text().is_some()
+            || !self.learn.held_documents(&self.model).is_empty()
+            || !self.file_flow.exporting.is_empty()
+    }
 }

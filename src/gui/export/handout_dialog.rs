@@ -2,8 +2,7 @@
 
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
-use super::handout_pages::{Content, Job};
-use crate::exercises::Exercise;
+use super::handout_form::{HandoutForm, MAX_SEED, played};
 use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::from_title;
@@ -11,7 +10,6 @@ use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::handout::HandoutOptions;
 use crate::i18n::learn::handouts::{Texts, texts};
 use crate::i18n::learn::{exercises, lessons as words};
 use crate::i18n::{Lang, told, window};
@@ -26,44 +24,8 @@ const AROUND: f32 = 150.0;
 const PAGE: f32 = 560.0;
 /// Width by height of a page.
 const SHAPE: f32 = 595.0 / 842.0;
-/// The greatest number that chooses the numbers of the exercises.
-const MAX_SEED: u32 = 9_999;
-
-/// The choices in the dialog.
-#[derive(Clone, Debug, PartialEq)]
-pub struct HandoutForm {
-    /// The lesson that is printed; `None` means exercises are.
-    pub lesson: Option<OpenLesson>,
-    /// The exercises, by their identifiers, in the order in which they were chosen.
-    pub exercises: Vec<String>,
-    /// The source of the exercises' numbers.
-    pub seed: u32,
-    /// Language, columns, answers and plan.
-    pub options: HandoutOptions,
-    /// The page that is shown, from 0.
-    page: usize,
-}
 
 impl HandoutForm {
-    /// The lesson that is played, or the first one, or else exercises, beginning with the one that is open.
-    pub(in crate::gui) fn of(state: &State, is_lesson: bool) -> Self {
-        let open = state.learn.exercises.open.as_ref();
-        let open = open.filter(|open| state.learn.exercises.entries().any(|entry| entry.id == open.id));
-        let options =
-            HandoutOptions { lang: state.model.settings.lang, columns: 1, answers: false, plan: false, late: true };
-        let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
-        Self {
-            lesson: is_lesson.then(|| played(state)).flatten(),
-            exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
-            seed: open
-                .and_then(|open| u32::try_from(open.seed).ok())
-                .filter(|seed| *seed <= MAX_SEED)
-                .unwrap_or_default(),
-            options,
-            page: 0,
-        }
-    }
-
     /// The name of its file, without an ending.
     pub(in crate::gui) fn stem(&self) -> String {
         match &self.lesson {
@@ -71,34 +33,6 @@ impl HandoutForm {
             None => texts(self.options.lang).file.to_owned(),
         }
     }
-
-    /// Everything that the handout depends on.
-    pub(in crate::gui) fn job(&self, state: &State) -> Job {
-        let content = match &self.lesson {
-            Some(open) => Content::Lesson(open.clone()),
-            None => {
-                let of = |id: &String| {
-                    Some(state.learn.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()))
-                };
-                Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<Exercise>>())
-            }
-        };
-        Job { content, options: self.options }
-    }
-
-    /// True if there's something to print.
-    fn is_whole(&self) -> bool {
-        self.lesson.is_some() || !self.exercises.is_empty()
-    }
-}
-
-/// The lesson that is played, or the one to which steps were added last, or the first of the program.
-fn played(state: &State) -> Option<OpenLesson> {
-    let of_playing = state.learn.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
-    let last = || state.learn.own.iter().find(|(path, _)| Some(path) == state.learn.file.as_ref());
-    let of_playing = of_playing.or_else(|| last().map(|(path, lesson)| (lesson.clone(), Some(path.clone()))));
-    let first = || shipped().first().map(|shipped| (shipped.lesson.clone(), None));
-    of_playing.or_else(first).map(|(lesson, path)| OpenLesson { lesson, path, step: 0 })
 }
 
 /// Shows the dialog. `first`: it has just been opened.
@@ -132,7 +66,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
         ui.selectable_value(&mut is_lesson, false, t.of_exercises);
     });
     if is_lesson != form.lesson.is_some() {
-        (form.lesson, form.page) = (is_lesson.then(|| played(state)).flatten(), 0);
+        (form.lesson, form.page) = (is_lesson.then(|| played(&state.learn)).flatten(), 0);
     }
     ui.add_space(4.0);
     let options = &mut form.options;
@@ -185,7 +119,7 @@ fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
     let of_folder = state.learn.own.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
     let of_folder = of_folder.map(|(lesson, path)| OpenLesson { lesson, path, step: 0 });
     let mut all: Vec<OpenLesson> = of_program.chain(of_folder).collect();
-    let own = state.learn.lesson.as_ref().and_then(|_| played(state));
+    let own = state.learn.lesson.as_ref().and_then(|_| played(&state.learn));
     all.extend(
         own.filter(|own| all.iter().all(|other| (&other.path, &other.lesson.id) != (&own.path, &own.lesson.id))),
     );
@@ -234,7 +168,7 @@ fn page(ui: &mut Ui, t: &Texts, state: &mut State, form: &mut HandoutForm, heigh
     if form.is_whole() {
         let zoom = size.x * ui.pixels_per_point();
         let choices = (form.lesson.clone(), form.exercises.clone(), form.seed, form.options);
-        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(state));
+        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(&state.learn));
     }
     let count = pages.count().max(1);
     form.page = form.page.min(count - 1);

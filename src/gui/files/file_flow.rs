@@ -11,14 +11,14 @@ use std::sync::Arc;
 use eframe::egui::{self, ViewportCommand};
 
 use super::file_kind::FileKind;
-use super::title_dialog::TitleForm;
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, Photograph, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
-use crate::gui::files::questions::{Agreed, Asking, Changed, Dialog, MESH_ENDINGS, Purpose, Theirs};
+use crate::gui::files::questions::{Agreed, Asking, Changed, Dialog, MESH_ENDINGS, Purpose, Theirs, TitleForm};
 use crate::gui::inspector::state::compare;
+use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::model::action::{AfterSave, MeshFor};
 use crate::gui::model::document::Document;
 use crate::gui::model::layout::Tab;
@@ -222,7 +222,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
-        Purpose::CompareWith => compare::with_file(&mut state.model, &mut state.file_flow, path),
+        Purpose::CompareWith => compare::with_file(&mut state.model, path),
         Purpose::Texture(object) => texture(state, &object, path),
         Purpose::Photograph => photograph(state, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed),
@@ -248,7 +248,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
         Purpose::Handout(form) => {
-            let what = ExportKind::Handout(Box::new(form.job(state)));
+            let what = ExportKind::Handout(Box::new(form.job(&state.learn)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
         Purpose::Exercises => state.learn.exercises.look_into(Some(path.to_owned())),
@@ -360,6 +360,10 @@ fn open_shipped(state: &mut State, name: &'static str) {
     let kept = state.model.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {
         state.learn.take_over(&mut state.model, document);
+    }
+    // The figure of an exercise of the notes opens the exercise, not the list.
+    if let Some(number) = name.strip_prefix("exercise-") {
+        state.learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
     }
 }
 

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use crate::camera::Decomposition;
 use crate::export::plot::Block;
+use crate::figure::Bilingual;
 use crate::files::Overwrite;
 use crate::gui::background::worker::Running;
-use crate::gui::export::handout_dialog::HandoutForm;
+use crate::gui::export::handout_form::HandoutForm;
 use crate::gui::export::handout_pages::PagesPreview;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::files::comparison::Comparison;
-use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::files::watch::Watch;
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::model::action::{AfterSave, MeshFor};
@@ -107,6 +107,19 @@ pub struct Changed {
     pub then: Option<AfterSave>,
     /// The lines that differ, once they are wanted.
     pub comparison: Option<Comparison>,
+}
+
+/// The words of a figure as they are typed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TitleForm {
+    pub(super) title: Bilingual,
+    pub(super) caption: Bilingual,
+    /// The words of the gallery's card, of which the figure was made.
+    pub(super) of_card: [Option<Bilingual>; 2],
+    /// The save that goes with it.
+    pub(super) then: Option<Purpose>,
+    /// The file, once it has another name than the title gives it.
+    pub(super) path: Option<String>,
 }
 
 /// A question in the window.

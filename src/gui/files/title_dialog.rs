@@ -5,26 +5,13 @@ use eframe::egui::{self, Key, Modifiers, RichText};
 use super::file_kind::FileKind;
 use crate::figure::{Bilingual, Figure};
 use crate::gui::app::state::State;
-use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::files::questions::{Dialog, Purpose, TitleForm};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, told};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
-
-/// The words of a figure as they are typed.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct TitleForm {
-    title: Bilingual,
-    caption: Bilingual,
-    /// The words of the gallery's card, of which the figure was made.
-    of_card: [Option<Bilingual>; 2],
-    /// The save that goes with it.
-    then: Option<Purpose>,
-    /// The file, once it has another name than the title gives it.
-    path: Option<String>,
-}
 
 /// The answer of the dialog, if the figure is saved with its words.
 pub(in crate::gui) enum Answer {

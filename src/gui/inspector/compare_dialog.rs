@@ -7,8 +7,6 @@ use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
 use crate::gui::app::focus::at_right;
-use crate::gui::app::state::State;
-use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::complaint;
 use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, keep_as_a, take};
 use crate::gui::kit::number_field::NumberField;
@@ -31,26 +29,29 @@ pub(in crate::gui) fn button(ui: &mut Ui, model: &mut Model) {
 }
 
 /// Shows the dialog in a window of its own, which can be moved. The pictures beside it show what is chosen, and can be
-/// used.
-pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: CompareForm) {
-    let words = words::texts(state.model.settings.lang);
+/// used. The form, while it stays open. While the user `draws` on the views, Esc is for that.
+pub(in crate::gui) fn show(
+    ctx: &Context,
+    t: &Texts,
+    (model, camera_a): (&mut Model, &mut Option<Arc<Figure>>),
+    form: CompareForm,
+    draws: bool,
+) -> Option<CompareForm> {
+    let words = words::texts(model.settings.lang);
     let mut open = true;
     let corner = ctx.content_rect().left_bottom() + vec2(8.0, -8.0);
     let mut kept = Some(form);
     let window = Window::new(words.title).id(Id::unique("compare")).open(&mut open).collapsible(true).resizable(false);
     window.pivot(Align2::LEFT_BOTTOM).default_pos(corner).constrain(true).show(ctx, |ui| {
         ui.set_width(440.0_f32.min(ctx.content_rect().width() - 60.0));
-        kept = kept.take().and_then(|form| content(ui, t, &mut state.model, &mut state.camera_a, form));
+        kept = kept.take().and_then(|form| content(ui, t, model, camera_a, form));
     });
-    let is_left = ctx.input_mut(|input| !state.annotations.any() && input.consume_key(Modifiers::NONE, Key::Escape));
+    let is_left = ctx.input_mut(|input| !draws && input.consume_key(Modifiers::NONE, Key::Escape));
     let stays = kept.filter(|_| open && !is_left);
     if stays.is_none() {
-        end(&mut state.model);
+        end(model);
     }
-    // A command may have opened another one meanwhile.
-    if state.file_flow.dialog.is_none() {
-        state.file_flow.dialog = stays.map(Dialog::Compare);
-    }
+    stays
 }
 
 /// The content of the window. The form, until it is closed.

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use eframe::egui;
 
+use crate::gui::model::Model;
 use crate::lessons::Lesson;
 use exercises::state::Exercises;
 use lesson::state::Playing;
@@ -34,4 +35,11 @@ pub struct Learn {
     pub goes_on: bool,
     /// The first lesson and the gallery are offered, in one line.
     pub welcome: bool,
+}
+
+impl Learn {
+    /// Ends the offer of the first lesson, or of the way on.
+    pub(in crate::gui) const fn take_offer(&mut self, model: &mut Model) {
+        (self.welcome, self.goes_on, model.settings.welcomed) = (false, false, true);
+    }
 }

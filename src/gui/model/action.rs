@@ -28,6 +28,8 @@ pub enum Action {
     Exercises,
     /// Do this once nothing can be lost any more.
     Begin(AfterSave),
+    /// Play the lesson that the line above the window offers.
+    Offered(OpenLesson),
     /// Ask whether the objects below those that are deleted go too.
     Delete {
         /// Their names.
@@ -43,6 +45,8 @@ pub enum Action {
     ForgetFigure,
     /// Show the comparison.
     Compare,
+    /// Show the list of lessons.
+    Lessons,
     /// Show a note.
     Note(&'static str),
 }

@@ -303,9 +303,10 @@ impl Canvas {
         if !loading.is_empty() {
             status.message = loading;
         }
-        status.work = LongWork::of(self, state);
+        status.work = LongWork::of(self, &state.model, &state.file_flow);
         if self.rendering.running().is_some()
-            || (state.model.scene_cache.running().is_some() || state.file_flow.running().next().is_some())
+            || state.model.scene_cache.running().is_some()
+            || state.file_flow.running().next().is_some()
         {
             ctx.request_repaint_after(TELL);
         }

@@ -8,10 +8,9 @@ use crate::appearance;
 use crate::figure::{Explanation, Observers};
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
-use crate::gui::export::handout_dialog::HandoutForm;
+use crate::gui::export::handout_form::HandoutForm;
 use crate::gui::files::file_flow;
-use crate::gui::files::questions::{Agreed, Dialog, Purpose};
-use crate::gui::files::title_dialog::TitleForm;
+use crate::gui::files::questions::{Agreed, Dialog, Purpose, TitleForm};
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare as kept_camera;
@@ -107,7 +106,7 @@ pub const MENUS: &[Menu] = &[
                 s.family = std::mem::take(&mut s.family).or_last();
                 show_export(s);
             }),
-            Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| s.ask_for_code()),
+            Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| show_code(s)),
         ]],
     },
     Menu {
@@ -310,7 +309,7 @@ pub const MENUS: &[Menu] = &[
                 Lessons,
                 ctrl_shift(Key::L),
                 |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
-                |s, _| s.list_lessons(),
+                |s, _| show_lessons(s),
             ),
             row!(Search, ctrl(Key::F), search, search_hint, |s, _| show_search(s))
                 .or(ctrl_shift(Key::P))
@@ -518,9 +517,22 @@ fn show_title(state: &mut State, _: &Context) {
     show_dialog(state, Dialog::Title(form));
 }
 
+/// Opens the list of lessons, with those of the folder of figures too.
+fn show_lessons(state: &mut State) {
+    state.learn.look_for_lessons(&state.model, state.gallery.folder());
+    show_dialog(state, Dialog::Lessons);
+}
+
+/// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
+fn show_code(state: &mut State) {
+    let has_address = state.own_address.is_some() || !state.page_address.is_empty();
+    show_dialog(state, if has_address { Dialog::Qr } else { Dialog::Link });
+    state.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
+}
+
 fn show_handout(state: &mut State, is_lesson: bool) {
-    state.look_for_lessons();
-    let form = HandoutForm::of(state, is_lesson);
+    state.learn.look_for_lessons(&state.model, state.gallery.folder());
+    let form = HandoutForm::of(&state.learn, state.model.settings.lang, is_lesson);
     show_dialog(state, Dialog::Handout(form));
 }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
 use crate::files;
-use crate::gui::files::questions::{Dialog, FileFlow};
 use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
 
 /// The values of the dialog that no figure has yet.
@@ -63,14 +63,14 @@ pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
 }
 
 /// Compares with the figure in a file.
-pub(in crate::gui) fn with_file(model: &mut Model, file_flow: &mut FileFlow, path: &Path) {
+pub(in crate::gui) fn with_file(model: &mut Model, path: &Path) {
     match files::open_figure_with_any_camera(path) {
         Ok((opened, _)) => {
             let is_same_scene = opened.figure.scene == model.document.figure().scene;
             let figure = compared_with(model, &opened.figure);
             take(model, figure);
             model.document.commit();
-            file_flow.dialog = Some(Dialog::Compare(CompareForm::of(model.document.figure())));
+            model.actions.push(Action::Compare);
             if !is_same_scene {
                 model.say(Message::OtherScene(path.to_owned()));
             }

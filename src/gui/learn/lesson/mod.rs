@@ -21,9 +21,7 @@ use crate::figure::{Bilingual, Explanation};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
-use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::{Dialog, FileFlow};
+use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{prose, theme};
 use crate::gui::learn::Learn;
@@ -81,13 +79,13 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mu
 
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
 /// command that is to be done.
-pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let is_fresh = state.model.document.path().is_none() && state.learn.lesson.is_none() && !state.model.settings.bare;
-    if !(state.learn.welcome && is_fresh) {
+pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
+    let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
+    if !(learn.welcome && is_fresh) {
         return None;
     }
     let first = lessons::shipped().first()?.lesson.clone();
-    let t = words::texts(state.model.settings.lang);
+    let t = words::texts(model.settings.lang);
     let mut command = None;
     let shown = egui::Panel::top("welcome").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -99,8 +97,8 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
-                    state.learn.welcome = false;
-                    state.model.settings.welcomed = true;
+                    learn.welcome = false;
+                    model.settings.welcomed = true;
                 }
             });
             plays
@@ -108,25 +106,23 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
         .inner
     });
     if shown.inner {
-        let open = lessons::OpenLesson { lesson: first, path: None, step: 0 };
-        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+        model.actions.push(Action::Offered(lessons::OpenLesson { lesson: first, path: None, step: 0 }));
     }
-    // It stays if the question about changes does.
-    if state.learn.lesson.is_some() || command.is_some() {
-        (state.learn.welcome, state.model.settings.welcomed) = (false, true);
+    if command.is_some() {
+        learn.take_offer(model);
     }
     command
 }
 
 /// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
-pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
-    let is_fresh = state.model.document.path().is_none() && state.learn.lesson.is_none() && !state.model.settings.bare;
-    let next = state.learn.next_lesson().and_then(|place| lessons::shipped().get(place));
-    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.learn.goes_on && is_fresh) else {
+pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
+    let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
+    let next = learn.next_lesson().and_then(|place| lessons::shipped().get(place));
+    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| learn.goes_on && is_fresh) else {
         return;
     };
-    let lang = state.model.settings.lang;
-    let (t, step) = (words::texts(lang), state.learn.step_to_go_on(&lesson));
+    let lang = model.settings.lang;
+    let (t, step) = (words::texts(lang), learn.step_to_go_on(&lesson));
     let mut open = None;
     egui::Panel::top("go on").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -136,29 +132,25 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
             }
             ui.label("·");
             if ui.link(t.practise).clicked()
-                && let Some((next, why)) = state.learn.exercises.next(clock::seconds_since_1970())
+                && let Some((next, why)) = learn.exercises.next(clock::seconds_since_1970())
             {
-                state.learn.exercises.work_on(next.clone());
-                state.learn.exercises.why = Some((next, why));
-                state.model.show_explanation(Explanation::Exercises);
-                state.learn.goes_on = false;
+                learn.exercises.work_on(next.clone());
+                learn.exercises.why = Some((next, why));
+                model.show_explanation(Explanation::Exercises);
+                learn.goes_on = false;
             }
             ui.label("·");
             if ui.link(t.lessons).clicked() {
-                state.file_flow.dialog = Some(Dialog::Lessons);
+                model.actions.push(Action::Lessons);
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_go_on).accessible_name(t.no_go_on).clicked() {
-                    state.learn.goes_on = false;
+                    learn.goes_on = false;
                 }
             });
         });
     });
-    if let Some(open) = open {
-        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
-    }
-    // It stays if the question about changes does.
-    state.learn.goes_on &= state.learn.lesson.is_none();
+    model.actions.extend(open.map(Action::Offered));
 }
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.

@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
 use crate::files::{self, FileError};
-use crate::gui::app::state::State;
-use crate::gui::files::questions::{Agreed, Dialog};
+use crate::gui::files::questions::Agreed;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::layout::Side;
@@ -15,32 +14,16 @@ use crate::i18n::learn::lessons as words;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::views::View;
 
-impl State {
-    /// Opens the list of lessons, with those of the folder of figures too.
-    pub(in crate::gui) fn list_lessons(&mut self) {
-        self.look_for_lessons();
-        self.file_flow.dialog = Some(Dialog::Lessons);
-    }
-
+impl Learn {
     /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
-    pub(in crate::gui) fn look_for_lessons(&mut self) {
-        let folders =
-            [self.learn.file.as_deref().and_then(Path::parent), self.model.document.folder(), self.gallery.folder()];
+    pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>) {
+        let folders = [self.file.as_deref().and_then(Path::parent), model.document.folder(), gallery];
         let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
         // A folder that cannot be read has none.
-        let found = folder.filter(|_| !self.model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
-        self.learn.own = found.unwrap_or_default().lessons;
+        let found = folder.filter(|_| !model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
+        self.own = found.unwrap_or_default().lessons;
     }
 
-    /// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
-    pub(in crate::gui) fn ask_for_code(&mut self) {
-        let has_address = self.own_address.is_some() || !self.page_address.is_empty();
-        self.file_flow.dialog = Some(if has_address { Dialog::Qr } else { Dialog::Link });
-        self.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
-    }
-}
-
-impl Learn {
     /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
     pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) {
         if self

@@ -11,7 +11,6 @@ use crate::camera::{Camera, Operation, Parameters};
 use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
-use crate::gui::app::state::State;
 use crate::gui::inspector::state::operations::Operations;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, Mark, Placing};
@@ -168,17 +167,6 @@ impl Playing {
     #[must_use]
     pub fn is_last(&self) -> bool {
         self.step + 1 >= self.lesson.steps.len()
-    }
-}
-
-impl State {
-    /// Whether closing the window would lose something.
-    #[must_use]
-    pub fn would_lose_something(&self) -> bool {
-        self.learn.has_unsaved(&self.model)
-            || self.learn.unsaved_text().is_some()
-            || !self.learn.held_documents(&self.model).is_empty()
-            || !self.file_flow.exporting.is_empty()
     }
 }
 

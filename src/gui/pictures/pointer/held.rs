@@ -7,7 +7,6 @@ use glam::DVec2;
 use super::camera_drag::CameraDrag;
 use super::followed::PointDrag;
 use crate::figure::Observer;
-use crate::gui::app::state::State;
 use crate::gui::model::Model;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::LabelDrag;
@@ -74,22 +73,28 @@ impl Drag {
 }
 
 impl Canvas {
-    pub(in crate::gui::pictures) fn drag(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
+    pub(in crate::gui::pictures) fn drag(
+        &mut self,
+        ui: &Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        pane: &Pane,
+    ) {
         let (origin, pointer) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
         if pane.response.drag_started()
             && let Some(origin) = origin
         {
-            self.drag = self.taken(ui, &state.model, &state.label_mode, pane, origin);
+            self.drag = self.taken(ui, model, label_mode, pane, origin);
         }
         if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
-            self.give_up(&mut state.model);
+            self.give_up(model);
             return;
         }
         if let (Some(origin), Some(pointer)) = (origin, pointer) {
-            self.follow(ui, state, pane, origin, pointer);
+            self.follow(ui, model, label_mode, pane, origin, pointer);
         }
         if pane.response.drag_stopped() || !ui.input(|i| i.pointer.any_down()) {
             self.drag = None;
@@ -141,39 +146,47 @@ impl Canvas {
         })
     }
 
-    fn follow(&mut self, ui: &Ui, state: &mut State, pane: &Pane, origin: Pos2, pointer: Pos2) {
+    fn follow(
+        &mut self,
+        ui: &Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        pane: &Pane,
+        origin: Pos2,
+        pointer: Pos2,
+    ) {
         let motion = pointer - origin;
         let request = &pane.request;
         match &mut self.drag {
             None => {}
             Some(Drag::Orbit { picture, pressed }) => {
                 let (picture, pressed) = (*picture, pressed.clone());
-                for other in self.turning_with(picture, &state.model) {
+                for other in self.turning_with(picture, model) {
                     if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(&mut state.model, other, orbit::orbited(pressed, motion));
+                        self.turn(model, other, orbit::orbited(pressed, motion));
                     }
                 }
             }
             Some(Drag::Pan { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
-                self.turn(&mut state.model, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
+                self.turn(model, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
             }
             Some(Drag::Handle(_, held)) => {
                 let modifiers = ui.input(|i| i.modifiers);
                 let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
-                if let Some(parameters) = moved.filter(|p| p != state.model.document.draft()) {
-                    state.model.document.set_parameters(parameters);
+                if let Some(parameters) = moved.filter(|p| p != model.document.draft()) {
+                    model.document.set_parameters(parameters);
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Point(_, held)) => held.follow(&mut state.model, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Point(_, held)) => held.follow(model, pane.rect.pixel(pointer), ui.ctx()),
             Some(Drag::Label(_, held)) => {
-                held.follow(&mut state.model, &mut state.label_mode, pane.rect.pixel(pointer), ui.ctx());
+                held.follow(model, label_mode, pane.rect.pixel(pointer), ui.ctx());
             }
             Some(Drag::Camera(_, held)) => {
                 let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));
-                if held.follow(&mut state.model, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
+                if held.follow(model, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
                     ui.request_repaint();
                 }
             }
@@ -183,12 +196,12 @@ impl Canvas {
                 let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
                     return;
                 };
-                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(&state.model));
+                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(model));
                 // Where the scene cannot be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
-                if state.model.document.figure().scene != scene {
-                    state.model.document.edit(|figure| figure.scene = scene);
+                if model.document.figure().scene != scene {
+                    model.document.edit(|figure| figure.scene = scene);
                     ui.request_repaint();
                 }
             }

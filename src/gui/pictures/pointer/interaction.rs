@@ -79,7 +79,7 @@ impl Canvas {
                 continue;
             }
             if !self.fingers(ui, &mut state.model, pane) {
-                self.drag(ui, state, pane);
+                self.drag(ui, &mut state.model, &mut state.label_mode, pane);
                 self.wheel(ui, &mut state.model, &state.operations, pane);
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
