@@ -110,7 +110,7 @@ impl Opened {
         let (size, on_screen) = self.on_screen(view);
         let exported = pixels(&self.exported(view));
         // What the window shows now is in no file but the picture that it exports, and in its link.
-        let text = text_as_shown(self.window.state());
+        let text = text_as_shown(&self.window.state().model);
         fs::write(&self.path, &text).expect("written");
         let (rendered_size, rendered) = pixels(&self.rendered(&self.path.display().to_string(), view));
         assert_eq!(rendered_size, size, "{what}");

@@ -144,7 +144,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Closing => {
                 text(ui, t.closing_title, t.closing_text);
                 match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {
-                    Pressed::Action(_) => file_flow::close(ctx, state),
+                    Pressed::Action(_) => file_flow::close(ctx, &mut state.file_flow),
                     Pressed::Cancel => {}
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
                 }
@@ -294,7 +294,7 @@ fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut chan
     match buttons(ui, t.cancel, &actions, first.then_some(CANCEL)) {
         Pressed::Action(pressed) if comparable && pressed == 0 => {
             let theirs = String::from_utf8_lossy(theirs.as_deref().unwrap_or_default()).into_owned();
-            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(state)));
+            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(&state.model)));
             state.file_flow.dialog = Some(Dialog::Changed(changed));
         }
         Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),

@@ -301,7 +301,7 @@ impl eframe::App for App {
             }
         }
         self.show(ui);
-        file_flow::open_dialog(ui.ctx(), &mut self.state, frame);
+        file_flow::open_dialog(ui.ctx(), &mut self.state.file_flow, frame);
     }
 
     /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.

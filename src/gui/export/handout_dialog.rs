@@ -6,10 +6,13 @@ use super::handout_form::{HandoutForm, MAX_SEED, played};
 use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::from_title;
+use crate::gui::files::questions::FileFlow;
 use crate::gui::files::questions::{Dialog, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::learn::handouts::{Texts, texts};
 use crate::i18n::learn::{exercises, lessons as words};
 use crate::i18n::{Lang, told, window};
@@ -45,10 +48,10 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
     ui.horizontal_top(|ui| {
         ui.vertical(|ui| {
             ui.set_width(SETTINGS.min(ui.available_width()));
-            settings(ui, t, state, &mut form, height);
+            settings(ui, t, &state.model, &state.learn, &mut form, height);
         });
         ui.add_space(12.0);
-        ui.vertical(|ui| page(ui, t, state, &mut form, height));
+        ui.vertical(|ui| page(ui, t, &mut state.learn, &mut state.file_flow, &mut form, height));
     });
     ui.add_space(10.0);
     let close = window::texts(state.model.settings.lang).cancel;
@@ -59,14 +62,14 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
     }
 }
 
-fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, height: f32) {
+fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
     let mut is_lesson = form.lesson.is_some();
     ui.horizontal(|ui| {
         ui.selectable_value(&mut is_lesson, true, t.of_lesson);
         ui.selectable_value(&mut is_lesson, false, t.of_exercises);
     });
     if is_lesson != form.lesson.is_some() {
-        (form.lesson, form.page) = (is_lesson.then(|| played(&state.learn)).flatten(), 0);
+        (form.lesson, form.page) = (is_lesson.then(|| played(learn)).flatten(), 0);
     }
     ui.add_space(4.0);
     let options = &mut form.options;
@@ -91,7 +94,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
                 ui.selectable_value(&mut options.columns, 2, t.small).explained(t.small_hint);
             });
             ui.add_space(4.0);
-            lessons(ui, t, state, open);
+            lessons(ui, t, model, learn, open);
         }
         None => {
             (options.plan, options.columns) = (false, 1);
@@ -99,7 +102,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
                 ui.label(t.numbers);
                 let mut seed = f64::from(form.seed);
                 let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
-                let shown = window::texts(state.model.settings.lang);
+                let shown = window::texts(model.settings.lang);
                 field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
                 let whole = seed as u32;
@@ -107,19 +110,19 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
             });
             ui.add_space(4.0);
             ui.label(t.choose);
-            chosen_exercises(ui, state, form, height - 150.0);
+            chosen_exercises(ui, model, learn, form, height - 150.0);
         }
     }
 }
 
 /// The lessons of the program, those of the folder, and the one that is played.
-fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
-    let lang = state.model.settings.lang;
+fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut OpenLesson) {
+    let lang = model.settings.lang;
     let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
-    let of_folder = state.learn.own.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
+    let of_folder = learn.own.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
     let of_folder = of_folder.map(|(lesson, path)| OpenLesson { lesson, path, step: 0 });
     let mut all: Vec<OpenLesson> = of_program.chain(of_folder).collect();
-    let own = state.learn.lesson.as_ref().and_then(|_| played(&state.learn));
+    let own = learn.lesson.as_ref().and_then(|_| played(learn));
     all.extend(
         own.filter(|own| all.iter().all(|other| (&other.path, &other.lesson.id) != (&own.path, &own.lesson.id))),
     );
@@ -142,11 +145,11 @@ fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
 }
 
 /// A switch for each exercise. Their order on the sheet is the order in which they were chosen.
-fn chosen_exercises(ui: &mut Ui, state: &State, form: &mut HandoutForm, height: f32) {
-    let lang = state.model.settings.lang;
+fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
+    let lang = model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
     area.show(ui, |ui| {
-        for entry in state.learn.exercises.entries() {
+        for entry in learn.exercises.entries() {
             let place = form.exercises.iter().position(|id| *id == *entry.id);
             let number = place.map_or_else(String::new, |place| format!("{}. ", place + 1));
             let mut on = place.is_some();
@@ -161,14 +164,14 @@ fn chosen_exercises(ui: &mut Ui, state: &State, form: &mut HandoutForm, height: 
 }
 
 /// The page as it will be, and the ways to the others.
-fn page(ui: &mut Ui, t: &Texts, state: &mut State, form: &mut HandoutForm, height: f32) {
-    let mut pages = state.file_flow.pages.take().unwrap_or_default();
+fn page(ui: &mut Ui, t: &Texts, learn: &mut Learn, file_flow: &mut FileFlow, form: &mut HandoutForm, height: f32) {
+    let mut pages = file_flow.pages.take().unwrap_or_default();
     let height = height - ui.spacing().interact_size.y - ui.spacing().item_spacing.y;
     let size = vec2(height * SHAPE, height).min(vec2(ui.available_width(), ui.available_width() / SHAPE));
     if form.is_whole() {
         let zoom = size.x * ui.pixels_per_point();
         let choices = (form.lesson.clone(), form.exercises.clone(), form.seed, form.options);
-        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(&state.learn));
+        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn));
     }
     let count = pages.count().max(1);
     form.page = form.page.min(count - 1);
@@ -204,5 +207,5 @@ fn page(ui: &mut Ui, t: &Texts, state: &mut State, form: &mut HandoutForm, heigh
             form.page += 1;
         }
     });
-    state.file_flow.pages = Some(pages);
+    file_flow.pages = Some(pages);
 }

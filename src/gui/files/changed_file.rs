@@ -25,12 +25,12 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
         ui.horizontal(|ui| {
             with_room_before(ui, told, |ui| {
                 if changed && ui.button(t.compare).explained(t.compare_hint).clicked() {
-                    file_flow::ask_about(state, theirs, None);
+                    file_flow::ask_about(&mut state.file_flow, theirs, None);
                 } else if !changed && ui.button(t.reload).explained(t.reload_hint).clicked() {
                     file_flow::begin(ui.ctx(), state, AfterSave::Reload);
                 }
                 if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
-                    file_flow::keep_mine(state);
+                    file_flow::keep_mine(&mut state.file_flow);
                 }
             });
         });

@@ -16,9 +16,12 @@ use crate::figure::{Figure, Photograph, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
+use crate::gui::files::questions::FileFlow;
 use crate::gui::files::questions::{Agreed, Asking, Changed, Dialog, MESH_ENDINGS, Purpose, Theirs, TitleForm};
 use crate::gui::inspector::state::compare;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::model::Model;
 use crate::gui::model::action::{AfterSave, MeshFor};
 use crate::gui::model::document::Document;
 use crate::gui::model::layout::Tab;
@@ -60,7 +63,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         }
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
-        AfterSave::Shipped(name) => open_shipped(state, name),
+        AfterSave::Shipped(name) => open_shipped(&mut state.model, &mut state.learn, name),
         AfterSave::Text(text) => match read::parse(&text).map(|figure| Document::new(figure, None)) {
             Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
             Ok(Err(error)) => state.model.say(Message::Camera(error)),
@@ -88,15 +91,15 @@ fn quit(ctx: &egui::Context, state: &mut State) {
         state.learn.take_over(&mut state.model, document);
         begin(ctx, state, AfterSave::Quit);
     } else if state.file_flow.exporting.is_empty() {
-        close(ctx, state);
+        close(ctx, &mut state.file_flow);
     } else {
         state.file_flow.dialog = Some(Dialog::Closing);
     }
 }
 
 /// Closes the window, whatever is going on.
-pub fn close(ctx: &egui::Context, state: &mut State) {
-    state.file_flow.may_close = true;
+pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
+    file_flow.may_close = true;
     ctx.send_viewport_cmd(ViewportCommand::Close);
 }
 
@@ -115,7 +118,7 @@ pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     // A figure that was made of a card has words of its own.
     let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.document.shipped_name().is_some();
     if asks_title && state.file_flow.titled != Some(state.model.document.id()) {
-        let form = TitleForm::of(state, Some(purpose));
+        let form = TitleForm::of(&state.model, Some(purpose));
         state.file_flow.dialog = Some(Dialog::Title(form));
         return;
     }
@@ -141,8 +144,8 @@ fn ask_in_window(state: &mut State, purpose: Purpose) {
 }
 
 /// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
-pub(in crate::gui) fn open_dialog(ctx: &egui::Context, state: &mut State, frame: &eframe::Frame) {
-    if let Some(asking) = &mut state.file_flow.asking
+pub(in crate::gui) fn open_dialog(ctx: &egui::Context, file_flow: &mut FileFlow, frame: &eframe::Frame) {
+    if let Some(asking) = &mut file_flow.asking
         && let Some(question) = asking.question.take()
     {
         asking.dialog = Some(OpenFileDialog::start(ctx, question, frame));
@@ -221,11 +224,13 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
-        Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::Mesh(which) => mesh(&mut state.model, which, path),
         Purpose::CompareWith => compare::with_file(&mut state.model, path),
-        Purpose::Texture(object) => texture(state, &object, path),
-        Purpose::Photograph => photograph(state, path),
-        Purpose::Progress => save_bytes(state, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed),
+        Purpose::Texture(object) => texture(&mut state.model, &object, path),
+        Purpose::Photograph => photograph(&mut state.model, path),
+        Purpose::Progress => {
+            save_bytes(&mut state.model, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed)
+        }
         Purpose::Step => state.learn.add_step(&mut state.model, path, &agreed),
         Purpose::NewLesson => {
             state.learn.add_step(&mut state.model, path, &agreed);
@@ -241,7 +246,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         }
         Purpose::Chart(block) => {
             let saved = save_chart(&block, state.model.settings.lang, path, agreed.overwrite());
-            say_whether_saved(state, path, saved);
+            say_whether_saved(&mut state.model, path, saved);
         }
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.model.settings.theme);
@@ -262,15 +267,15 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     }
 }
 
-fn save_bytes(state: &mut State, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
+fn save_bytes(model: &mut Model, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
     let saved = bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite()));
-    say_whether_saved(state, path, saved);
+    say_whether_saved(model, path, saved);
 }
 
-fn say_whether_saved(state: &mut State, path: &Path, saved: Result<(), FileError>) {
+fn say_whether_saved(model: &mut Model, path: &Path, saved: Result<(), FileError>) {
     match saved {
-        Ok(()) => say_saved(state, path.to_owned()),
-        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+        Ok(()) => say_saved(model, path.to_owned()),
+        Err(error) => model.say(Message::File(path.to_owned(), error)),
     }
 }
 
@@ -282,11 +287,11 @@ fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf
 }
 
 /// Puts a mesh file into the scene.
-fn mesh(state: &mut State, which: MeshFor, path: &Path) {
-    let named = files::named_in_figure(state.model.document.folder(), path);
+fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
+    let named = files::named_in_figure(model.document.folder(), path);
     match which {
-        MeshFor::New => state.model.insert_mesh(named),
-        MeshFor::Object(name) => state.model.document.edit(|figure| {
+        MeshFor::New => model.insert_mesh(named),
+        MeshFor::Object(name) => model.document.edit(|figure| {
             if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
                 object.shape = Some(Shape::Mesh { path: named });
             }
@@ -295,9 +300,9 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
 }
 
 /// Puts a picture on an object.
-fn texture(state: &mut State, object: &str, path: &Path) {
-    let named = files::named_in_figure(state.model.document.folder(), path);
-    state.model.document.edit(|figure| {
+fn texture(model: &mut Model, object: &str, path: &Path) {
+    let named = files::named_in_figure(model.document.folder(), path);
+    model.document.edit(|figure| {
         if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
             object.texture = Some(TextureSource::of(&named));
         }
@@ -305,9 +310,9 @@ fn texture(state: &mut State, object: &str, path: &Path) {
 }
 
 /// Puts a photograph under the image. One in the place of another keeps the opacity.
-fn photograph(state: &mut State, path: &Path) {
-    let file = files::named_in_figure(state.model.document.folder(), path);
-    state.model.document.edit(|figure| {
+fn photograph(model: &mut Model, path: &Path) {
+    let file = files::named_in_figure(model.document.folder(), path);
+    model.document.edit(|figure| {
         let opacity = figure.photograph.as_ref().map_or(Photograph::USUAL_OPACITY, |before| before.opacity);
         figure.photograph = Some(Photograph { file, opacity });
     });
@@ -356,14 +361,14 @@ fn open(state: &mut State, path: &Path) {
 }
 
 /// Goes on with a figure of the program.
-fn open_shipped(state: &mut State, name: &'static str) {
-    let kept = state.model.take_kept(Some(&Source::Shipped(name)));
+fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
+    let kept = model.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {
-        state.learn.take_over(&mut state.model, document);
+        learn.take_over(model, document);
     }
     // The figure of an exercise of the notes opens the exercise, not the list.
     if let Some(number) = name.strip_prefix("exercise-") {
-        state.learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
+        learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
     }
 }
 
@@ -375,32 +380,32 @@ fn reload(state: &mut State) {
 }
 
 /// Continues with the window's figure although the file holds another one. The same content is not asked about again.
-pub fn keep_mine(state: &mut State) {
-    state.file_flow.decided = state.file_flow.theirs.take();
+pub fn keep_mine(file_flow: &mut FileFlow) {
+    file_flow.decided = file_flow.theirs.take();
 }
 
 /// Asks about the content of another program in the figure's file.
-pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
-    state.file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSave>) {
+    file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
 }
 
 /// The figure as it is written to `path`.
-fn for_folder(state: &State, path: &Path) -> Figure {
-    files::for_folder(&state.model.figure_to_save(), state.model.document.folder(), path.parent())
+fn for_folder(model: &Model, path: &Path) -> Figure {
+    files::for_folder(&model.figure_to_save(), model.document.folder(), path.parent())
 }
 
 /// The text that saving would write.
 #[must_use]
-pub fn text_to_save(state: &State) -> String {
+pub fn text_to_save(model_state: &Model) -> String {
     let figure =
-        state.model.document.path().map_or_else(|| state.model.figure_to_save(), |path| for_folder(state, path));
-    update(state.model.document.source(), &figure)
+        model_state.document.path().map_or_else(|| model_state.figure_to_save(), |path| for_folder(model_state, path));
+    update(model_state.document.source(), &figure)
 }
 
 /// The text of the present screen, as links carry it.
 #[must_use]
-pub fn text_as_shown(state: &State) -> String {
-    update(state.model.document.source(), &state.model.figure_as_shown())
+pub fn text_as_shown(model: &Model) -> String {
+    update(model.document.source(), &model.figure_as_shown())
 }
 
 /// The present content of the figure's file, where it differs from the one read or saved last.
@@ -420,13 +425,13 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
         return;
     }
     if let Some(theirs) = theirs(&state.model.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
-        return ask_about(state, theirs, then);
+        return ask_about(&mut state.file_flow, theirs, then);
     }
     if !agreed.read_only && files::is_read_only(path) {
         state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
         return;
     }
-    let figure = for_folder(state, path);
+    let figure = for_folder(&state.model, path);
     let text = update(state.model.document.source(), &figure);
     match files::save(path, text.as_bytes(), agreed.overwrite()) {
         Ok(()) => {
@@ -437,7 +442,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
             state.recent.add(path);
             state.file_flow.theirs = None;
             state.file_flow.decided = None;
-            say_saved(state, path.to_owned());
+            say_saved(&mut state.model, path.to_owned());
             if let Some(then) = then {
                 go_on(ctx, state, then);
             }
@@ -447,23 +452,23 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
 }
 
 /// Says that a file has been written: to where it was wanted, or into the hands of a browser.
-fn say_saved(state: &mut State, path: PathBuf) {
-    state.model.say(if state.model.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
+fn say_saved(model: &mut Model, path: PathBuf) {
+    model.say(if model.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
 }
 
 /// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
 /// restored.
-fn watch(ctx: &egui::Context, state: &mut State) {
+fn watch(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
-    if std::mem::take(&mut state.file_flow.look) || focused {
-        state.file_flow.watch.begin(ctx, &state.model.document);
+    if std::mem::take(&mut file_flow.look) || focused {
+        file_flow.watch.begin(ctx, &model.document);
     }
-    match state.file_flow.watch.take(&state.model.document) {
-        Some(FileChange::Other(theirs)) if state.file_flow.decided.as_ref() != Some(&theirs) => {
-            state.file_flow.theirs = Some(theirs);
+    match file_flow.watch.take(&model.document) {
+        Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {
+            file_flow.theirs = Some(theirs);
         }
         // As it was: there is nothing to say any more.
-        Some(FileChange::Same(_)) => (state.file_flow.theirs, state.file_flow.decided) = (None, None),
+        Some(FileChange::Same(_)) => (file_flow.theirs, file_flow.decided) = (None, None),
         Some(FileChange::Other(_) | FileChange::Gone) | None => {}
     }
 }
@@ -471,11 +476,11 @@ fn watch(ctx: &egui::Context, state: &mut State) {
 /// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
 pub fn poll(ctx: &egui::Context, state: &mut State) {
     take_answer(ctx, state);
-    take_exports(ctx, state);
+    take_exports(ctx, &mut state.model, &mut state.file_flow);
     if !state.file_flow.is_closing() {
         state.model.kept.append(&mut state.model.given_up);
     }
-    watch(ctx, state);
+    watch(ctx, &mut state.model, &mut state.file_flow);
     take_given(ctx, state);
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         if state.would_lose_something() {
@@ -540,18 +545,18 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
         // The scene names it, and had to do without it.
         return state.model.scene_cache.read_again();
     }
-    mesh(state, MeshFor::New, &path);
+    mesh(&mut state.model, MeshFor::New, &path);
     state.model.settings.tab = Tab::Scene;
 }
 
 /// Reports finished exports. A window that waits for them closes with the last one, unless one has failed: nobody would
 /// see that.
-fn take_exports(ctx: &egui::Context, state: &mut State) {
+fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
     let mut failed = false;
-    for (path, result) in state.file_flow.exported() {
+    for (path, result) in file_flow.exported() {
         let message = match result {
             Ok(None) => {
-                say_saved(state, path);
+                say_saved(model, path);
                 continue;
             }
             Ok(Some(over_budget)) => Message::SavedOtherwise(path, over_budget),
@@ -560,12 +565,12 @@ fn take_exports(ctx: &egui::Context, state: &mut State) {
                 Message::NotExported(path, NotExported(error))
             }
         };
-        state.model.say(message);
+        model.say(message);
     }
-    if state.file_flow.dialog == Some(Dialog::Closing) && (failed || state.file_flow.exporting.is_empty()) {
-        state.file_flow.dialog = None;
+    if file_flow.dialog == Some(Dialog::Closing) && (failed || file_flow.exporting.is_empty()) {
+        file_flow.dialog = None;
         if !failed {
-            close(ctx, state);
+            close(ctx, file_flow);
         }
     }
 }

@@ -8,11 +8,14 @@ use super::file_flow;
 use crate::figure::Figure;
 use crate::files::{self, SHIPPED};
 use crate::gui::app::state::State;
+use crate::gui::background::memo::Memo;
 use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
@@ -41,7 +44,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
         ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
         ui.add_space(6.0);
     }
-    let link = link(state, &address, first);
+    let link = link(&state.model, &state.learn, &mut state.shown_link, &address, first);
     match &link {
         Ok(link) => {
             // Where the clipboard is out of reach, it can be copied from here.
@@ -88,33 +91,36 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
 ///
 /// # Errors
 /// [`ShareError`] if the figure makes it too long.
-pub(in crate::gui) fn link(state: &mut State, address: &str, first: bool) -> Result<String, ShareError> {
-    let mut shown = std::mem::take(&mut state.shown_link);
+pub(in crate::gui) fn link(
+    model: &Model,
+    learn: &Learn,
+    shown_link: &mut Memo<(String, bool), Result<String, ShareError>>,
+    address: &str,
+    first: bool,
+) -> Result<String, ShareError> {
     if first {
-        shown.forget();
+        shown_link.forget();
     }
-    let is_whole = state.learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
-    let link = shown.of((address.to_owned(), is_whole), |_| made(state, address)).clone();
-    state.shown_link = shown;
-    link
+    let is_whole = learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
+    shown_link.of((address.to_owned(), is_whole), |_| made(model, learn, address)).clone()
 }
 
 /// The link: of a lesson of the program to its step, else with the whole figure in it.
-fn made(state: &State, address: &str) -> Result<String, ShareError> {
-    let of_program = state.learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
+fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareError> {
+    let of_program = learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
-        let lang = state.model.settings.lang.tag();
+        let lang = model.settings.lang.tag();
         return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
     }
-    if let Some(text) = whole_lesson(state) {
+    if let Some(text) = whole_lesson(learn) {
         return share::link(address, Held::Lesson, &text);
     }
-    share::link(address, Held::Figure, &file_flow::text_as_shown(state))
+    share::link(address, Held::Figure, &file_flow::text_as_shown(model))
 }
 
 /// The text of the lesson of the user's own that is played, where the link is to hold it whole.
-fn whole_lesson(state: &State) -> Option<String> {
-    let playing = state.learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
+fn whole_lesson(learn: &Learn) -> Option<String> {
+    let playing = learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
     files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
 }
 

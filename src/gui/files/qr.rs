@@ -16,7 +16,7 @@ const QUIET: usize = 4;
 pub(in crate::gui) fn show(ctx: &egui::Context, state: &mut State, first: bool) {
     let t = sharing::texts(state.model.settings.lang);
     let address = state.own_address.clone().unwrap_or_else(|| state.page_address.clone());
-    let link = link_dialog::link(state, &address, first);
+    let link = link_dialog::link(&state.model, &state.learn, &mut state.shown_link, &address, first);
     let code = link.as_ref().ok().and_then(|link| QrCode::with_error_correction_level(link, EcLevel::L).ok());
     let rect = ctx.content_rect();
     let mut closes = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));

@@ -5,9 +5,11 @@ use eframe::egui::{self, Key, Modifiers, RichText};
 use super::file_kind::FileKind;
 use crate::figure::{Bilingual, Figure};
 use crate::gui::app::state::State;
+use crate::gui::files::questions::FileFlow;
 use crate::gui::files::questions::{Dialog, Purpose, TitleForm};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
+use crate::gui::model::Model;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, told};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
@@ -24,9 +26,9 @@ pub(in crate::gui) enum Answer {
 impl TitleForm {
     /// The words of the figure, or none if they are those of a card and the figure is another one by now. `then` is the
     /// save that goes with it.
-    pub(in crate::gui) fn of(state: &State, then: Option<Purpose>) -> Self {
-        let Figure { title, caption, .. } = state.model.document.figure();
-        if state.model.document.has_words_of_card() {
+    pub(in crate::gui) fn of(model: &Model, then: Option<Purpose>) -> Self {
+        let Figure { title, caption, .. } = model.document.figure();
+        if model.document.has_words_of_card() {
             return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
         }
         let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
@@ -96,10 +98,12 @@ pub(in crate::gui) fn show(
     };
     match pressed {
         Pressed::Action(which) if which == last && path.as_ref().is_none_or(|path| !path.trim().is_empty()) => {
-            let purpose = accept(state, form)?;
+            let purpose = accept(&mut state.model, &mut state.file_flow, form)?;
             Some(Answer::Save(purpose, path?.trim().to_owned()))
         }
-        Pressed::Action(which) if which < last => accept(state, form).map(Answer::Choose),
+        Pressed::Action(which) if which < last => {
+            accept(&mut state.model, &mut state.file_flow, form).map(Answer::Choose)
+        }
         Pressed::Cancel => None,
         Pressed::Action(_) | Pressed::Nothing => {
             state.file_flow.dialog = Some(Dialog::Title(form));
@@ -115,15 +119,15 @@ fn proposal(state: &State, purpose: &Purpose, title: Bilingual) -> String {
     FileKind::of(state, purpose).with_name_of(title).proposal().display().to_string()
 }
 
-fn accept(state: &mut State, form: TitleForm) -> Option<Purpose> {
+fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Option<Purpose> {
     let [title, caption] = [form.title, form.caption].map(written);
-    let figure = state.model.document.figure();
+    let figure = model.document.figure();
     if (&figure.title, &figure.caption) != (&title, &caption) {
-        state.model.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
-        state.model.document.commit();
+        model.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
+        model.document.commit();
     }
     if form.then.is_some() {
-        state.file_flow.titled = Some(state.model.document.id());
+        file_flow.titled = Some(model.document.id());
     }
     form.then
 }

@@ -513,7 +513,7 @@ fn save_as(state: &mut State, ctx: &Context) {
 }
 
 fn show_title(state: &mut State, _: &Context) {
-    let form = TitleForm::of(state, None);
+    let form = TitleForm::of(&state.model, None);
     show_dialog(state, Dialog::Title(form));
 }
 

@@ -232,7 +232,7 @@ impl eframe::App for Page {
             self.app.follow_system(system.0, system.1);
         }
         self.app.show(ui);
-        file_flow::open_dialog(ui.ctx(), &mut self.app.state, frame);
+        file_flow::open_dialog(ui.ctx(), &mut self.app.state.file_flow, frame);
         self.follow_window();
         if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
             self.told = true;
