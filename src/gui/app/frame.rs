@@ -9,12 +9,13 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::focus::{self, Region};
 use super::{App, actions, dialogs, menu, presentation, status};
 use crate::gui::app::command::Command;
 use crate::gui::app::state::State;
 use crate::gui::files::{changed_file, file_flow};
 use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::context_help;
+use crate::gui::kit::focus::{self, Region};
 use crate::gui::kit::{text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
 use crate::gui::model::Model;
@@ -25,7 +26,7 @@ use crate::gui::pictures::motion;
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session::Kept;
 use crate::gui::storage::session_news;
-use crate::gui::why::{self, context_help};
+use crate::gui::why;
 use crate::i18n::window::{self, Texts};
 
 /// Below this width, in points, there is room for one panel beside the pictures.

@@ -3,10 +3,10 @@
 use eframe::egui::{self, Button, RichText, TextStyle};
 
 use super::command::{Command, MENUS};
-use super::focus::with_room_before;
 use crate::gui::app::state::State;
 use crate::gui::app::status;
 use crate::gui::kit::elide;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;

@@ -33,7 +33,7 @@ pub fn error(ui: &mut egui::Ui, model: &mut Model) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             closed = ui.add(Button::new("✕")).explained(t.close).accessible_name(t.close).clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                crate::gui::inspector::complaint(ui, &message.text(model.settings.lang));
+                crate::gui::kit::form::complaint(ui, &message.text(model.settings.lang));
             });
         });
     });

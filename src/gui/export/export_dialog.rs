@@ -12,11 +12,10 @@ use crate::gui::app::state::State;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
 use crate::gui::files::file_flow;
-use crate::gui::files::questions::FileFlow;
-use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::files::questions::{Dialog, FileFlow, Purpose};
 use crate::gui::inspector::state::operations::Operations;
-use crate::gui::inspector::{choice, complaint, row};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -62,7 +61,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
         let column = |ui: &mut egui::Ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.x = 8.0;
-            settings(ui, t, &mut state.model, &mut state.file_flow, &mut state.family, &mut export, &mut enter)
+            settings(ui, t, &state.model, &state.file_flow, &mut state.family, &mut export, &mut enter)
         };
         let errors = ui.vertical(column).inner;
         if room >= LEAST_PICTURE {
@@ -213,8 +212,8 @@ type Fault = (&'static str, FieldError);
 fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
-    model: &mut Model,
-    file_flow: &mut FileFlow,
+    model: &Model,
+    file_flow: &FileFlow,
     family: &mut FamilyChoice,
     export: &mut Export,
     enter: &mut bool,

@@ -6,8 +6,7 @@ use super::handout_form::{HandoutForm, MAX_SEED, played};
 use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::from_title;
-use crate::gui::files::questions::FileFlow;
-use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::files::questions::{Dialog, FileFlow, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
@@ -51,7 +50,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
             settings(ui, t, &state.model, &state.learn, &mut form, height);
         });
         ui.add_space(12.0);
-        ui.vertical(|ui| page(ui, t, &mut state.learn, &mut state.file_flow, &mut form, height));
+        ui.vertical(|ui| page(ui, t, &state.learn, &mut state.file_flow, &mut form, height));
     });
     ui.add_space(10.0);
     let close = window::texts(state.model.settings.lang).cancel;
@@ -164,7 +163,7 @@ fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut Handou
 }
 
 /// The page as it will be, and the ways to the others.
-fn page(ui: &mut Ui, t: &Texts, learn: &mut Learn, file_flow: &mut FileFlow, form: &mut HandoutForm, height: f32) {
+fn page(ui: &mut Ui, t: &Texts, learn: &Learn, file_flow: &mut FileFlow, form: &mut HandoutForm, height: f32) {
     let mut pages = file_flow.pages.take().unwrap_or_default();
     let height = height - ui.spacing().interact_size.y - ui.spacing().item_spacing.y;
     let size = vec2(height * SHAPE, height).min(vec2(ui.available_width(), ui.available_width() / SHAPE));

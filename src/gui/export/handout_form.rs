@@ -30,7 +30,7 @@ impl HandoutForm {
     pub(in crate::gui) fn of(learn: &Learn, lang: Lang, is_lesson: bool) -> Self {
         let open = learn.exercises.open.as_ref();
         let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
-        let options = HandoutOptions { lang: lang, columns: 1, answers: false, plan: false, late: true };
+        let options = HandoutOptions { lang, columns: 1, answers: false, plan: false, late: true };
         let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
         Self {
             lesson: is_lesson.then(|| played(learn)).flatten(),

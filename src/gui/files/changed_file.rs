@@ -2,9 +2,9 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::gui::app::focus::with_room_before;
 use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::action::AfterSave;
 use crate::i18n::window;

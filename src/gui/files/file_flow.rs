@@ -16,8 +16,9 @@ use crate::figure::{Figure, Photograph, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
-use crate::gui::files::questions::FileFlow;
-use crate::gui::files::questions::{Agreed, Asking, Changed, Dialog, MESH_ENDINGS, Purpose, Theirs, TitleForm};
+use crate::gui::files::questions::{
+    Agreed, Asking, Changed, Dialog, FileFlow, MESH_ENDINGS, Purpose, Theirs, TitleForm,
+};
 use crate::gui::inspector::state::compare;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
@@ -229,7 +230,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Texture(object) => texture(&mut state.model, &object, path),
         Purpose::Photograph => photograph(&mut state.model, path),
         Purpose::Progress => {
-            save_bytes(&mut state.model, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed)
+            save_bytes(&mut state.model, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed);
         }
         Purpose::Step => state.learn.add_step(&mut state.model, path, &agreed),
         Purpose::NewLesson => {
@@ -458,7 +459,7 @@ fn say_saved(model: &mut Model, path: PathBuf) {
 
 /// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
 /// restored.
-fn watch(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
+fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
     if std::mem::take(&mut file_flow.look) || focused {
         file_flow.watch.begin(ctx, &model.document);
@@ -480,7 +481,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     if !state.file_flow.is_closing() {
         state.model.kept.append(&mut state.model.given_up);
     }
-    watch(ctx, &mut state.model, &mut state.file_flow);
+    watch(ctx, &state.model, &mut state.file_flow);
     take_given(ctx, state);
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         if state.would_lose_something() {

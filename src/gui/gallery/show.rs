@@ -13,7 +13,7 @@ use super::card::SIZE;
 use super::{Gallery, Part};
 use crate::appearance::Theme;
 use crate::files::{ShippedFigure, Topic};
-use crate::gui::app::focus::with_room_before;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;

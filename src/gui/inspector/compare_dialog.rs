@@ -6,9 +6,9 @@ use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2
 
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
-use crate::gui::app::focus::at_right;
 use crate::gui::inspector::complaint;
 use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, keep_as_a, take};
+use crate::gui::kit::focus::at_right;
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;

@@ -10,9 +10,9 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::why::context_help::help_topic;
 use crate::i18n::Lang;
 use crate::i18n::why::sources::with_titles;
 use crate::i18n::why::{notes, pipeline as words};

@@ -3,8 +3,8 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::gui::app::focus::with_room_before;
 use crate::gui::files::questions::FileFlow;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::model::Model;
 use crate::gui::model::message::about_session;
 use crate::gui::storage::session::News;

@@ -5,7 +5,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
-use crate::gui::inspector::{choice, row};
+use crate::gui::kit::form::{choice, row};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};

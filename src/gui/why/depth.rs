@@ -12,7 +12,7 @@ use crate::figure::Depth;
 use crate::gui::export::chart_export;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::numerics::color_of;
-use crate::gui::inspector::{choice, row};
+use crate::gui::kit::form::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;

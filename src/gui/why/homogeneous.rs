@@ -5,12 +5,12 @@ use glam::{DVec2, DVec3, DVec4};
 
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
-use crate::gui::inspector::{complaint, section};
+use crate::gui::kit::context_help::{help_topic, help_topic_row};
+use crate::gui::kit::form::{complaint, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::why::context_help::{help_topic, help_topic_row};
 use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::homogeneous;
 use crate::i18n::why::homogeneous::Texts;

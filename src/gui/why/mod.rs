@@ -6,7 +6,6 @@
 mod answer;
 mod arithmetic;
 mod clipping;
-pub(super) mod context_help;
 mod depth;
 mod hidden_surfaces;
 mod homogeneous;
@@ -25,8 +24,8 @@ mod triangle;
 use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 
 use crate::figure::Explanation;
-use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::elide;
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::explained::Question;

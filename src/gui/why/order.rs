@@ -14,7 +14,7 @@ use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, excha
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
-use crate::gui::inspector::{choice, complaint, section};
+use crate::gui::kit::form::{choice, complaint, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{mathematics, theme};
 use crate::gui::model::Model;

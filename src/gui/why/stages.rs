@@ -2,9 +2,9 @@
 
 use eframe::egui::{self, RichText, Ui};
 
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::why::context_help::help_topic;
 use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::sources::with_titles;
 use crate::i18n::why::{notes, pipeline, stages};

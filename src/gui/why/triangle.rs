@@ -5,11 +5,11 @@ use glam::DVec3;
 
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
-use crate::gui::inspector::complaint;
+use crate::gui::kit::context_help::{help_topic, help_topic_row};
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::why::context_help::{help_topic, help_topic_row};
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::triangle::Covered;
 use crate::i18n::pictures::labels;

@@ -94,7 +94,7 @@ fn name_row(
         ui.spacing_mut().interact_size.x = 20.0;
         color(ui, model, t, index);
         name_field(ui, model, cameras, t, index);
-        crate::gui::app::focus::at_right(ui, at_right);
+        crate::gui::kit::focus::at_right(ui, at_right);
     });
     if is_refused(model, cameras, index) {
         complaint(ui, t.name_bad);

@@ -17,8 +17,9 @@ use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, Para
 use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
-use crate::gui::app::focus::keep_in_sight;
 use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::kit::context_help::{has_focus, help_topic_row};
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
@@ -26,7 +27,6 @@ use crate::gui::model::Model;
 use crate::gui::model::layout::Tab;
 use crate::gui::model::matrices::symbols_of;
 use crate::gui::pictures::photograph::tool::PhotographTool;
-use crate::gui::why::context_help::{has_focus, help_topic_row};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
 use crate::i18n::why::{explain_point, notes};

@@ -9,12 +9,12 @@ use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, text_field
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::inspector::{VectorField, complaint, row};
+use crate::gui::kit::context_help::{help_topic, help_topic_row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, MeshFor};
 use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
-use crate::gui::why::context_help::{help_topic, help_topic_row};
 use crate::i18n::messages;
 use crate::i18n::messages::faults;
 use crate::i18n::why::notes;

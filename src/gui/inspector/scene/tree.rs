@@ -10,7 +10,7 @@ use eframe::egui::{
 
 use super::Edit;
 use crate::appearance::Rgba;
-use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::scene_tree::{Selected, preset_objects};

@@ -6,7 +6,7 @@ use super::{Sheet, check};
 use crate::clock;
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::inspector::complaint;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{mathematics, prose};

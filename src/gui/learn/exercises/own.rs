@@ -3,7 +3,7 @@
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
 use crate::files::BadExercise;
-use crate::gui::inspector::complaint;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;

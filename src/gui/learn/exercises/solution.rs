@@ -10,7 +10,7 @@ use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, reco
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::inspector::complaint;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::mathematics::{Both, Links, chain};
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;

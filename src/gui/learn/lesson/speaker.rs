@@ -5,7 +5,7 @@ use eframe::egui::{
 };
 
 use crate::gui::app::command::Command;
-use crate::gui::app::focus::at_right;
+use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;

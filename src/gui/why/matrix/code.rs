@@ -4,7 +4,7 @@ use eframe::egui::{self, FontId, TextStyle};
 
 use crate::explain::Setting;
 use crate::explain::code::CodeTarget;
-use crate::gui::inspector::choice;
+use crate::gui::kit::form::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;

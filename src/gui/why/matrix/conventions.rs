@@ -3,7 +3,8 @@
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
-use crate::gui::inspector::{choice, complaint, row, values};
+use crate::gui::inspector::values;
+use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;

@@ -7,13 +7,13 @@ use crate::camera::{
     RecoveryError, Stated, camera_names, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
-use crate::gui::inspector::{choice, complaint, row};
+use crate::gui::kit::context_help::help_topic;
+use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::why::context_help::help_topic;
 use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::conventions;
 use crate::i18n::why::dialects;
