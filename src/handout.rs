@@ -177,7 +177,6 @@ fn with_heading(lang: Lang, mut solutions: Vec<HandoutEntry>) -> Vec<HandoutEntr
 
 /// A size of a picture whose letters have [`LETTERS`] points on the page.
 fn lettered(size: ImageSize, columns: usize) -> Size {
-    #[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
     let per_point = WIDTH as f32 / Handout::picture_width(columns);
     Size::with_letters(size.width, size.height, LETTERS * per_point)
 }

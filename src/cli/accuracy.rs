@@ -43,7 +43,6 @@ struct StudyLine<'a> {
 pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
     let (studies, seconds, seed) = (args.studies(), args.seconds(lang)?, args.seed(lang)?);
     let plot = args.plot(lang)?;
-    #[expect(clippy::cast_precision_loss, reason = "a handful of studies")]
     let effort = Effort { seed, seconds: seconds / studies.len().max(1) as f64, thorough: true };
     let (findings, price) = progress::watched(lang, |progress| {
         let findings: Vec<Findings> =

@@ -5,6 +5,7 @@ use super::args::AnimateArgs;
 use super::render::{no_picture, save};
 use super::{Failure, OpenFigure, progress, say, sweep};
 use crate::camera::ImageSize;
+use crate::cli::args::figure::size;
 use crate::cli::args::words::LangArg;
 use crate::figure::update;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
@@ -19,7 +20,7 @@ const SIZE: ImageSize = ImageSize { width: 480, height: 360 };
 pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
     let name = sanitize::path(&args.output);
     let format = FilmFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::animation_ending(lang, &name)))?;
-    let size = args.size(lang)?.unwrap_or(SIZE);
+    let size = size(args.size.as_deref(), lang)?.unwrap_or(SIZE);
     if args.to.is_some() || !args.family.vary.is_empty() {
         return sweep::run(args, format, size, lang);
     }

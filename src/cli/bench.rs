@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::BenchArgs;
 use super::render::no_picture;
 use super::{Failure, OpenFigure, print};
+use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts, messages};
@@ -32,7 +33,7 @@ struct Measurement<'a> {
 
 pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     let frames = args.frames(lang)?;
-    let subject = OpenFigure::open(&args.figure, &args.common, args.size(lang)?, lang)?;
+    let subject = OpenFigure::open(&args.figure, &args.common, size(args.size.as_deref(), lang)?, lang)?;
     let OpenFigure { opened, scene, size, lang, .. } = &subject;
     let request = subject.request(View::Image, args.force_all_stages);
     let sheet = Composite::of(args.view, &request, &Shot::of(&opened.figure), None)
@@ -85,12 +86,7 @@ fn median(times: &[Duration]) -> Duration {
 
 /// The time that this share of sorted times does not exceed: the nearest rank.
 fn share(times: &[Duration], share: f64) -> Duration {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "a rank in the list, which has a million entries at most"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "a rank in the list, which has a million entries at most")]
     let rank = (share * times.len() as f64).ceil() as usize;
     times.get(rank.saturating_sub(1)).copied().unwrap_or_default()
 }

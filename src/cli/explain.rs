@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::args::ExplainArgs;
 use super::{Failure, OpenFigure, print};
+use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
 use crate::i18n::why::pipeline;
@@ -69,7 +70,7 @@ struct OperationsLine {
 }
 
 pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
-    let subject = OpenFigure::open(&args.figure, &args.common, args.size(lang)?, lang)?;
+    let subject = OpenFigure::open(&args.figure, &args.common, size(args.size.as_deref(), lang)?, lang)?;
     let OpenFigure { scene, size, lang, .. } = &subject;
     let (size, lang) = (*size, *lang);
     let request = subject.request(args.view, args.force_all_stages);

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::{Failure, open, print};
 use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
+use crate::cli::args::figure::size;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{LangArg, TableFormat};
 use crate::figure::update;
@@ -72,7 +73,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     let chosen = chosen(&cameras, args.camera.as_deref()).ok_or_else(|| {
         refused(dialects::no_such_camera(lang, args.camera.as_deref().unwrap_or_default(), &camera_names(&cameras)))
     })?;
-    let size = args.size(lang)?;
+    let size = size(args.size.as_deref(), lang)?;
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let mut figure = opened.figure;
     let stated = Stated {

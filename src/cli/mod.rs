@@ -173,7 +173,7 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     let mut opened =
         files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
     opened.figure.show = args.shown(std::mem::take(&mut opened.figure.show), lang)?;
-    let camera = operate(&mut opened.figure, &operations, args.convention())
+    let camera = operate(&mut opened.figure, &operations, args.convention)
         .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::inspect(lang, &error))))?;
     Ok((opened, camera))
 }

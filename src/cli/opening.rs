@@ -20,7 +20,7 @@ pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure>
     }
     let mut figure = Figure::of_preset(Preset::default());
     figure.show = args.common.shown(figure.show, lang)?;
-    super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())
+    super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention)
         .map_err(|error| Failure::BadInput(messages::inspect(lang, &error)))?;
     Ok(Opening { figure, file: None, allow_files, lang, asked_lang, lesson: None })
 }

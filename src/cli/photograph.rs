@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::{Failure, open, print};
 use crate::camera::{PhotographCamera, camera_of_photograph};
+use crate::cli::args::figure::size;
 use crate::cli::args::photograph::PhotographArgs;
 use crate::cli::args::words::{LangArg, TableFormat};
 use crate::figure::update;
@@ -40,7 +41,7 @@ struct Open {
 }
 
 pub(super) fn run(args: &PhotographArgs, lang: Lang) -> Result<(), Failure> {
-    let (marks, size) = (args.marks(lang)?, args.size(lang)?);
+    let (marks, size) = (args.marks(lang)?, size(args.size.as_deref(), lang)?);
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let mut figure = opened.figure;
     let image = size.unwrap_or(figure.image);

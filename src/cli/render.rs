@@ -6,6 +6,7 @@ use super::args::RenderArgs;
 use super::{Failure, open, progress, say, scene};
 use crate::camera::{Camera, ImageSize};
 use crate::cli::args::figure::FigureArgs;
+use crate::cli::args::figure::size;
 use crate::cli::args::words::LangArg;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
@@ -22,10 +23,10 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let out = &args.out;
     let name = sanitize::path(&out.output);
     let format = out.format(lang)?;
-    let (given, scale) = (out.size(lang)?, out.scale(lang)?);
+    let (given, scale) = (size(out.size.as_deref(), lang)?, out.scale(lang)?);
     let (paper, centimetres) = (out.on_paper(lang)?, out.centimetres(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
-    opened.figure.style.theme = out.theme().unwrap_or(opened.figure.style.theme);
+    opened.figure.style.theme = out.theme.unwrap_or(opened.figure.style.theme);
     let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
     let figure = &opened.figure;
     let count = args.view.views().count();
@@ -40,7 +41,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let shot = Shot::of(figure);
     let other = observer_of(out.observer_of.as_deref(), &args.common, lang)?;
     let sheet_of = |factor: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
+        #[expect(clippy::cast_possible_truncation, reason = "what is too large is refused")]
         let [wide, high] = [wide, high].map(|side| (f64::from(side) * factor).round() as u32);
         let size = sized(wide, high, scale, paper.as_ref());
         let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
@@ -159,21 +160,16 @@ fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, count: usize) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);
     let width = pixels(width);
-    #[expect(clippy::cast_precision_loss, reason = "at most three")]
     let of_one = width / count.max(1) as f64;
     let height = height.map_or(of_one * f64::from(image.height) / f64::from(image.width), pixels);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "positive; what is too large is refused"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "positive; what is too large is refused")]
     let whole = |side: f64| side.round().max(1.0) as u64;
     [whole(width), whole(height)]
 }
 
 /// Width and height in pixels.
 fn pixels(given: Option<ImageSize>, image: ImageSize, count: usize, scale: f32) -> [u64; 2] {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and at most 16384 · 16")]
+    #[expect(clippy::cast_possible_truncation, reason = "positive, and at most 16384 · 16")]
     let scaled = |side: u32| (f64::from(side) * f64::from(scale)).round().max(1.0) as u64;
     let size = given.unwrap_or(image);
     let [width, height] = [size.width, size.height].map(scaled);

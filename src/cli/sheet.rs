@@ -6,6 +6,7 @@ use super::render::{no_picture, observer_of, report, save};
 use super::{Failure, open, progress, scene};
 use crate::camera::Camera;
 use crate::cli::args::figure::FigureArgs;
+use crate::cli::args::figure::size;
 use crate::cli::args::sheet::SheetArgs;
 use crate::cli::args::words::LangArg;
 use crate::figure::update;
@@ -24,7 +25,7 @@ const WIDTH: u32 = 480;
 pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let name = sanitize::path(&args.out.output);
     let format = args.out.format(lang)?;
-    let (given, scale) = (args.out.size(lang)?, args.out.scale(lang)?);
+    let (given, scale) = (size(args.out.size.as_deref(), lang)?, args.out.scale(lang)?);
     let (paper, centimetres) = (args.out.on_paper(lang)?, args.out.centimetres(lang)?);
     let variations = args.family.variations(None, lang)?;
     if !(1..=2).contains(&variations.len()) {
@@ -32,7 +33,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     }
     let columns = args.columns(lang)?;
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
-    opened.figure.style.theme = args.out.theme().unwrap_or(opened.figure.style.theme);
+    opened.figure.style.theme = args.out.theme.unwrap_or(opened.figure.style.theme);
     let of_figures = members(&args.figure, &opened, (&args.common, &camera), &variations, MAX_FAMILY, lang)?;
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let views = args.view.views().count().max(1);
@@ -95,7 +96,7 @@ pub(super) fn members(
     lang: Lang,
 ) -> Result<Vec<(Variant, SharedScene)>, Failure> {
     let name = messages::opened(lang, path);
-    let figures = variants(&opened.figure, camera, variations, args.convention(), limit)
+    let figures = variants(&opened.figure, camera, variations, args.convention, limit)
         .map_err(|error| Failure::BadInput(format!("{name}: {}", families::error(lang, &error))))?;
     let mut members: Vec<(Variant, SharedScene)> = Vec::with_capacity(figures.len());
     for variant in figures {
@@ -119,7 +120,7 @@ pub(super) fn members(
 
 /// Whole pixels. What is too large is refused where pictures are made.
 fn whole(side: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
+    #[expect(clippy::cast_possible_truncation, reason = "what is too large is refused")]
     let side = side.round().max(1.0) as u32;
     side
 }

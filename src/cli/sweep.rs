@@ -78,7 +78,6 @@ fn camera_of(path: &std::path::Path, lang: Lang) -> Result<Camera, Failure> {
 fn way(figure: &Figure, from: &Camera, to: &Camera, frames: usize) -> Result<Vec<Variant>, crate::camera::CameraError> {
     let path = CameraPath::new(from, to)?;
     let last = frames.saturating_sub(1).max(1);
-    #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
     let share = |k: usize| k as f64 / last as f64;
     let figure_at = |k: usize| {
         let t = share(k);

@@ -173,15 +173,11 @@ pub const fn one_view_in_a_strip(lang: Lang) -> &'static str {
 #[must_use]
 pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
     let source = decomposition.source();
-    match (lang, decomposition) {
-        (Lang::En, Decomposition::Scale) => {
-            format!("{source} has these steps only in perspective with a symmetric window")
-        }
-        (Lang::En, _) => format!("{source} has these steps only with a symmetric window"),
-        (Lang::PtBr, Decomposition::Scale) => {
-            format!("{source} tem esses passos só em perspectiva com janela simétrica")
-        }
-        (Lang::PtBr, _) => format!("{source} tem esses passos só com janela simétrica"),
+    match decomposition {
+        Decomposition::Scale => both!(lang; "{source} has these steps only in perspective with a symmetric window",
+            "{source} tem esses passos só em perspectiva com janela simétrica"),
+        _ => both!(lang; "{source} has these steps only with a symmetric window",
+            "{source} tem esses passos só com janela simétrica"),
     }
 }
 

@@ -40,25 +40,20 @@ texts! {
 /// Why there is no family.
 #[must_use]
 pub fn error(lang: Lang, error: &VariationError) -> String {
-    match (lang, error) {
-        (_, VariationError::NoValues) => both!(lang;
+    match error {
+        VariationError::NoValues => both!(lang;
             "it has no values; allowed: KEY=VALUE,VALUE,…, such as camera.view_angle=20,40,60",
             "não tem valores; permitido: CHAVE=VALOR,VALOR,…, como camera.view_angle=20,40,60"),
-        (Lang::En, VariationError::Range { found, limit }) => {
-            let found = escaped(found);
-            format!("\"{found}\" is no range of numbers; allowed: FROM..TO:COUNT, with a COUNT from 2 to {limit}")
-        }
-        (Lang::PtBr, VariationError::Range { found, limit }) => {
-            let found = escaped(found);
-            format!("\"{found}\" não é um intervalo de números; permitido: DE..ATÉ:QUANTOS, com QUANTOS de 2 a {limit}")
-        }
-        (_, VariationError::TooMany { count, limit }) => both!(lang;
+        VariationError::Range { found, limit } => both!(lang;
+            "\"{}\" is no range of numbers; allowed: FROM..TO:COUNT, with a COUNT from 2 to {limit}",
+            "\"{}\" não é um intervalo de números; permitido: DE..ATÉ:QUANTOS, com QUANTOS de 2 a {limit}"; escaped(found)),
+        VariationError::TooMany { count, limit } => both!(lang;
             "the family would have {count} images; allowed: at most {limit}",
             "a família teria {count} imagens; permitido: no máximo {limit}"),
-        (_, VariationError::Figure { key, value, error }) => {
+        VariationError::Figure { key, value, error } => {
             format!("{} = {}: {}", escaped(key), escaped(value), messages::without_line(lang, error))
         }
-        (_, VariationError::Operation { key, value, error }) => {
+        VariationError::Operation { key, value, error } => {
             format!("{} = {}: {}", escaped(key), escaped(value), messages::operation(lang, error))
         }
     }

@@ -54,6 +54,17 @@ macro_rules! both {
     };
 }
 
+/// An error in one language: its own words in English, and a row for each of its variants in Portuguese, whose values
+/// follow in parentheses: `translated! { lang, error; Fault::Name(name) => "“{}” é longo" (escaped(name)); }`.
+macro_rules! translated {
+    ($lang:expr, $error:expr; $($pattern:pat $(if $guard:expr)? => $pt:literal $(($($value:tt)*))?;)*) => {
+        match ($lang, $error) {
+            (crate::i18n::Lang::En, error) => error.to_string(),
+            $((crate::i18n::Lang::PtBr, $pattern) $(if $guard)? => format!($pt $(, $($value)*)?),)*
+        }
+    };
+}
+
 pub mod command_line;
 pub mod families;
 pub mod learn;

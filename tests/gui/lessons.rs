@@ -354,10 +354,11 @@ fn the_panel_of_a_lesson_keeps_its_height() {
     assert!(moved.is_empty(), "{moved:#?}");
 }
 
-/// On a projector of 1280 × 720 pixels, a question is shown with the button that checks or shows its answer.
+/// On a projector of 1280 × 720 pixels, a question is shown with the button that checks or shows its answer. A short one
+/// leaves more than half to the pictures.
 #[test]
 fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
-    let mut out_of_sight = Vec::new();
+    let (mut out_of_sight, mut of_pictures) = (Vec::new(), Vec::new());
     for (place, shipped) in shipped().iter().enumerate() {
         let mut window = playing(place, 0, Lang::En);
         window.app_mut().state.model.settings.reduce_motion = true;
@@ -375,6 +376,8 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
                 window.key(Key::Q);
                 window.run();
                 let button = |label| window.harness.query(By::new().role(Role::Button).label_contains(label));
+                let back = button("◀").unwrap().rect().top();
+                of_pictures.push(back / window.harness.ctx.content_rect().height());
                 let check = button(exercise_window::texts(lang).check);
                 let check = check.or_else(|| button(exercise_window::texts(lang).guess));
                 let check = check.or_else(|| button(words::texts(lang).show_answer)).unwrap();
@@ -389,6 +392,8 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
         }
     }
     assert!(out_of_sight.is_empty(), "{out_of_sight:#?}");
+    assert!(of_pictures.iter().all(|share| *share >= 0.49), "{of_pictures:?}");
+    assert!(of_pictures.iter().filter(|share| **share > 0.53).count() > 20, "{of_pictures:?}");
 }
 
 #[test]

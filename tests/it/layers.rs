@@ -78,7 +78,7 @@ const ROOMS: &[Row] = &[
 ];
 
 /// The files outside of `app` that take everything the window knows: questions about files and exports, which lead to
-/// any of its features, the views, which show them all, the page, which opens them all, and the preferences, which keep them all.
+/// any of its features, the views, which show them all, and the preferences and the page, which keep and open it.
 const WHOLE_STATE: &[&str] = &[
     "gui/export/export_dialog.rs",
     "gui/export/handout_dialog.rs",

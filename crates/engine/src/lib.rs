@@ -64,6 +64,7 @@ pub mod expression;
 pub mod geometry;
 pub mod lighting;
 pub mod limits;
+mod listed;
 pub mod numbers;
 pub mod pipeline;
 pub mod progress;

@@ -144,7 +144,7 @@ fn at_least_zero<S: Simd>(simd: S, value: f32x8<S>) -> f32x8<S> {
 
 /// Whole powers by squaring: the same on every machine.
 #[inline(always)]
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates, and exponents are small")]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates, and exponents are small")]
 fn power<S: Simd>(simd: S, mut base: f32x8<S>, exponent: f32) -> f32x8<S> {
     let mut result = f32x8::splat(simd, 1.0);
     let mut left = exponent as u32;

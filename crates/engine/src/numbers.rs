@@ -157,7 +157,6 @@ pub fn duration(time: Duration) -> String {
 
 /// A count in five characters at most, up to a billion.
 #[must_use]
-#[expect(clippy::cast_precision_loss, reason = "three digits are shown")]
 pub fn count(n: usize) -> String {
     match n {
         0..10_000 => n.to_string(),

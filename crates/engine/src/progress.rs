@@ -10,24 +10,21 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
 use std::task::{Context, Poll, Waker};
 
-/// A kind of long work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Activity {
-    /// A mesh file is read.
-    Reading,
-    /// Faces are put in order.
-    Ordering,
-    /// Pixels are painted.
-    Painting,
-    /// A picture is made into a file.
-    Encoding,
-    /// Errors and times of methods are measured.
-    Measuring,
-}
-
-impl Activity {
-    /// Everything that takes long.
-    pub const ALL: [Self; 5] = [Self::Reading, Self::Ordering, Self::Painting, Self::Encoding, Self::Measuring];
+crate::listed! {
+    /// A kind of long work.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Activity {
+        /// A mesh file is read.
+        Reading,
+        /// Faces are put in order.
+        Ordering,
+        /// Pixels are painted.
+        Painting,
+        /// A picture is made into a file.
+        Encoding,
+        /// Errors and times of methods are measured.
+        Measuring,
+    }
 }
 
 /// The progress of one piece of work. A clone is of the same work. Results never depend on it, but for cancellation.
@@ -102,7 +99,6 @@ impl Progress {
     pub fn now(&self) -> Option<(Activity, Option<f32>)> {
         let doing = *Activity::ALL.get(usize::from(self.steps.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
         let (done, of) = (self.steps.done.load(Ordering::Relaxed), self.steps.of.load(Ordering::Relaxed));
-        #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let share = (of > 0).then(|| (done as f32 / of as f32).min(1.0));
         Some((doing, share))
     }

@@ -1,72 +1,51 @@
 //! The stages of the pipeline by name, for plans, files and windows, and the operations that each of them costs.
 
-/// A stage of the pipeline, in the order of `[3]` §1.1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stage {
-    /// Walk through the scene.
-    Traverse,
-    /// Drop objects whose bounding box is outside the volume.
-    CullObjects,
-    /// Take vertex normals to view space.
-    Normals,
-    /// The reflection model: light on faces or vertices.
-    Light,
-    /// World → view, each vertex once.
-    Transform,
-    /// Drop faces that turn their back.
-    CullFaces,
-    /// Cut faces that cross a plane of the volume, before the divide.
-    Clip,
-    /// The terms of an oblique window.
-    Oblique,
-    /// The perspective divide.
-    Divide,
-    /// Ndc → pixels.
-    Viewport,
-    /// Find the pixels of each face.
-    Fill,
-    /// Colours, normals or texture coordinates between the vertices of a face.
-    Interpolate,
-    /// Remove hidden surfaces.
-    HiddenSurfaces,
-    /// Pictures on surfaces.
-    Texture,
-    /// Take away light where the lamp sees something nearer.
-    Shadow,
-    /// Blend translucent colours with those behind them.
-    Blend,
-    /// Several samples for a pixel.
-    Antialias,
-    /// Edges, outlines, lines, marks and texts, over the finished surfaces.
-    Lines,
-    /// Colours go to the memory of the image.
-    Write,
+crate::listed! {
+    /// A stage of the pipeline, in the order of `[3]` §1.1.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Stage {
+        /// Walk through the scene.
+        Traverse,
+        /// Drop objects whose bounding box is outside the volume.
+        CullObjects,
+        /// Take vertex normals to view space.
+        Normals,
+        /// The reflection model: light on faces or vertices.
+        Light,
+        /// World → view, each vertex once.
+        Transform,
+        /// Drop faces that turn their back.
+        CullFaces,
+        /// Cut faces that cross a plane of the volume, before the divide.
+        Clip,
+        /// The terms of an oblique window.
+        Oblique,
+        /// The perspective divide.
+        Divide,
+        /// Ndc → pixels.
+        Viewport,
+        /// Find the pixels of each face.
+        Fill,
+        /// Colours, normals or texture coordinates between the vertices of a face.
+        Interpolate,
+        /// Remove hidden surfaces.
+        HiddenSurfaces,
+        /// Pictures on surfaces.
+        Texture,
+        /// Take away light where the lamp sees something nearer.
+        Shadow,
+        /// Blend translucent colours with those behind them.
+        Blend,
+        /// Several samples for a pixel.
+        Antialias,
+        /// Edges, outlines, lines, marks and texts, over the finished surfaces.
+        Lines,
+        /// Colours go to the memory of the image.
+        Write,
+    }
 }
 
 impl Stage {
-    /// All stages, in order.
-    pub const ALL: [Self; 19] = [
-        Self::Traverse,
-        Self::CullObjects,
-        Self::Normals,
-        Self::Light,
-        Self::Transform,
-        Self::CullFaces,
-        Self::Clip,
-        Self::Oblique,
-        Self::Divide,
-        Self::Viewport,
-        Self::Fill,
-        Self::Interpolate,
-        Self::HiddenSurfaces,
-        Self::Texture,
-        Self::Shadow,
-        Self::Blend,
-        Self::Antialias,
-        Self::Lines,
-        Self::Write,
-    ];
-
     /// Its name in data that programs read, what it works on, and the stage in whose loop it runs.
     const fn row(self) -> (&'static str, WorksOn, Option<Self>) {
         match self {

@@ -109,51 +109,20 @@ const ENVIRONMENTS: &[&str] = &[
 
 /// LaTeX for a sign that people type as it is, in a formula.
 #[must_use]
-pub fn sign(c: char) -> Option<&'static str> {
-    Some(match c {
-        'θ' => r"\theta",
-        'φ' => r"\varphi",
-        'α' => r"\alpha",
-        'β' => r"\beta",
-        'λ' => r"\lambda",
-        'μ' => r"\mu",
+pub fn sign(c: char) -> Option<String> {
+    let own = match c {
         '−' => "-",
-        '×' => r"\times",
-        '·' => r"\cdot",
-        '√' => r"\surd",
-        '⌊' => r"\lfloor",
-        '⌋' => r"\rfloor",
         '‖' => r"\|",
-        '≤' => r"\le",
-        '≥' => r"\ge",
-        '≠' => r"\ne",
-        '≈' => r"\approx",
-        '→' => r"\to",
-        '∈' => r"\in",
-        '∞' => r"\infty",
         '°' => r"{}^{\circ}",
-        '⁰' => "{}^0",
-        '²' => "{}^2",
-        '³' => "{}^3",
-        '⁴' => "{}^4",
-        '⁵' => "{}^5",
-        '⁶' => "{}^6",
-        '⁷' => "{}^7",
-        '⁸' => "{}^8",
-        '⁹' => "{}^9",
         '⁻' => "{}^-",
-        '¹' => "{}^1",
         'ₙ' => "{}_n",
-        'π' => r"\pi",
-        '±' => r"\pm",
-        'Δ' => r"\Delta",
-        '∥' => r"\parallel",
         '′' => r"{}^\prime",
         '…' => r"\dots",
         '<' => "<",
         '>' => ">",
-        _ => return None,
-    })
+        c => return in_line::raised_by(c).map(|raised| format!("{{}}^{raised}")).or_else(|| in_line::word_for(c)),
+    };
+    Some(own.to_owned())
 }
 
 /// Words in LaTeX, outside of mathematics. A sign that it does not have is named by its number.

@@ -6,8 +6,8 @@
 //! and bytes, and write what they get.
 
 use camera_lab_engine::{
-    appearance, camera, drawing, expression, geometry, limits, numbers, pipeline, progress, raster, sanitize, scene,
-    stage, text,
+    appearance, camera, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster, sanitize,
+    scene, stage, text,
 };
 
 pub mod chart;

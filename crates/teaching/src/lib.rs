@@ -3,7 +3,9 @@
 //! [`numerics`] measures what being right costs and diagnoses cameras. [`exercises`] states the exercises of the notes,
 //! judges answers and finds the step that went wrong. [`lessons`] reads lessons and checks what their steps ask for.
 
-use camera_lab_engine::{appearance, camera, expression, geometry, limits, numbers, pipeline, progress, raster, scene};
+use camera_lab_engine::{
+    appearance, camera, expression, geometry, limits, listed, numbers, pipeline, progress, raster, scene, worded,
+};
 use camera_lab_figures::{chart, explain, figure, formula, inspect, picture};
 
 pub mod clock;

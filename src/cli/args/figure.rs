@@ -4,13 +4,16 @@ use std::ops::RangeInclusive;
 
 use clap::Args;
 
-use super::words::{ConventionArg, LangArg};
+use super::words::{LangArg, word_of};
 use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
 use crate::cli::Failure;
+use crate::figure::words::Words;
 use crate::figure::{Show, show_with};
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::MAX_SIDE;
 use crate::sanitize::escaped;
+
+const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct FigureArgs {
@@ -22,8 +25,8 @@ pub(in crate::cli) struct FigureArgs {
     #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     show: Vec<String>,
     /// Signs of the rotations: right-hand rule, or as in VTK (elevation and roll the other way)
-    #[arg(long, value_enum, default_value_t)]
-    convention: ConventionArg,
+    #[arg(long, value_parser = word_of(CONVENTIONS), default_value = CONVENTIONS[0].0)]
+    pub(in crate::cli) convention: Convention,
     /// Let the figure name any file of this machine. Without it, files named by a mesh (materials, buffers) must lie in
     /// the mesh's folder or below, and those named by a figure inside an image in the image's. Nothing comes from
     /// another machine
@@ -35,13 +38,6 @@ pub(in crate::cli) struct FigureArgs {
 }
 
 impl FigureArgs {
-    pub(in crate::cli) fn convention(&self) -> Convention {
-        match self.convention {
-            ConventionArg::RightHand => Convention::RightHand,
-            ConventionArg::Vtk => Convention::Vtk,
-        }
-    }
-
     pub(in crate::cli) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
         let read = |text: &String| {
             text.parse()

@@ -2,14 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 
 use super::exercise::ListArgs;
-use super::words::{LangArg, TableFormat, one_of};
-use crate::camera::ImageSize;
+use super::words::{LangArg, TableFormat, one_of, word_of};
 use crate::cli::Failure;
-use crate::cli::args::figure::size;
 use crate::export::format::PictureFormat;
+use crate::figure::words::Words;
 use crate::i18n::Lang;
 use crate::i18n::learn::lessons as texts;
 use crate::views::Views;
@@ -70,32 +69,9 @@ pub(in crate::cli) struct CheckArgs {
     pub(in crate::cli) lang: Option<LangArg>,
 }
 
-/// The format of the images of steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum StepFormat {
-    #[default]
-    Png,
-    Svg,
-    Pdf,
-}
-
-impl StepFormat {
-    pub(in crate::cli) const fn format(self) -> PictureFormat {
-        match self {
-            Self::Png => PictureFormat::Png,
-            Self::Svg => PictureFormat::Svg,
-            Self::Pdf => PictureFormat::Pdf,
-        }
-    }
-
-    pub(in crate::cli) const fn ending(self) -> &'static str {
-        match self {
-            Self::Png => "png",
-            Self::Svg => "svg",
-            Self::Pdf => "pdf",
-        }
-    }
-}
+/// The formats of the images of steps.
+const STEP_FORMATS: Words<PictureFormat> =
+    &[("png", PictureFormat::Png), ("svg", PictureFormat::Svg), ("pdf", PictureFormat::Pdf)];
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LessonRenderArgs {
@@ -106,10 +82,10 @@ pub(in crate::cli) struct LessonRenderArgs {
     pub(in crate::cli) view: Option<Views>,
     /// Width and height of each image file in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(in crate::cli) size: Option<String>,
     /// Format of the images; PNG if not given
-    #[arg(long, value_enum)]
-    pub(in crate::cli) format: Option<StepFormat>,
+    #[arg(long, value_parser = word_of(STEP_FORMATS))]
+    pub(in crate::cli) format: Option<PictureFormat>,
     /// Steps on a page of a handout: 2 (if not given) or 4
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     per_page: Option<String>,
@@ -140,11 +116,6 @@ impl LessonRenderArgs {
         let of_handouts = [("--per-page", self.per_page.is_some()), ("--answers", self.answers), ("--plan", self.plan)];
         let unused: &[(&'static str, bool)] = if is_handout { &of_pictures } else { &of_handouts };
         unused.iter().find(|(_, is_given)| *is_given).map(|(option, _)| *option)
-    }
-
-    /// Width and height of each file, if they are given.
-    pub(in crate::cli) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
     }
 }
 

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::words::{TableFormat, one_of};
-use crate::camera::{Axes, ImageSize, MatrixKind, Ndc};
-use crate::cli::Failure;
-use crate::cli::args::figure::{FigureArgs, size};
+use crate::camera::{Axes, MatrixKind, Ndc};
+use crate::cli::args::figure::FigureArgs;
 use crate::i18n::Lang;
 use crate::i18n::why::conventions;
 
@@ -43,7 +42,7 @@ pub(in crate::cli) struct MatrixArgs {
     pub(in crate::cli) ndc: Option<Ndc>,
     /// The size in pixels of the image that K belongs to; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(in crate::cli) size: Option<String>,
     /// A figure file, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: TableFormat,
@@ -53,11 +52,4 @@ pub(in crate::cli) struct MatrixArgs {
 fn axes_help() -> String {
     let table = conventions::axes_table(Lang::En, |axes| axes.name);
     format!("Whose axes; without it, the program recognises them\n{table}")
-}
-
-impl MatrixArgs {
-    /// The size of the image of K, if it is given.
-    pub(in crate::cli) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
 }

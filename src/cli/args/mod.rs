@@ -16,9 +16,9 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
 use super::Failure;
-use crate::camera::{Decomposition, ImageSize, Ndc};
+use crate::camera::{Decomposition, Ndc};
 use crate::cli::args::exercise::ExerciseArgs;
-use crate::cli::args::figure::{FigureArgs, number, size};
+use crate::cli::args::figure::{FigureArgs, number};
 use crate::cli::args::lesson::LessonArgs;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::output::{OutputArgs, picture_endings};
@@ -156,7 +156,7 @@ pub(super) struct ExplainArgs {
     pub(super) view: View,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(super) size: Option<String>,
     /// Run every stage of the pipeline, needed or not. The image is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
@@ -179,7 +179,7 @@ pub(super) struct BenchArgs {
     pub(super) view: Views,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(super) size: Option<String>,
     /// Number of frames to draw, 1 to 1000000
     #[arg(long, value_name = "N", default_value = "100", allow_hyphen_values = true)]
     frames: String,
@@ -260,7 +260,7 @@ pub(super) struct AnimateArgs {
     pub(super) observer_of: Option<PathBuf>,
     /// Width and height of each image in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(super) size: Option<String>,
     /// Duration of a step in an animation, and of all of --vary or --to, in seconds, 0.1 to 60
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true)]
     seconds: String,
@@ -346,19 +346,7 @@ impl InspectArgs {
     }
 }
 
-impl ExplainArgs {
-    /// Width and height, if they are given.
-    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
-}
-
 impl BenchArgs {
-    /// Width and height, if they are given.
-    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
-
     pub(super) fn frames(&self, lang: Lang) -> Result<usize, Failure> {
         let frames = self.frames.trim().parse().ok().filter(|frames| (1..=1_000_000).contains(frames));
         frames.ok_or_else(|| Failure::BadInput(texts::frames(lang, &self.frames)))
@@ -366,11 +354,6 @@ impl BenchArgs {
 }
 
 impl AnimateArgs {
-    /// Width and height of each image, if they are given.
-    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
-
     pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
         number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
     }

@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::words::{ThemeArg, one_of};
-use crate::appearance;
-use crate::camera::ImageSize;
+use super::words::{one_of, word_of};
+use crate::appearance::Theme;
 use crate::cli::Failure;
-use crate::cli::args::figure::{option, size};
+use crate::cli::args::figure::option;
 use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
 use crate::export::vector::Letters;
+use crate::figure::words::THEMES;
 use crate::i18n::{Lang, command_line as texts};
 use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE};
 use crate::picture::{Faces, FileOptions, OnPaper, PER_INCH};
@@ -21,7 +21,7 @@ use crate::sanitize;
 pub(in crate::cli) struct OutputArgs {
     /// Width and height in pixels; without it, the figure's image size (for several views: of each)
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(in crate::cli) size: Option<String>,
     /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of an
     /// image larger than 1920x1080 grow with it, by the smaller of width/1920 and height/1080
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
@@ -67,27 +67,14 @@ pub(in crate::cli) struct OutputArgs {
     #[arg(long, value_name = "FIGURE")]
     pub(in crate::cli) observer_of: Option<PathBuf>,
     /// Theme; without it, that of the figure
-    #[arg(long, value_enum)]
-    theme: Option<ThemeArg>,
+    #[arg(long, value_parser = word_of(THEMES))]
+    pub(in crate::cli) theme: Option<Theme>,
     // The extensions are in `PictureFormat`.
     #[arg(short, long, value_name = "OUT", help = output_help())]
     pub(in crate::cli) output: PathBuf,
 }
 
 impl OutputArgs {
-    pub(in crate::cli) fn theme(&self) -> Option<appearance::Theme> {
-        self.theme.map(|theme| match theme {
-            ThemeArg::Light => appearance::Theme::Light,
-            ThemeArg::Dark => appearance::Theme::Dark,
-            ThemeArg::Print => appearance::Theme::Print,
-        })
-    }
-
-    /// Width and height before scaling, if they are given.
-    pub(in crate::cli) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
-
     /// The factor of width, height, strokes and letters, if it is given.
     pub(in crate::cli) fn scale(&self, lang: Lang) -> Result<Option<f32>, Failure> {
         #[expect(clippy::cast_possible_truncation, reason = "0.1 to 16")]

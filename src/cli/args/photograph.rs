@@ -6,9 +6,9 @@ use clap::Args;
 use glam::DVec2;
 
 use super::words::TableFormat;
-use crate::camera::{ImageSize, PhotographLine, PhotographMarks, WorldAxis};
+use crate::camera::{PhotographLine, PhotographMarks, WorldAxis};
 use crate::cli::Failure;
-use crate::cli::args::figure::{FigureArgs, size};
+use crate::cli::args::figure::FigureArgs;
 use crate::i18n::Lang;
 use crate::i18n::why::photograph as texts;
 
@@ -30,18 +30,13 @@ pub(in crate::cli) struct PhotographArgs {
     length: Option<String>,
     /// The size of the photograph in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
+    pub(in crate::cli) size: Option<String>,
     /// A figure file, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: TableFormat,
 }
 
 impl PhotographArgs {
-    /// The size of the photograph, if it is given.
-    pub(in crate::cli) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
-
     /// The lines and points that were marked.
     pub(in crate::cli) fn marks(&self, lang: Lang) -> Result<PhotographMarks, Failure> {
         let refused = |text: &str, example| Failure::BadInput(texts::unreadable(lang, text, example));

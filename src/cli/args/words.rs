@@ -3,6 +3,7 @@
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use crate::figure::words::{self, Words};
 use crate::i18n::Lang;
 
 /// A parser of an argument that is one of `values`, each by its name.
@@ -14,6 +15,12 @@ pub(in crate::cli) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     PossibleValuesParser::new(values.map(name)).try_map(move |text| {
         values.into_iter().find(|value| name(*value) == text).ok_or_else(|| format!("no value has the name {text}"))
     })
+}
+
+/// A parser of an argument that is one of `words`.
+pub(in crate::cli) fn word_of<T: Copy + Send + Sync + 'static>(words: Words<T>) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(words.iter().map(|(word, _)| *word))
+        .try_map(move |text| words::value(words, &text).ok_or_else(|| format!("no value has the name {text}")))
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
@@ -37,25 +44,11 @@ pub(in crate::cli) enum DataFormat {
     Csv,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub(in crate::cli) enum ConventionArg {
-    #[default]
-    RightHand,
-    Vtk,
-}
-
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(in crate::cli) enum LangArg {
     En,
     #[value(name = "pt-BR", aliases = ["pt", "pt_BR"])]
     PtBr,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(in crate::cli) enum ThemeArg {
-    Light,
-    Dark,
-    Print,
 }
 
 impl LangArg {

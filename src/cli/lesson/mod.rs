@@ -12,6 +12,7 @@ use super::render::{no_picture, save, save_handout};
 use super::{Failure, Opening, print, say};
 use crate::camera::Camera;
 use crate::cli::args::exercise::ListArgs;
+use crate::cli::args::figure::size;
 use crate::cli::args::lesson::{CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PlayArgs, ShowArgs, WhichArgs};
 use crate::cli::args::words::{LangArg, TableFormat};
 use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of};
@@ -317,7 +318,7 @@ fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(
 }
 
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
-    let size = args.size(lang)?;
+    let size = size(args.size.as_deref(), lang)?;
     let found = find(&args.which, lang)?;
     // A handout is wanted, and not a folder of pictures.
     let is_handout = args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"));
@@ -333,7 +334,7 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     }
     let lesson = &found.lesson;
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
-    let format = args.format.unwrap_or_default();
+    let format = args.format.unwrap_or(PictureFormat::Png);
     let digits = lesson.steps.len().to_string().len().max(2);
     // Nothing is written if a step is faulty.
     let mut made = Vec::new();
@@ -343,7 +344,7 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
         let views = args.view.unwrap_or_else(|| views_of(&step.figure));
         let sheet = composite(args, &found, (k, step), size_of(size, views), lang)?;
         let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
-        let options = FileOptions::of(format.format());
+        let options = FileOptions::of(format);
         let file = at_once(picture::file(&sheet, options, &told, &Progress::default()));
         let file = file.map_err(|error| no_picture(lang, &sanitize::path(&output), error, pixels_of(&sheet)))?;
         made.push((output, file));

@@ -16,22 +16,19 @@ pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
         let numbers: Vec<String> = values.iter().map(|value| exact(*value)).collect();
         format!("({})", numbers.join(mark.separator()))
     };
-    let (name, projection) = match (lang, parameters.projection) {
-        (Lang::En, Projection::Perspective) => ("projection", "perspective"),
-        (Lang::En, Projection::Parallel) => ("projection", "parallel"),
-        (Lang::PtBr, Projection::Perspective) => ("projeção", "perspectiva"),
-        (Lang::PtBr, Projection::Parallel) => ("projeção", "paralela"),
+    let projection = match parameters.projection {
+        Projection::Perspective => pick!(lang; "perspective", "perspectiva"),
+        Projection::Parallel => pick!(lang; "parallel", "paralela"),
     };
     let mut pairs = vec![
         ("C", tuple(&parameters.position.to_array())),
         ("PF", tuple(&parameters.focal_point.to_array())),
         ("VUP", tuple(&parameters.view_up.to_array())),
-        (name, projection.to_owned()),
+        (pick!(lang; "projection", "projeção"), projection.to_owned()),
     ];
     match (parameters.window, parameters.projection) {
         (Some(ViewWindow { left, right, bottom, top }), _) => {
-            let name = if lang == Lang::En { "window" } else { "janela" };
-            pairs.push((name, tuple(&[left, right, bottom, top])));
+            pairs.push((pick!(lang; "window", "janela"), tuple(&[left, right, bottom, top])));
         }
         (None, Projection::Perspective) => pairs.push(("θ", exact(parameters.view_angle))),
         (None, Projection::Parallel) => pairs.push(("H", exact(parameters.height))),

@@ -31,16 +31,10 @@ texts! {
 #[must_use]
 pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
-    match (lang, near) {
-        (Lang::En, Some(near)) => {
-            format!("there is no exercise {id:?}; did you mean {near:?}? `camera-lab exercise list` lists them")
-        }
-        (Lang::En, None) => format!("there is no exercise {id:?}; `camera-lab exercise list` lists them"),
-        (Lang::PtBr, Some(near)) => {
-            format!("não há exercício {id:?}; você quis dizer {near:?}? `camera-lab exercise list` os lista")
-        }
-        (Lang::PtBr, None) => format!("não há exercício {id:?}; `camera-lab exercise list` os lista"),
-    }
+    let meant =
+        near.map(|near| both!(lang; " did you mean {near:?}?", " você quis dizer {near:?}?")).unwrap_or_default();
+    both!(lang; "there is no exercise {id:?};{meant} `camera-lab exercise list` lists them",
+        "não há exercício {id:?};{meant} `camera-lab exercise list` os lista")
 }
 
 /// An answer to an unknown question.
@@ -66,11 +60,11 @@ pub fn passed_over(lang: Lang, why: &str) -> String {
 /// Why a file was passed over, where others were too.
 #[must_use]
 pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
-    match (lang, more) {
-        (Lang::En, 1) => format!("{why} (and one more file was skipped)"),
-        (Lang::En, _) => format!("{why} (and {more} more files were skipped)"),
-        (Lang::PtBr, 1) => format!("{why} (e mais um arquivo foi ignorado)"),
-        (Lang::PtBr, _) => format!("{why} (e mais {more} arquivos foram ignorados)"),
+    match more {
+        1 => both!(lang; "{why} (and one more file was skipped)", "{why} (e mais um arquivo foi ignorado)"),
+        _ => {
+            both!(lang; "{why} (and {more} more files were skipped)", "{why} (e mais {more} arquivos foram ignorados)")
+        }
     }
 }
 
@@ -96,14 +90,12 @@ pub fn with(_lang: Lang, text: &str, why: &str) -> String {
 #[must_use]
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     let name = escaped(name);
-    match (lang, free.is_empty()) {
-        (Lang::En, true) => format!("--with: {id} leaves no number open, so {name:?} cannot be set"),
-        (Lang::En, false) => format!("--with: {id} does not leave {name:?} open; it leaves open: {}", free.join(", ")),
-        (Lang::PtBr, true) => {
-            format!("--with: {id} não deixa nenhum número em aberto, e {name:?} não pode ser definido")
-        }
-        (Lang::PtBr, false) => format!("--with: {id} não deixa {name:?} em aberto; deixa: {}", free.join(", ")),
+    if free.is_empty() {
+        return both!(lang; "--with: {id} leaves no number open, so {name:?} cannot be set",
+            "--with: {id} não deixa nenhum número em aberto, e {name:?} não pode ser definido");
     }
+    both!(lang; "--with: {id} does not leave {name:?} open; it leaves open: {}",
+        "--with: {id} não deixa {name:?} em aberto; deixa: {}"; free.join(", "))
 }
 
 /// `--hints` that is not a number of hints.

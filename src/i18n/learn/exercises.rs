@@ -171,11 +171,12 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     }
     if let Some([row, column]) = diagnosis.entry {
         let (row, column) = (row + 1, column + 1);
-        said.push(match lang {
-            Lang::En if beside => format!("In addition, the number in row {row}, column {column} is wrong."),
-            Lang::PtBr if beside => format!("Além disso, o número da linha {row}, coluna {column} está errado."),
-            Lang::En => format!("It is the one in row {row}, column {column}."),
-            Lang::PtBr => format!("É o da linha {row}, coluna {column}."),
+        said.push(match beside {
+            true => both!(lang; "In addition, the number in row {row}, column {column} is wrong.",
+                "Além disso, o número da linha {row}, coluna {column} está errado."),
+            false => {
+                both!(lang; "It is the one in row {row}, column {column}.", "É o da linha {row}, coluna {column}.")
+            }
         });
     }
     if let Answer::Numbers { rows, columns, .. } = judged.understood
@@ -203,23 +204,13 @@ pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let (last, first) = judged.carried.split_last()?;
     let and = if lang == Lang::En { "and" } else { "e" };
     let names = if first.is_empty() { last.clone() } else { format!("{} {and} {last}", first.join(", ")) };
-    Some(match (lang, first.is_empty()) {
-        (Lang::En, true) => {
-            format!("This is right for your own {names}, which is wrong. Correct {names}, then compute this again.")
-        }
-        (Lang::En, false) => {
-            format!("This is right for your own {names}, which are wrong. Correct them, then compute this again.")
-        }
-        (Lang::PtBr, true) => {
-            format!(
-                "Isto está certo para o valor de {names} que você deu, que está errado. Corrija {names} e refaça esta conta."
-            )
-        }
-        (Lang::PtBr, false) => {
-            format!(
-                "Isto está certo para os valores de {names} que você deu, que estão errados. Corrija-os e refaça esta conta."
-            )
-        }
+    Some(match first.is_empty() {
+        true => both!(lang;
+            "This is right for your own {names}, which is wrong. Correct {names}, then compute this again.",
+            "Isto está certo para o valor de {names} que você deu, que está errado. Corrija {names} e refaça esta conta."),
+        false => both!(lang;
+            "This is right for your own {names}, which are wrong. Correct them, then compute this again.",
+            "Isto está certo para os valores de {names} que você deu, que estão errados. Corrija-os e refaça esta conta."),
     })
 }
 
@@ -528,10 +519,10 @@ mod tests {
         for (list, names) in &en.lists {
             assert_eq!(names.keys().collect::<Vec<_>>(), pt.lists[list].keys().collect::<Vec<_>>(), "{list}");
         }
-        for (mistake, code) in Mistake::ALL {
+        for mistake in Mistake::ALL {
             for lang in [Lang::En, Lang::PtBr] {
                 let said = super::mistake(lang, mistake);
-                assert!(said.iter().all(|text| text.len() > 10), "{code} {lang:?}");
+                assert!(said.iter().all(|text| text.len() > 10), "{mistake:?} {lang:?}");
             }
         }
     }

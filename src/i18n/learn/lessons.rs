@@ -286,19 +286,13 @@ pub fn line(lang: Lang, line: &Value) -> String {
 #[must_use]
 pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
-    match (lang, near) {
-        (Lang::En, Some(near)) => {
-            format!("there is no lesson {id:?}; did you mean {near:?}? `camera-lab lesson list` lists them")
-        }
-        (Lang::En, None) => {
-            format!("there is no lesson {id:?}; allowed: a lesson file, or an id of `camera-lab lesson list`")
-        }
-        (Lang::PtBr, Some(near)) => {
-            format!("não há lição {id:?}; você quis dizer {near:?}? `camera-lab lesson list` as lista")
-        }
-        (Lang::PtBr, None) => {
-            format!("não há lição {id:?}; permitido: um arquivo de lição, ou um id de `camera-lab lesson list`")
-        }
+    match near {
+        Some(near) => both!(lang;
+            "there is no lesson {id:?}; did you mean {near:?}? `camera-lab lesson list` lists them",
+            "não há lição {id:?}; você quis dizer {near:?}? `camera-lab lesson list` as lista"),
+        None => both!(lang;
+            "there is no lesson {id:?}; allowed: a lesson file, or an id of `camera-lab lesson list`",
+            "não há lição {id:?}; permitido: um arquivo de lição, ou um id de `camera-lab lesson list`"),
     }
 }
 
@@ -317,13 +311,12 @@ pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
 /// A lesson lacks a part that another lecturer needs.
 #[must_use]
 pub fn no_part(lang: Lang, key: &str) -> String {
-    let why = match (lang, key) {
-        (Lang::En, "aims") => "what you can do after the lesson, a list of texts",
-        (Lang::En, "plan") => "what to show, ask, expect and hand out in 50 minutes",
-        (Lang::En, _) => "the one sentence to keep",
-        (Lang::PtBr, "aims") => "o que você sabe fazer depois da lição, uma lista de textos",
-        (Lang::PtBr, "plan") => "o que mostrar, perguntar, esperar e distribuir em 50 minutos",
-        (Lang::PtBr, _) => "a frase para guardar",
+    let why = match key {
+        "aims" => pick!(lang; "what you can do after the lesson, a list of texts",
+            "o que você sabe fazer depois da lição, uma lista de textos"),
+        "plan" => pick!(lang; "what to show, ask, expect and hand out in 50 minutes",
+            "o que mostrar, perguntar, esperar e distribuir em 50 minutos"),
+        _ => pick!(lang; "the one sentence to keep", "a frase para guardar"),
     };
     both!(lang; "{key} is missing: {why}. The lesson plays without it",
         "falta {key}: {why}. A lição funciona sem isso")
@@ -385,14 +378,12 @@ pub fn per_page(lang: Lang, found: &str) -> String {
 /// An option of handouts with a folder of pictures, or the other way round.
 #[must_use]
 pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
-    match (lang, is_handout) {
-        (Lang::En, true) => format!("{option} is for a folder of images; a handout takes --per-page and --answers"),
-        (Lang::En, false) => format!("{option} is for a handout; allowed: -o OUT.pdf"),
-        (Lang::PtBr, true) => {
-            format!("{option} vale para uma pasta de imagens; uma apostila aceita --per-page e --answers")
-        }
-        (Lang::PtBr, false) => format!("{option} vale para uma apostila; permitido: -o SAIDA.pdf"),
+    if is_handout {
+        return both!(lang; "{option} is for a folder of images; a handout takes --per-page and --answers",
+            "{option} vale para uma pasta de imagens; uma apostila aceita --per-page e --answers");
     }
+    both!(lang; "{option} is for a handout; allowed: -o OUT.pdf",
+        "{option} vale para uma apostila; permitido: -o SAIDA.pdf")
 }
 
 /// Pictures of a lesson are asked for in a file that holds only one.
@@ -405,10 +396,8 @@ pub fn output_name(lang: Lang, path: &str) -> String {
 /// All files hold good lessons.
 #[must_use]
 pub fn all_good(lang: Lang, count: usize) -> String {
-    match (lang, count) {
-        (Lang::En, 1) => "the lesson has no errors\n".to_owned(),
-        (Lang::En, _) => format!("{count} lessons have no errors\n"),
-        (Lang::PtBr, 1) => "a lição não tem erros\n".to_owned(),
-        (Lang::PtBr, _) => format!("{count} lições não têm erros\n"),
+    match count {
+        1 => both!(lang; "the lesson has no errors\n", "a lição não tem erros\n"),
+        _ => both!(lang; "{count} lessons have no errors\n", "{count} lições não têm erros\n"),
     }
 }

@@ -99,24 +99,14 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
 #[must_use]
 pub fn operation(lang: Lang, error: &OperationError) -> String {
     let names = || Operation::names().join(", ");
-    match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, OperationError::NoValue { text }) => {
-            format!("\"{}\" não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}", escaped(text), names())
-        }
-        (Lang::PtBr, OperationError::UnknownName { name }) => {
-            format!("não há a operação \"{}\"; permitido: {}", escaped(name), names())
-        }
-        (Lang::PtBr, OperationError::NotANumber { descriptor, value, error }) => {
-            let (why, allowed) = (in_expression(lang, value, error), amount_in_portuguese(descriptor));
-            format!("{} é \"{}\": {why}; permitido: {allowed}", descriptor.word, escaped(value))
-        }
-        (
-            Lang::PtBr,
-            OperationError::NotAFactor { descriptor, value } | OperationError::WrongCount { descriptor, value },
-        ) => {
-            format!("{} é \"{}\"; permitido: {}", descriptor.word, escaped(value), amount_in_portuguese(descriptor))
-        }
+    translated! { lang, error;
+        OperationError::NoValue { text } =>
+            "\"{}\" não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}" (escaped(text), names());
+        OperationError::UnknownName { name } => "não há a operação \"{}\"; permitido: {}" (escaped(name), names());
+        OperationError::NotANumber { descriptor, value, error } =>
+            "{} é \"{}\": {}; permitido: {}" (descriptor.word, escaped(value), in_expression(lang, value, error), amount_in_portuguese(descriptor));
+        OperationError::NotAFactor { descriptor, value } | OperationError::WrongCount { descriptor, value } =>
+            "{} é \"{}\"; permitido: {}" (descriptor.word, escaped(value), amount_in_portuguese(descriptor));
     }
 }
 
@@ -132,59 +122,40 @@ fn amount_in_portuguese(descriptor: &Descriptor) -> String {
 /// Why a camera has no matrices in a convention of NDC.
 #[must_use]
 pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
-    match lang {
-        Lang::En => error.to_string(),
-        Lang::PtBr => format!(
-            "{} leva o plano de fundo ao infinito, o que em projeção paralela dá o mesmo z a todas as profundidades; permitido: \
-             projection = \"perspective\", ou uma convenção sem -infinite",
-            error.0.name()
-        ),
+    translated! { lang, error;
+        InfiniteParallel(ndc) =>
+            "{} leva o plano de fundo ao infinito, o que em projeção paralela dá o mesmo z a todas as profundidades; permitido: projection = \"perspective\", ou uma convenção sem -infinite" (ndc.name());
     }
 }
 
 /// Why a depth belongs to no point.
 #[must_use]
 pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
-    match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, NotProjectable::EmptyDepthRange { depth }) => {
-            format!("toda profundidade é {depth}: com depth_near = depth_far perde-se o caminho de volta")
-        }
-        (Lang::PtBr, NotProjectable::BeyondInfinity { depth, near, infinity }) => format!(
-            "profundidade {depth}: nenhum ponto do mundo está tão longe; do plano da frente ao infinito, as profundidades vão de {near} até antes de {infinity}"
-        ),
-        (Lang::PtBr, NotProjectable::InPlaneOfEye) => {
-            "distância 0: no plano do olho nenhum ponto tem imagem; permitido: qualquer outra distância, como F"
-                .to_owned()
-        }
-        (Lang::PtBr, NotProjectable::Overflow { depth }) => format!(
-            "profundidade {depth}: as coordenadas do ponto excederiam os limites dos números (cerca de 1e-308 a 1e308)"
-        ),
+    translated! { lang, error;
+        NotProjectable::EmptyDepthRange { depth } =>
+            "toda profundidade é {depth}: com depth_near = depth_far perde-se o caminho de volta";
+        NotProjectable::BeyondInfinity { depth, near, infinity } =>
+            "profundidade {depth}: nenhum ponto do mundo está tão longe; do plano da frente ao infinito, as profundidades vão de {near} até antes de {infinity}";
+        NotProjectable::InPlaneOfEye =>
+            "distância 0: no plano do olho nenhum ponto tem imagem; permitido: qualquer outra distância, como F";
+        NotProjectable::Overflow { depth } =>
+            "profundidade {depth}: as coordenadas do ponto excederiam os limites dos números (cerca de 1e-308 a 1e308)";
     }
 }
 
 /// Why there are no numbers to report.
 #[must_use]
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
-    match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, InspectError::Camera(error)) => camera(lang, error),
-        (Lang::PtBr, InspectError::InfiniteParallel(error)) => infinite_parallel(lang, *error),
-        (Lang::PtBr, InspectError::Operation { operation, error }) => {
-            format!("operação {operation}: {}", camera(lang, error))
-        }
-        (Lang::PtBr, InspectError::Point { point, space }) => {
-            let [x, y, z] = point.to_array();
-            format!(
-                "ponto {x},{y},{z}: suas coordenadas ({space}) excederiam os limites dos números (cerca de 1e-308 a 1e308)"
-            )
-        }
-        (Lang::PtBr, InspectError::DepthPixel { pixel: [i, j], error }) => {
-            format!("pixel {i},{j} com profundidade: {}", no_way_back(lang, *error))
-        }
-        (Lang::PtBr, InspectError::Pixel { pixel: [i, j] }) => {
-            format!("pixel {i},{j}: seu raio excederia os limites dos números (cerca de 1e-308 a 1e308)")
-        }
+    translated! { lang, error;
+        InspectError::Camera(error) => "{}" (camera(lang, error));
+        InspectError::InfiniteParallel(error) => "{}" (infinite_parallel(lang, *error));
+        InspectError::Operation { operation, error } => "operação {operation}: {}" (camera(lang, error));
+        InspectError::Point { point, space } =>
+            "ponto {},{},{}: suas coordenadas ({space}) excederiam os limites dos números (cerca de 1e-308 a 1e308)" (point.x, point.y, point.z);
+        InspectError::DepthPixel { pixel: [i, j], error } =>
+            "pixel {i},{j} com profundidade: {}" (no_way_back(lang, *error));
+        InspectError::Pixel { pixel: [i, j] } =>
+            "pixel {i},{j}: seu raio excederia os limites dos números (cerca de 1e-308 a 1e308)";
     }
 }
 

@@ -13,19 +13,16 @@ pub(in crate::i18n) fn in_expression(lang: Lang, text: &str, error: &ExpressionE
 /// Why an expression is not a number.
 #[must_use]
 pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
-    match (lang, problem) {
-        (Lang::En, problem) => problem.to_string(),
-        (Lang::PtBr, ExpressionProblem::Empty) => "falta um número".to_owned(),
-        (Lang::PtBr, ExpressionProblem::Unexpected(c)) => format!("inesperado: “{}”", escaped(&c.to_string())),
-        (Lang::PtBr, ExpressionProblem::Unfinished) => "a expressão não terminou".to_owned(),
-        (Lang::PtBr, ExpressionProblem::UnknownName(name)) => format!("nome desconhecido: “{}”", escaped(name)),
-        (Lang::PtBr, ExpressionProblem::MissingParenthesis) => "falta um “)”".to_owned(),
-        (Lang::PtBr, ExpressionProblem::MixedUnits) => "ângulo e número não se misturam aqui".to_owned(),
-        (Lang::PtBr, ExpressionProblem::NoUnit(number)) => {
-            format!("aqui um ângulo precisa de sua unidade: escreva ({}°)", escaped(number))
-        }
-        (Lang::PtBr, ExpressionProblem::NotFinite) => "o resultado não é um número finito".to_owned(),
-        (Lang::PtBr, ExpressionProblem::TooLong) => "a expressão é longa demais".to_owned(),
+    translated! { lang, problem;
+        ExpressionProblem::Empty => "falta um número";
+        ExpressionProblem::Unexpected(c) => "inesperado: “{}”" (escaped(&c.to_string()));
+        ExpressionProblem::Unfinished => "a expressão não terminou";
+        ExpressionProblem::UnknownName(name) => "nome desconhecido: “{}”" (escaped(name));
+        ExpressionProblem::MissingParenthesis => "falta um “)”";
+        ExpressionProblem::MixedUnits => "ângulo e número não se misturam aqui";
+        ExpressionProblem::NoUnit(number) => "aqui um ângulo precisa de sua unidade: escreva ({}°)" (escaped(number));
+        ExpressionProblem::NotFinite => "o resultado não é um número finito";
+        ExpressionProblem::TooLong => "a expressão é longa demais";
     }
 }
 
@@ -45,10 +42,8 @@ pub fn at_most_characters(lang: Lang, most: usize) -> String {
 #[must_use]
 pub fn outside(lang: Lang, low: f64, high: f64) -> String {
     let [least, greatest] = [low, high].map(|bound| lang.mark().printed(&bound.to_string()));
-    match (lang, low == f64::MIN_POSITIVE) {
-        (Lang::En, true) => "must be greater than 0".to_owned(),
-        (Lang::En, false) => format!("must be between {least} and {greatest}"),
-        (Lang::PtBr, true) => "tem de ser maior que 0".to_owned(),
-        (Lang::PtBr, false) => format!("tem de estar entre {least} e {greatest}"),
+    if low == f64::MIN_POSITIVE {
+        return both!(lang; "must be greater than 0", "tem de ser maior que 0");
     }
+    both!(lang; "must be between {least} and {greatest}", "tem de estar entre {least} e {greatest}")
 }

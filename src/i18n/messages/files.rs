@@ -59,17 +59,13 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
 /// Why there is no link to a figure, or no figure in a link.
 #[must_use]
 pub fn link(lang: Lang, error: ShareError) -> String {
-    match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, ShareError::TooLong(length)) => format!(
-            "o link teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve e envie o arquivo"
-        ),
-        (Lang::PtBr, ShareError::Damaged) => {
-            "o link não contém uma figura ou lição inteira, pois uma parte falta ou foi mudada no caminho".to_owned()
-        }
-        (Lang::PtBr, ShareError::TooLarge) => {
-            format!("a figura ou lição no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes")
-        }
+    translated! { lang, error;
+        ShareError::TooLong(length) =>
+            "o link teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve e envie o arquivo";
+        ShareError::Damaged =>
+            "o link não contém uma figura ou lição inteira, pois uma parte falta ou foi mudada no caminho";
+        ShareError::TooLarge =>
+            "a figura ou lição no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes";
     }
 }
 
@@ -83,25 +79,21 @@ pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
 /// Why a picture cannot be written or read.
 #[must_use]
 pub fn png(lang: Lang, error: &PngError) -> String {
-    match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, PngError::Encode(why)) => format!("a imagem não pode ser gravada como PNG ({why})"),
-        (Lang::PtBr, PngError::Damaged(damage)) => {
-            let why = match damage {
-                Damage::Truncated => "termina antes do fim",
-                Damage::Checksum => "uma soma de verificação não confere",
-                Damage::Text => "o texto nele não pode ser descompactado",
-                Damage::Format => "suas partes contradizem o formato",
-            };
-            format!("o PNG está danificado: {why}")
-        }
-        (Lang::PtBr, PngError::TooLong { limit }) => {
-            format!("a figura neste PNG é longa demais; permitido: no máximo {limit} bytes")
-        }
-        (Lang::PtBr, PngError::NoFigure) => {
-            "esta imagem não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab"
-                .to_owned()
-        }
+    translated! { lang, error;
+        PngError::Encode(why) => "a imagem não pode ser gravada como PNG ({why})";
+        PngError::Damaged(damage) => "o PNG está danificado: {}" (damage_in_portuguese(*damage));
+        PngError::TooLong { limit } => "a figura neste PNG é longa demais; permitido: no máximo {limit} bytes";
+        PngError::NoFigure =>
+            "esta imagem não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab";
+    }
+}
+
+const fn damage_in_portuguese(damage: Damage) -> &'static str {
+    match damage {
+        Damage::Truncated => "termina antes do fim",
+        Damage::Checksum => "uma soma de verificação não confere",
+        Damage::Text => "o texto nele não pode ser descompactado",
+        Damage::Format => "suas partes contradizem o formato",
     }
 }
 

@@ -8,57 +8,38 @@ use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFau
 
 /// Why a mesh file cannot be used. In English it is the error's own words.
 pub(in crate::i18n) fn mesh(lang: Lang, error: &MeshError) -> String {
-    match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, MeshError::Unreadable(error)) => unreadable(lang, error),
-        (Lang::PtBr, MeshError::Format) => {
-            "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb".to_owned()
-        }
-        (Lang::PtBr, MeshError::Cancelled) => "a leitura foi cancelada".to_owned(),
-        (Lang::PtBr, MeshError::Empty) => "não há nenhuma face nele".to_owned(),
-        (Lang::PtBr, MeshError::TooLarge) => "ele tem vértices demais".to_owned(),
-        (Lang::PtBr, MeshError::TooManyObjects) => {
-            format!("ele tem objetos demais; permitido: no máximo {MAX_OBJECTS}")
-        }
-        (Lang::PtBr, MeshError::Obj { line, fault }) => format!("linha {line}: {}", obj_in_portuguese(fault)),
-        (Lang::PtBr, MeshError::Json { line, column, fault }) => {
-            format!("linha {line}, coluna {column}: {}", json_in_portuguese(fault))
-        }
-        (Lang::PtBr, MeshError::Gltf { place, fault }) if place.is_empty() => gltf_in_portuguese(fault),
-        (Lang::PtBr, MeshError::Gltf { place, fault }) => format!("{place}: {}", gltf_in_portuguese(fault)),
+    translated! { lang, error;
+        MeshError::Unreadable(error) => "{}" (unreadable(lang, error));
+        MeshError::Format => "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb";
+        MeshError::Cancelled => "a leitura foi cancelada";
+        MeshError::Empty => "não há nenhuma face nele";
+        MeshError::TooLarge => "ele tem vértices demais";
+        MeshError::TooManyObjects => "ele tem objetos demais; permitido: no máximo {MAX_OBJECTS}";
+        MeshError::Obj { line, fault } => "linha {line}: {}" (obj_in_portuguese(fault));
+        MeshError::Json { line, column, fault } => "linha {line}, coluna {column}: {}" (json_in_portuguese(fault));
+        MeshError::Gltf { place, fault } if place.is_empty() => "{}" (gltf_in_portuguese(fault));
+        MeshError::Gltf { place, fault } => "{place}: {}" (gltf_in_portuguese(fault));
     }
 }
 
 /// A part of a mesh file that was left out. In English, the notice's own words.
 pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
-    match (lang, notice) {
-        (Lang::En, notice) => notice.to_string(),
-        (Lang::PtBr, MeshNotice::IndexIgnored { line, found }) => format!(
-            "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe, e índices assim são ignorados"
-        ),
-        (Lang::PtBr, MeshNotice::FacesSkipped { line, found, count }) => {
-            let left_out = if *count == 1 {
-                "ela fica de fora".to_owned()
-            } else {
-                format!("ela e outras {} ficam de fora", count - 1)
-            };
-            format!("linha {line}: uma face com {found} vértices; {left_out}")
-        }
-        (Lang::PtBr, MeshNotice::CutAsConvex { count }) => format!(
-            "faces côncavas com vértices demais: {count}. São preenchidas como se fossem convexas, o que mostra áreas erradas"
-        ),
-        (Lang::PtBr, MeshNotice::Texture(error)) => {
-            format!("o arquivo da textura {}, e a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
-        }
-        (Lang::PtBr, MeshNotice::Photograph(error)) => {
-            format!("o arquivo da fotografia {}, e a imagem aparece sem ela", texture_in_portuguese(error))
-        }
-        (Lang::PtBr, MeshNotice::NoCoordinates) => {
-            "a malha não tem coordenadas de textura, e a cor dela aparece em lugar da textura".to_owned()
-        }
-        (Lang::PtBr, MeshNotice::Invisible { material }) => {
-            format!("o material \"{material}\" é inteiramente transparente (Tr 1 ou d 0), e é desenhado opaco")
-        }
+    translated! { lang, notice;
+        MeshNotice::IndexIgnored { line, found } =>
+            "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe, e índices assim são ignorados";
+        MeshNotice::FacesSkipped { line, found, count: 1 } =>
+            "linha {line}: uma face com {found} vértices; ela fica de fora";
+        MeshNotice::FacesSkipped { line, found, count } =>
+            "linha {line}: uma face com {found} vértices; ela e outras {} ficam de fora" (count - 1);
+        MeshNotice::CutAsConvex { count } =>
+            "faces côncavas com vértices demais: {count}. São preenchidas como se fossem convexas, o que mostra áreas erradas";
+        MeshNotice::Texture(error) =>
+            "o arquivo da textura {}, e a cor do objeto aparece em seu lugar" (texture_in_portuguese(error));
+        MeshNotice::Photograph(error) =>
+            "o arquivo da fotografia {}, e a imagem aparece sem ela" (texture_in_portuguese(error));
+        MeshNotice::NoCoordinates => "a malha não tem coordenadas de textura, e a cor dela aparece em lugar da textura";
+        MeshNotice::Invisible { material } =>
+            "o material \"{material}\" é inteiramente transparente (Tr 1 ou d 0), e é desenhado opaco";
     }
 }
 

@@ -14,35 +14,25 @@ pub(in crate::i18n) fn unreadable(lang: Lang, error: &ReadError) -> String {
 
 /// The reason why a file cannot be read, after its name.
 pub(in crate::i18n) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
-    match (lang, problem) {
-        (Lang::En, problem) => problem.to_string(),
-        (Lang::PtBr, ReadProblem::System { kind, code }) => {
-            format!("não pode ser lido: {}", system_in_portuguese(*kind, *code))
-        }
-        (Lang::PtBr, ReadProblem::Directory) => "é um diretório; permitido: um arquivo".to_owned(),
-        (Lang::PtBr, ReadProblem::NotRegular) => {
-            "é um dispositivo, um pipe ou um socket; permitido: um arquivo comum".to_owned()
-        }
-        (Lang::PtBr, ReadProblem::Outside { folder, named_by }) => {
-            let who = match named_by {
-                NamedBy::Mesh => "uma malha",
-                NamedBy::Picture => "uma figura dentro de uma imagem",
-                NamedBy::Lesson => "uma lição",
-            };
-            format!(
-                "não foi lido, porque {who} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files (na janela: o botão ao lado do caminho)"
-            )
-        }
-        (Lang::PtBr, ReadProblem::NoFolder) => {
-            "não foi lido, porque o indica uma figura sem pasta, como num link; permitido: malhas do programa, ou qualquer arquivo com --allow-files (na janela: o botão ao lado do caminho)".to_owned()
-        }
-        (Lang::PtBr, ReadProblem::Budget) => {
-            let mib = MAX_SCENE_BYTES >> 20;
-            format!(
-                "não foi lido, porque com ele os arquivos desta figura passam de {mib} MiB; permitido: menos que isso em todos juntos"
-            )
-        }
-        (Lang::PtBr, ReadProblem::Network) => "está em outra máquina; permitido: arquivos desta".to_owned(),
+    translated! { lang, problem;
+        ReadProblem::System { kind, code } => "não pode ser lido: {}" (system_in_portuguese(*kind, *code));
+        ReadProblem::Directory => "é um diretório; permitido: um arquivo";
+        ReadProblem::NotRegular => "é um dispositivo, um pipe ou um socket; permitido: um arquivo comum";
+        ReadProblem::Outside { folder, named_by } =>
+            "não foi lido, porque {} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files (na janela: o botão ao lado do caminho)" (named_by_in_portuguese(*named_by));
+        ReadProblem::NoFolder =>
+            "não foi lido, porque o indica uma figura sem pasta, como num link; permitido: malhas do programa, ou qualquer arquivo com --allow-files (na janela: o botão ao lado do caminho)";
+        ReadProblem::Budget =>
+            "não foi lido, porque com ele os arquivos desta figura passam de {} MiB; permitido: menos que isso em todos juntos" (MAX_SCENE_BYTES >> 20);
+        ReadProblem::Network => "está em outra máquina; permitido: arquivos desta";
+    }
+}
+
+const fn named_by_in_portuguese(named_by: NamedBy) -> &'static str {
+    match named_by {
+        NamedBy::Mesh => "uma malha",
+        NamedBy::Picture => "uma figura dentro de uma imagem",
+        NamedBy::Lesson => "uma lição",
     }
 }
 

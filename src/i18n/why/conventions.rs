@@ -86,26 +86,16 @@ pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
             "z_n vai de {other_near} em F a {other_far}, e não de {near} a {far}"));
     }
     if ndc.y_points_down() != compared.y_points_down() {
-        reasons.push(
-            match (lang, compared.y_points_down()) {
-                (Lang::En, true) => "y_n points down",
-                (Lang::En, false) => "y_n points up",
-                (Lang::PtBr, true) => "y_n aponta para baixo",
-                (Lang::PtBr, false) => "y_n aponta para cima",
-            }
-            .to_owned(),
-        );
+        reasons.push(match compared.y_points_down() {
+            true => both!(lang; "y_n points down", "y_n aponta para baixo"),
+            false => both!(lang; "y_n points up", "y_n aponta para cima"),
+        });
     }
     if ndc.infinite != compared.infinite {
-        reasons.push(
-            match (lang, compared.infinite) {
-                (Lang::En, true) => "it has no back plane",
-                (Lang::En, false) => "it has a back plane",
-                (Lang::PtBr, true) => "não há plano de fundo",
-                (Lang::PtBr, false) => "há plano de fundo",
-            }
-            .to_owned(),
-        );
+        reasons.push(match compared.infinite {
+            true => both!(lang; "it has no back plane", "não há plano de fundo"),
+            false => both!(lang; "it has a back plane", "há plano de fundo"),
+        });
     }
     match reasons.is_empty() {
         true => both!(lang; "{other} has the same NDC as {mine}, so nothing differs.",

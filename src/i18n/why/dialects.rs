@@ -318,19 +318,13 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
 /// Why a text is not a matrix.
 #[must_use]
 pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
-    match (lang, fault) {
-        (Lang::En, fault) => fault.to_string(),
-        (Lang::PtBr, MatrixTextError::Count(count)) => format!(
-            "{count} números; uma matriz tem 16, quatro linhas de quatro, ou 12: K [R | t], ou 9: K, ou 7: um quatérnio e t"
-        ),
-        (Lang::PtBr, MatrixTextError::NoCamera(format)) => {
-            format!("não há câmera nele; {format} não tem nenhuma das chaves de uma câmera")
-        }
-        (Lang::PtBr, MatrixTextError::NotText) => "não é texto nem GLB".to_owned(),
-        (Lang::PtBr, MatrixTextError::Elided) => {
-            "“...” está no lugar de números que foram omitidos; escreva todos".to_owned()
-        }
-        (Lang::PtBr, MatrixTextError::Part(part)) => format!("“{}” não é um número", escaped(part)),
+    translated! { lang, fault;
+        MatrixTextError::Count(count) =>
+            "{count} números; uma matriz tem 16, quatro linhas de quatro, ou 12: K [R | t], ou 9: K, ou 7: um quatérnio e t";
+        MatrixTextError::NoCamera(format) => "não há câmera nele; {format} não tem nenhuma das chaves de uma câmera";
+        MatrixTextError::NotText => "não é texto nem GLB";
+        MatrixTextError::Elided => "“...” está no lugar de números que foram omitidos; escreva todos";
+        MatrixTextError::Part(part) => "“{}” não é um número" (escaped(part));
     }
 }
 
@@ -346,78 +340,43 @@ const fn line(lines: Lines) -> &'static str {
 #[must_use]
 pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     let number = |x: f64| lang.mark().number(x, 4);
-    match (lang, error) {
-        (_, RecoveryError::Camera(error)) => messages::camera(lang, error),
-        (Lang::En, RecoveryError::Length { row, length }) => {
-            format!("row {row} has length {}; the rows of a view matrix are unit vectors", number(*length))
-        }
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, RecoveryError::NotFinite { row, column, value }) => {
-            format!("o elemento {row},{column} é {value}, que não é um número finito")
-        }
-        (Lang::PtBr, RecoveryError::ViewUpAlongView { lines, a, b }) => format!(
-            "{} {a} e {} {b} são zero: u e v não têm comprimento, como num look-at cujo VUP está ao longo da vista; a matriz é singular",
-            line(*lines),
-            line(*lines)
-        ),
-        (Lang::PtBr, RecoveryError::Determinant) => {
-            "o determinante é 0: a matriz é singular, e pontos diferentes teriam a mesma imagem e profundidade".to_owned()
-        }
-        (Lang::PtBr, RecoveryError::NoPixels { focal_length, x, y }) => format!(
-            "como K [R | t], f seria {} e o ponto principal ({}, {}): não são pixels de uma imagem",
-            number(*focal_length),
-            number(*x),
-            number(*y)
-        ),
-        (Lang::PtBr, RecoveryError::RotationAlone) => {
-            "nove números são K, de linhas f_x s c_x, 0 f_y c_y e 0 0 1, ou C, PF e VUP; estes são uma rotação, à qual falta t"
-                .to_owned()
-        }
-        (Lang::PtBr, RecoveryError::NotIntrinsics { row, column, value, expected }) => {
-            format!("o elemento {row},{column} é {}; em K ele é {expected}", number(*value))
-        }
-        (Lang::PtBr, RecoveryError::Hand { left, title }) => {
-            let hand = if *left { "esquerda" } else { "direita" };
-            format!("ali os eixos são de mão {hand}, e os de {title} não são")
-        }
-        (Lang::PtBr, RecoveryError::Quaternion) => {
-            "sete números são um quatérnio e t, ou t e um quatérnio; nem os quatro primeiros nem os quatro últimos têm comprimento 1"
-                .to_owned()
-        }
-        (Lang::PtBr, RecoveryError::LastRow { last }) => format!(
-            "a última linha é {}; a de uma câmera é 0 0 0 1 (vista, paralela) ou, a menos de um fator, −n e n·c (perspectiva: 0 0 −1 0)",
-            last.to_array().map(number).join(" ")
-        ),
-        (Lang::PtBr, RecoveryError::Shear { lines, a, b, cosine }) => format!(
-            "{} {a} e {} {b} não são perpendiculares (o cosseno entre elas é {}): um cisalhamento, que nenhuma câmera tem",
-            line(*lines),
-            line(*lines),
-            number(*cosine)
-        ),
-        (Lang::PtBr, RecoveryError::Length { row, length }) => {
-            format!("a linha {row} tem comprimento {}; as linhas de uma matriz de vista são versores", number(*length))
-        }
-        (Lang::PtBr, RecoveryError::NotZero { row, column, value }) => {
-            format!("o elemento {row},{column} é {}; numa matriz de projeção ele é 0", number(*value))
-        }
-        (Lang::PtBr, RecoveryError::Mirrored) => {
-            "ela espelha: esquerda e direita, ou em cima e embaixo, estão trocados, o que nenhuma câmera faz".to_owned()
-        }
-        (Lang::PtBr, RecoveryError::Singular { lines, at }) => {
-            format!("{} {at} é zero: a matriz é singular", line(*lines))
-        }
-        (Lang::PtBr, RecoveryError::Skew { skew, focal_length }) => format!(
-            "K tem obliquidade (skew) {} (f_x é {}): seus pixels são paralelogramos, o que nenhuma janela tem",
-            number(*skew),
-            number(*focal_length)
-        ),
-        (Lang::PtBr, RecoveryError::Affine) => {
-            "a linha da profundidade é 0 0 0 w: uma câmera afim, cujo centro está no infinito".to_owned()
-        }
-        (Lang::PtBr, RecoveryError::Depths { near, far, fits }) => {
-            let fits = fits.map_or_else(String::new, |ndc| format!("; lida como {}, é uma câmera", ndc.name()));
-            format!("F e B seriam {} e {}, e é preciso 0 < F < B (na projeção paralela, F < B){fits}", number(*near), number(*far))
-        }
+    if let (Lang::En, RecoveryError::Length { row, length }) = (lang, error) {
+        return format!("row {row} has length {}; the rows of a view matrix are unit vectors", number(*length));
+    }
+    translated! { lang, error;
+        RecoveryError::Camera(error) => "{}" (messages::camera(lang, error));
+        RecoveryError::Length { row, length } =>
+            "a linha {row} tem comprimento {}; as linhas de uma matriz de vista são versores" (number(*length));
+        RecoveryError::NotFinite { row, column, value } =>
+            "o elemento {row},{column} é {value}, que não é um número finito";
+        RecoveryError::ViewUpAlongView { lines, a, b } =>
+            "{0} {a} e {0} {b} são zero: u e v não têm comprimento, como num look-at cujo VUP está ao longo da vista; a matriz é singular" (line(*lines));
+        RecoveryError::Determinant =>
+            "o determinante é 0: a matriz é singular, e pontos diferentes teriam a mesma imagem e profundidade";
+        RecoveryError::NoPixels { focal_length, x, y } =>
+            "como K [R | t], f seria {} e o ponto principal ({}, {}): não são pixels de uma imagem" (number(*focal_length), number(*x), number(*y));
+        RecoveryError::RotationAlone =>
+            "nove números são K, de linhas f_x s c_x, 0 f_y c_y e 0 0 1, ou C, PF e VUP; estes são uma rotação, à qual falta t";
+        RecoveryError::NotIntrinsics { row, column, value, expected } =>
+            "o elemento {row},{column} é {}; em K ele é {expected}" (number(*value));
+        RecoveryError::Hand { left, title } =>
+            "ali os eixos são de mão {}, e os de {title} não são" (if *left { "esquerda" } else { "direita" });
+        RecoveryError::Quaternion =>
+            "sete números são um quatérnio e t, ou t e um quatérnio; nem os quatro primeiros nem os quatro últimos têm comprimento 1";
+        RecoveryError::LastRow { last } =>
+            "a última linha é {}; a de uma câmera é 0 0 0 1 (vista, paralela) ou, a menos de um fator, −n e n·c (perspectiva: 0 0 −1 0)" (last.to_array().map(number).join(" "));
+        RecoveryError::Shear { lines, a, b, cosine } =>
+            "{0} {a} e {0} {b} não são perpendiculares (o cosseno entre elas é {1}): um cisalhamento, que nenhuma câmera tem" (line(*lines), number(*cosine));
+        RecoveryError::NotZero { row, column, value } =>
+            "o elemento {row},{column} é {}; numa matriz de projeção ele é 0" (number(*value));
+        RecoveryError::Mirrored =>
+            "ela espelha: esquerda e direita, ou em cima e embaixo, estão trocados, o que nenhuma câmera faz";
+        RecoveryError::Singular { lines, at } => "{} {at} é zero: a matriz é singular" (line(*lines));
+        RecoveryError::Skew { skew, focal_length } =>
+            "K tem obliquidade (skew) {} (f_x é {}): seus pixels são paralelogramos, o que nenhuma janela tem" (number(*skew), number(*focal_length));
+        RecoveryError::Affine => "a linha da profundidade é 0 0 0 w: uma câmera afim, cujo centro está no infinito";
+        RecoveryError::Depths { near, far, fits } =>
+            "F e B seriam {} e {}, e é preciso 0 < F < B (na projeção paralela, F < B){}" (number(*near), number(*far), fits.map_or_else(String::new, |ndc| format!("; lida como {}, é uma câmera", ndc.name())));
     }
 }
 

@@ -56,30 +56,16 @@ texts! {
 pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
     let number = |value: f64| lang.mark().printed(&significant(value, digits));
     let (light, own, size, [i, j]) = (at.light + 1, number(at.own), at.size, at.texel);
-    match (lang, at.nearest.map(number), at.is_hidden()) {
-        (Lang::En, Some(map), true) => {
-            format!(
-                "Light {light}: depth {own}. Its map has {map} there (texel {i}, {j} of {size}²), so it's in the shadow"
-            )
-        }
-        (Lang::En, Some(map), false) => {
-            format!("Light {light}: depth {own}. Its map has {map} there (texel {i}, {j} of {size}²), so it's lit")
-        }
-        (Lang::En, None, _) => format!("Light {light}: depth {own}. Its map has nothing there, so it's lit"),
-        (Lang::PtBr, Some(map), true) => {
-            format!(
-                "Luz {light}: profundidade {own}. O mapa dela tem {map} ali (texel {i}, {j} de {size}²), e fica na sombra"
-            )
-        }
-        (Lang::PtBr, Some(map), false) => {
-            format!(
-                "Luz {light}: profundidade {own}. O mapa dela tem {map} ali (texel {i}, {j} de {size}²), e fica iluminado"
-            )
-        }
-        (Lang::PtBr, None, _) => {
-            format!("Luz {light}: profundidade {own}. O mapa dela não tem nada ali, e fica iluminado")
-        }
-    }
+    let Some(map) = at.nearest.map(number) else {
+        return both!(lang; "Light {light}: depth {own}. Its map has nothing there, so it's lit",
+            "Luz {light}: profundidade {own}. O mapa dela não tem nada ali, e fica iluminado");
+    };
+    let lit = match at.is_hidden() {
+        true => pick!(lang; "so it's in the shadow", "e fica na sombra"),
+        false => pick!(lang; "so it's lit", "e fica iluminado"),
+    };
+    both!(lang; "Light {light}: depth {own}. Its map has {map} there (texel {i}, {j} of {size}²), {lit}",
+        "Luz {light}: profundidade {own}. O mapa dela tem {map} ali (texel {i}, {j} de {size}²), {lit}")
 }
 
 /// The place of a point in a texture.

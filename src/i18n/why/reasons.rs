@@ -42,11 +42,9 @@ texts! {
 #[must_use]
 pub fn reason(lang: Lang, reason: Reason) -> String {
     let t = texts(lang);
-    let objects = |n: usize| match (lang, n) {
-        (Lang::En, 1) => "1 object".to_owned(),
-        (Lang::En, n) => format!("{n} objects"),
-        (Lang::PtBr, 1) => "1 objeto".to_owned(),
-        (Lang::PtBr, n) => format!("{n} objetos"),
+    let objects = |n: usize| match n {
+        1 => both!(lang; "1 object", "1 objeto"),
+        n => both!(lang; "{n} objects", "{n} objetos"),
     };
     let n_of = |n: usize, of: usize| both!(lang; "{n} of {}", "{n} de {}"; objects(of));
     match reason {
@@ -60,16 +58,10 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             "{}: all of the bounding box is outside one plane of the volume",
             "{}: toda a caixa envolvente está fora de um plano do volume"; n_of(outside, of)),
         Reason::NoneOutside { of: 0 } => t.no_objects.to_owned(),
-        Reason::NoneOutside { of } => match lang {
-            Lang::En => match of {
-                1 => "the object is not wholly outside the volume".to_owned(),
-                of => format!("none of {} is wholly outside the volume", objects(of)),
-            },
-            Lang::PtBr => match of {
-                1 => "o objeto não está totalmente fora do volume".to_owned(),
-                of => format!("nenhum de {} está totalmente fora do volume", objects(of)),
-            },
-        },
+        Reason::NoneOutside { of: 1 } => both!(lang; "the object is not wholly outside the volume",
+            "o objeto não está totalmente fora do volume"),
+        Reason::NoneOutside { of } => both!(lang; "none of {} is wholly outside the volume",
+            "nenhum de {} está totalmente fora do volume"; objects(of)),
         Reason::Wireframe => t.wireframe.to_owned(),
         Reason::NoFaces => t.no_faces.to_owned(),
         Reason::NoLight => t.no_light.to_owned(),
@@ -93,16 +85,12 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::NoFaceLeft => t.no_face_left.to_owned(),
         Reason::AllInside { objects: n } => both!(lang; "{}: wholly inside the volume, so there is nothing to cut",
             "{}: por inteiro dentro do volume, logo não há o que cortar"; objects(n)),
-        Reason::Crossing { objects: n, of, planes: crossed } => match lang {
-            Lang::En => match n {
-                1 => format!("{} may cross {}; only it is cut, and only there", n_of(n, of), planes(lang, crossed)),
-                _ => format!("{} may cross {}; only they are cut, and only there", n_of(n, of), planes(lang, crossed)),
-            },
-            Lang::PtBr => match n {
-                1 => format!("{} pode cruzar {}; só ele é cortado, e só ali", n_of(n, of), planes(lang, crossed)),
-                _ => format!("{} podem cruzar {}; só eles são cortados, e só ali", n_of(n, of), planes(lang, crossed)),
-            },
-        },
+        Reason::Crossing { objects: 1, of, planes: crossed } => both!(lang;
+            "{} may cross {}; only it is cut, and only there",
+            "{} pode cruzar {}; só ele é cortado, e só ali"; n_of(1, of), planes(lang, crossed)),
+        Reason::Crossing { objects: n, of, planes: crossed } => both!(lang;
+            "{} may cross {}; only they are cut, and only there",
+            "{} podem cruzar {}; só eles são cortados, e só ali"; n_of(n, of), planes(lang, crossed)),
         Reason::SymmetricWindow => t.symmetric_window.to_owned(),
         Reason::ObliqueWindow => t.oblique_window.to_owned(),
         Reason::ParallelProjection => t.parallel_projection.to_owned(),
@@ -150,10 +138,8 @@ pub fn planes(lang: Lang, planes: PlaneSet) -> String {
         names.into_iter().enumerate().filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
     let [first @ .., last] = names.as_slice() else { return String::new() };
     let first = first.join(", ");
-    match (lang, first.as_str()) {
-        (Lang::En, "") => (*last).to_owned(),
-        (Lang::En, first) => format!("{first} and {last}"),
-        (Lang::PtBr, "") => format!("o plano {last}"),
-        (Lang::PtBr, first) => format!("os planos {first} e {last}"),
+    if first.is_empty() {
+        return both!(lang; "{last}", "o plano {last}");
     }
+    both!(lang; "{first} and {last}", "os planos {first} e {last}")
 }

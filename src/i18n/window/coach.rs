@@ -128,60 +128,37 @@ fn vup_angle(lang: Lang, degrees: f64) -> String {
     let n = |x: f64| lang.mark().number(x, 3);
     let lost = -degrees.to_radians().sin().log10();
     let angle = n(degrees);
-    match lang {
-        Lang::En if lost < 0.5 => {
-            format!("VUP is {angle}° away from the line of DOP, so u = VUP × n / |VUP × n| (5.3) keeps its digits.")
-        }
-        Lang::En => format!(
-            "VUP is only {angle}° away from the line of DOP. An error in VUP is {} times as large in u = VUP × n / |VUP × n| (5.3), which costs {} digits.",
-            n(10f64.powf(lost)),
-            n(lost)
-        ),
-        Lang::PtBr if lost < 0.5 => {
-            format!("VUP está a {angle}° da reta de DOP, e u = VUP × n / |VUP × n| (5.3) conserva os dígitos.")
-        }
-        Lang::PtBr => format!(
-            "VUP está a só {angle}° da reta de DOP. Um erro em VUP é {} vezes maior em u = VUP × n / |VUP × n| (5.3), o que custa {} dígitos.",
-            n(10f64.powf(lost)),
-            n(lost)
-        ),
+    if lost < 0.5 {
+        return both!(lang;
+            "VUP is {angle}° away from the line of DOP, so u = VUP × n / |VUP × n| (5.3) keeps its digits.",
+            "VUP está a {angle}° da reta de DOP, e u = VUP × n / |VUP × n| (5.3) conserva os dígitos.");
     }
+    both!(lang;
+        "VUP is only {angle}° away from the line of DOP. An error in VUP is {} times as large in u = VUP × n / |VUP × n| (5.3), which costs {} digits.",
+        "VUP está a só {angle}° da reta de DOP. Um erro em VUP é {} vezes maior em u = VUP × n / |VUP × n| (5.3), o que custa {} dígitos.";
+        n(10f64.powf(lost)), n(lost))
 }
 
 /// A number with three digits; where an `f64` has none so large, that.
 fn length(lang: Lang, x: f64) -> String {
-    match lang {
-        _ if x < f64::MAX => lang.mark().number(x, 3),
-        Lang::En => "more than 10³⁰⁸".to_owned(),
-        Lang::PtBr => "mais de 10³⁰⁸".to_owned(),
-    }
+    if x < f64::MAX { lang.mark().number(x, 3) } else { both!(lang; "more than 10³⁰⁸", "mais de 10³⁰⁸") }
 }
 
 fn depth_resolution(lang: Lang, camera: &Camera, format: DepthFormat) -> String {
     let step = |z: f64| length(lang, (camera.depth_step(z) * coarseness(format)).min(f64::MAX));
     let [at_near, at_focus, at_far] = [camera.near(), camera.distance(), camera.far()].map(step);
     let (bits, power) = if format == DepthFormat::Fixed16 { (16, "2¹⁶") } else { (24, "2²⁴") };
-    let own = match (camera.projection(), lang) {
-        (Projection::Perspective, Lang::En) => format!(
-            "{bits} bits of Z (5.25) tell apart depths d that differ by d² (B − F) / (B F {power}): by {at_near} at F, {at_focus} at PF, {at_far} at B."
-        ),
-        (Projection::Perspective, Lang::PtBr) => format!(
-            "{bits} bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F {power}): de {at_near} em F, {at_focus} em PF, {at_far} em B."
-        ),
-        (Projection::Parallel, Lang::En) => {
-            format!(
-                "{bits} bits of Z (5.25) tell apart depths that differ by (B − F) / {power} = {at_far}, at every depth."
-            )
-        }
-        (Projection::Parallel, Lang::PtBr) => format!(
-            "{bits} bits de Z (5.25) distinguem profundidades que diferem de (B − F) / {power} = {at_far}, em toda profundidade."
-        ),
+    let own = match camera.projection() {
+        Projection::Perspective => both!(lang;
+            "{bits} bits of Z (5.25) tell apart depths d that differ by d² (B − F) / (B F {power}): by {at_near} at F, {at_focus} at PF, {at_far} at B.",
+            "{bits} bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F {power}): de {at_near} em F, {at_focus} em PF, {at_far} em B."),
+        Projection::Parallel => both!(lang;
+            "{bits} bits of Z (5.25) tell apart depths that differ by (B − F) / {power} = {at_far}, at every depth.",
+            "{bits} bits de Z (5.25) distinguem profundidades que diferem de (B − F) / {power} = {at_far}, em toda profundidade."),
     };
-    match (format, lang) {
-        (DepthFormat::Float, Lang::En) => format!("{own} This figure's reversed f32 depths are finer."),
-        (DepthFormat::Float, Lang::PtBr) => {
-            format!("{own} As profundidades desta figura, em f32 invertido, são mais finas.")
-        }
+    match format {
+        DepthFormat::Float => both!(lang; "{own} This figure's reversed f32 depths are finer.",
+            "{own} As profundidades desta figura, em f32 invertido, são mais finas."),
         _ => own,
     }
 }
@@ -189,18 +166,13 @@ fn depth_resolution(lang: Lang, camera: &Camera, format: DepthFormat) -> String 
 fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
     let stretched = (0.5 * degrees).to_radians().cos().powi(-2);
     let (angle, stretched) = (lang.mark().number(degrees, 4), lang.mark().number(stretched, 3));
-    match lang {
-        _ if !perspective && lang == Lang::En => {
-            "Parallel projection has no θ, so nothing is stretched towards the borders.".to_owned()
-        }
-        _ if !perspective => "A projeção paralela não tem θ, e nada se estica perto das bordas.".to_owned(),
-        Lang::En => format!(
-            "θ is {angle}° (5.4). At the upper border things are drawn 1/cos²(θ/2) = {stretched} times as high as in the middle."
-        ),
-        Lang::PtBr => format!(
-            "θ é {angle}° (5.4). Na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio."
-        ),
+    if !perspective {
+        return both!(lang; "Parallel projection has no θ, so nothing is stretched towards the borders.",
+            "A projeção paralela não tem θ, e nada se estica perto das bordas.");
     }
+    both!(lang;
+        "θ is {angle}° (5.4). At the upper border things are drawn 1/cos²(θ/2) = {stretched} times as high as in the middle.",
+        "θ é {angle}° (5.4). Na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio.")
 }
 
 /// In whose NDC depths are.
@@ -218,12 +190,11 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
 #[must_use]
 pub fn two_planes(lang: Lang, share: f64) -> String {
     let percent = lang.mark().number(100.0 * share, 2);
-    match lang {
-        Lang::En if share == 0.0 => "told apart".to_owned(),
-        Lang::PtBr if share == 0.0 => "distinguem-se".to_owned(),
-        Lang::En => format!("flicker (z-fighting): the farther on {percent}\u{a0}%"),
-        Lang::PtBr => format!("cintilam (z-fighting): o mais distante em {percent}\u{a0}%"),
+    if share == 0.0 {
+        return both!(lang; "told apart", "distinguem-se");
     }
+    both!(lang; "flicker (z-fighting): the farther on {percent}\u{a0}%",
+        "cintilam (z-fighting): o mais distante em {percent}\u{a0}%")
 }
 
 /// Explains a finding, with the names of the objects concerned as they are called in this language. `scene`: the
@@ -248,9 +219,7 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
         }
         _ => {}
     }
-    let said =
-        |partly| pick!(lang; english(finding.cause, partly, diagnosis), portuguese(finding.cause, partly, diagnosis));
-    let (whole, in_part) = (said(false), said(true));
+    let [whole, in_part] = [false, true].map(|partly| not_seen(lang, finding.cause, partly, diagnosis));
     let [lost, cut] = [&finding.whole, &finding.partly]
         .map(|names| names.iter().map(|name| object_name(lang, name, scene)).collect::<Vec<_>>());
     // A sentence that holds for objects seen in part too is written once.
@@ -263,8 +232,7 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
 /// The name of an object: its author's, or in this language that of a part of a named scene.
 fn object_name(lang: Lang, name: &str, scene: &SceneSpec) -> String {
     match name {
-        "" if lang == Lang::En => "The scene".to_owned(),
-        "" => "A cena".to_owned(),
+        "" => both!(lang; "The scene", "A cena"),
         name if scene.objects.iter().any(|object| object.name == name) => escaped(name),
         name => preset_object(lang, name),
     }
@@ -320,52 +288,42 @@ fn listed(lang: Lang, names: &[String]) -> String {
     }
 }
 
-fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
-    let most = if partly { "most of it is " } else { "" };
+/// Why an object, or most of it, can't be seen.
+fn not_seen(lang: Lang, cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
+    let most = if partly { pick!(lang; "most of it is ", "a maior parte está ") } else { "" };
+    let percent = lang.mark().number(100.0 * diagnosis.covered, 2);
     match cause {
-        Cause::CameraInsideObject => "the camera is inside it, and all its faces are turned away.".to_owned(),
-        Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): the camera looks the other way."),
-        Cause::BeforeNear => format!("{most}nearer than the front plane, −z_c < F: clipping removes what is there."),
-        Cause::BeyondFar => format!("{most}farther than the back plane, −z_c > B: clipping removes what is there."),
-        Cause::OutsideLeft => format!("{most}to the left of the view window, x_p < l (5.9)."),
-        Cause::OutsideRight => format!("{most}to the right of the view window, x_p > r (5.9)."),
-        Cause::OutsideTop => format!("{most}above the view window, y_p > t (5.10)."),
-        Cause::OutsideBottom => format!("{most}below the view window, y_p < b (5.10)."),
-        Cause::SmallerThanPixel => "smaller in the image than a pixel (5.22).".to_owned(),
-        Cause::FullyTransparent => "its colour has alpha 0: what is behind it shows through completely.".to_owned(),
-        Cause::HiddenByNearCut => "the front plane, −z_c = F, cuts its front away, and its inside is seen.".to_owned(),
-        Cause::FewPixels => format!("visible, but on only {} of the image.", percent(Lang::En, diagnosis)),
-        // The others have sentences of their own.
-        _ => String::new(),
-    }
-}
-
-fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
-    let most = if partly { "a maior parte está " } else { "" };
-    match cause {
-        Cause::CameraInsideObject => "a câmera está dentro dele e vê todas as faces por trás.".to_owned(),
-        Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
+        Cause::CameraInsideObject => both!(lang; "the camera is inside it, and all its faces are turned away.",
+            "a câmera está dentro dele e vê todas as faces por trás."),
+        Cause::BehindCamera => both!(lang; "{most}behind the camera, z_c ≥ 0 (5.7): the camera looks the other way.",
+            "{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
         Cause::BeforeNear => {
-            format!("{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali.")
+            both!(lang; "{most}nearer than the front plane, −z_c < F: clipping removes what is there.",
+            "{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali.")
         }
-        Cause::BeyondFar => {
-            format!("{most}mais longe que o plano de fundo, −z_c > B: o recorte elimina o que está ali.")
+        Cause::BeyondFar => both!(lang; "{most}farther than the back plane, −z_c > B: clipping removes what is there.",
+            "{most}mais longe que o plano de fundo, −z_c > B: o recorte elimina o que está ali."),
+        Cause::OutsideLeft => both!(lang; "{most}to the left of the view window, x_p < l (5.9).",
+            "{most}à esquerda da janela de vista, x_p < l (5.9)."),
+        Cause::OutsideRight => both!(lang; "{most}to the right of the view window, x_p > r (5.9).",
+            "{most}à direita da janela de vista, x_p > r (5.9)."),
+        Cause::OutsideTop => both!(lang; "{most}above the view window, y_p > t (5.10).",
+            "{most}acima da janela de vista, y_p > t (5.10)."),
+        Cause::OutsideBottom => both!(lang; "{most}below the view window, y_p < b (5.10).",
+            "{most}abaixo da janela de vista, y_p < b (5.10)."),
+        Cause::SmallerThanPixel => both!(lang; "smaller in the image than a pixel (5.22).",
+            "menor na imagem que um pixel (5.22)."),
+        Cause::FullyTransparent => both!(lang; "its colour has alpha 0: what is behind it shows through completely.",
+            "a cor tem alfa 0: vê-se tudo o que está atrás."),
+        Cause::HiddenByNearCut => {
+            both!(lang; "the front plane, −z_c = F, cuts its front away, and its inside is seen.",
+            "o plano da frente, −z_c = F, corta a frente fora, e vê-se o interior.")
         }
-        Cause::OutsideLeft => format!("{most}à esquerda da janela de vista, x_p < l (5.9)."),
-        Cause::OutsideRight => format!("{most}à direita da janela de vista, x_p > r (5.9)."),
-        Cause::OutsideTop => format!("{most}acima da janela de vista, y_p > t (5.10)."),
-        Cause::OutsideBottom => format!("{most}abaixo da janela de vista, y_p < b (5.10)."),
-        Cause::SmallerThanPixel => "menor na imagem que um pixel (5.22).".to_owned(),
-        Cause::FullyTransparent => "a cor tem alfa 0: vê-se tudo o que está atrás.".to_owned(),
-        Cause::HiddenByNearCut => "o plano da frente, −z_c = F, corta a frente fora, e vê-se o interior.".to_owned(),
-        Cause::FewPixels => format!("visível, mas em só {} da imagem.", percent(Lang::PtBr, diagnosis)),
+        Cause::FewPixels => both!(lang; "visible, but on only {percent} % of the image.",
+            "visível, mas em só {percent} % da imagem."),
         // The others have sentences of their own.
         _ => String::new(),
     }
-}
-
-fn percent(lang: Lang, diagnosis: &Diagnosis) -> String {
-    format!("{} %", lang.mark().number(100.0 * diagnosis.covered, 2))
 }
 
 /// The changes of a repair: keys of the figure file with their new values.

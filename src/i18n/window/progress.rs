@@ -36,19 +36,13 @@ pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
 /// The exceeded budget. In English, the error's own words.
 #[must_use]
 pub fn over_budget(lang: Lang, over_budget: &OverBudget) -> String {
-    match (lang, over_budget) {
-        (Lang::En, over_budget) => over_budget.to_string(),
-        (Lang::PtBr, OverBudget::Pieces { objects }) => format!(
-            "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o z-buffer decide; permitido: menos faces, ou visibility = \"depth-buffer\"",
-            names(objects, "e outros")
-        ),
-        (Lang::PtBr, OverBudget::Strokes) => format!(
-            "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem z-buffer (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
-        ),
-        (Lang::PtBr, OverBudget::Rounding { vertices }) => format!(
-            "{}: a imagem amplia além do que os dígitos das coordenadas permitem; permitido: uma janela maior, ou cena e câmera mais perto da origem",
-            beside(vertices)
-        ),
+    translated! { lang, over_budget;
+        OverBudget::Pieces { objects } =>
+            "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o z-buffer decide; permitido: menos faces, ou visibility = \"depth-buffer\"" (names(objects, "e outros"));
+        OverBudget::Strokes =>
+            "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem z-buffer (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas";
+        OverBudget::Rounding { vertices } =>
+            "{}: a imagem amplia além do que os dígitos das coordenadas permitem; permitido: uma janela maior, ou cena e câmera mais perto da origem" (beside(vertices));
     }
 }
 

@@ -22,27 +22,19 @@ pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
 /// with the name of the file.
 #[must_use]
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
-    let not_remembered = match (lang, preferences, progress) {
-        (_, false, false) => "",
-        (Lang::En, true, false) => "Preferences are not saved",
-        (Lang::En, false, true) => "Progress in exercises is not saved",
-        (Lang::En, true, true) => "Preferences and progress in exercises are not saved",
-        (Lang::PtBr, true, false) => "As preferências não são salvas",
-        (Lang::PtBr, false, true) => "O progresso nos exercícios não é salvo",
-        (Lang::PtBr, true, true) => "As preferências e o progresso nos exercícios não são salvos",
+    let not_remembered = match (preferences, progress) {
+        (false, false) => "",
+        (true, false) => pick!(lang; "Preferences are not saved", "As preferências não são salvas"),
+        (false, true) => pick!(lang; "Progress in exercises is not saved", "O progresso nos exercícios não é salvo"),
+        (true, true) => pick!(lang; "Preferences and progress in exercises are not saved",
+            "As preferências e o progresso nos exercícios não são salvos"),
     };
-    match (lang, session, not_remembered) {
-        (_, false, _) => format!("{not_remembered}: {why}"),
-        (Lang::En, true, "") => {
-            format!("Changes in this window would be lost in a crash: {why}. Trying again.")
-        }
-        (Lang::En, true, _) => format!("{not_remembered}, and changes in this window would be lost in a crash: {why}"),
-        (Lang::PtBr, true, "") => {
-            format!("Mudanças desta janela se perderiam em uma falha do programa: {why}. Nova tentativa em andamento.")
-        }
-        (Lang::PtBr, true, _) => {
-            format!("{not_remembered}, e mudanças desta janela se perderiam em uma falha do programa: {why}")
-        }
+    match (session, not_remembered) {
+        (false, _) => format!("{not_remembered}: {why}"),
+        (true, "") => both!(lang; "Changes in this window would be lost in a crash: {why}. Trying again.",
+            "Mudanças desta janela se perderiam em uma falha do programa: {why}. Nova tentativa em andamento."),
+        (true, _) => both!(lang; "{not_remembered}, and changes in this window would be lost in a crash: {why}",
+            "{not_remembered}, e mudanças desta janela se perderiam em uma falha do programa: {why}"),
     }
 }
 
@@ -85,14 +77,11 @@ pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);
-    match (lang, minutes) {
-        (_, 0) => both!(lang; "just now", "agora mesmo"),
-        (Lang::En, 0..60) => format!("{minutes} min ago"),
-        (Lang::En, 60..2880) => format!("{hours} h ago"),
-        (Lang::En, _) => format!("{days} days ago"),
-        (Lang::PtBr, 0..60) => format!("há {minutes} min"),
-        (Lang::PtBr, 60..2880) => format!("há {hours} h"),
-        (Lang::PtBr, _) => format!("há {days} dias"),
+    match minutes {
+        0 => both!(lang; "just now", "agora mesmo"),
+        1..60 => both!(lang; "{minutes} min ago", "há {minutes} min"),
+        60..2880 => both!(lang; "{hours} h ago", "há {hours} h"),
+        _ => both!(lang; "{days} days ago", "há {days} dias"),
     }
 }
 

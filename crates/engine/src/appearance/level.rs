@@ -69,7 +69,7 @@ impl Shares {
     fn of(&self, k: u32) -> impl Iterator<Item = (u32, f32)> {
         let step = f64::from(self.long) / f64::from(self.short);
         let (begin, end) = (f64::from(k) * step, f64::from(k + 1) * step);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … long")]
+        #[expect(clippy::cast_possible_truncation, reason = "0 … long")]
         let (first, last) = (begin.floor() as u32, (end.ceil() as u32).min(self.long));
         (first..last).map(move |i| {
             let covered = end.min(f64::from(i + 1)) - begin.max(f64::from(i));
@@ -106,7 +106,7 @@ fn linear(texel: [u8; 4]) -> [f32; 4] {
 
 /// The way back from [`linear`].
 fn encoded([r, g, b, alpha]: [f32; 4]) -> [u8; 4] {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates: 0 … 255")]
+    #[expect(clippy::cast_possible_truncation, reason = "`as` saturates: 0 … 255")]
     let byte = |v: f32| (v * 255.0 + 0.5) as u8;
     if alpha <= 0.0 {
         return [0; 4];

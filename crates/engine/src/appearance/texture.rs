@@ -187,7 +187,7 @@ impl Texture {
     #[must_use]
     pub fn one_color_times(&self, tint: Rgba) -> Option<Rgba> {
         let [r, g, b, _] = self.one_color()?;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+        #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
         let product = |texel: u8, tint: u8| (f32::from(texel) * (f32::from(tint) / 255.0) + 0.5) as u8;
         Some(Rgba::rgb(product(r, tint.r), product(g, tint.g), product(b, tint.b)))
     }

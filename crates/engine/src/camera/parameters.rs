@@ -96,59 +96,34 @@ impl Default for Parameters {
     }
 }
 
-/// A parameter of a camera, or what belongs together of the view window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ParameterKey {
-    /// C
-    Position,
-    /// PF
-    FocalPoint,
-    /// VUP
-    ViewUp,
-    /// θ
-    ViewAngle,
-    /// H
-    Height,
-    /// A
-    Aspect,
-    /// F
-    Near,
-    /// B
-    Far,
-    /// l, r, b and t
-    Window,
+crate::listed! {
+    /// A parameter of a camera, or what belongs together of the view window.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum ParameterKey {
+        /// C
+        Position = "position",
+        /// PF
+        FocalPoint = "focal_point",
+        /// VUP
+        ViewUp = "view_up",
+        /// θ
+        ViewAngle = "view_angle",
+        /// H
+        Height = "height",
+        /// A
+        Aspect = "aspect",
+        /// F
+        Near = "near",
+        /// B
+        Far = "far",
+        /// l, r, b and t
+        Window = "window",
+    }
+    /// Its key in `[camera]` of a figure file.
+    pub fn name
 }
 
 impl ParameterKey {
-    /// All.
-    pub const ALL: [Self; 9] = [
-        Self::Position,
-        Self::FocalPoint,
-        Self::ViewUp,
-        Self::ViewAngle,
-        Self::Height,
-        Self::Aspect,
-        Self::Near,
-        Self::Far,
-        Self::Window,
-    ];
-
-    /// Its key in `[camera]` of a figure file.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::FocalPoint => "focal_point",
-            Self::ViewUp => "view_up",
-            Self::ViewAngle => "view_angle",
-            Self::Height => "height",
-            Self::Aspect => "aspect",
-            Self::Near => "near",
-            Self::Far => "far",
-            Self::Window => "window",
-        }
-    }
-
     /// The notes' symbol.
     #[must_use]
     pub const fn symbol(self) -> &'static str {

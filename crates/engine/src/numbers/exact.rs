@@ -175,7 +175,6 @@ mod tests {
             for q in 1..40_i32 {
                 let value = (f64::from(p) / f64::from(q)).sqrt();
                 let Some(form) = exact_form(value) else { continue };
-                #[expect(clippy::cast_precision_loss, reason = "numbers below 1000")]
                 let [numerator, root, denominator] = [form.numerator, form.root, form.denominator].map(|n| n as f64);
                 let again =
                     if form.root_below { numerator / root.sqrt() } else { numerator * root.sqrt() / denominator };

@@ -24,7 +24,6 @@ impl Random {
     }
 
     /// In [0, 1).
-    #[expect(clippy::cast_precision_loss, reason = "53 bits, which an f64 holds")]
     pub const fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }

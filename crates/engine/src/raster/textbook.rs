@@ -206,7 +206,7 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
     let mut color = at_level(levels.first()?);
     if sampler.filter == Filter::Trilinear && levels.len() > 1 {
         let (detail, last) = (detail(triangle, uv, point, w, image), levels.len() - 1);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 15")]
+        #[expect(clippy::cast_possible_truncation, reason = "0 … 15")]
         let finer = detail.max(0.0).min(last as f32) as usize;
         color = at_level(&levels[finer]);
         if detail > 0.0 && finer < last {
@@ -231,14 +231,14 @@ fn shadow(triangle: &Triangle, shadow: &Shadow, shares: [f32; 3]) -> f32 {
     };
     let nearest = z + (step * BIAS[0] + (dx.abs() + dy.abs()) * BIAS[1]) * bias;
     let (left, top) = ((x - 0.5 * softness).floor(), (y - 0.5 * softness).floor());
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 at most")]
+    #[expect(clippy::cast_possible_truncation, reason = "8 at most")]
     let side = if softness > 0.0 { softness.ceil() as u8 + 1 } else { 1 };
     let mut sum = 0.0;
     for row in (0..side).map(|j| top + f32::from(j)) {
         for column in (0..side).map(|i| left + f32::from(i)) {
             let size = map.size as f32;
             let is_on_map = column >= 0.0 && column < size && row >= 0.0 && row < size;
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "inside the map")]
+            #[expect(clippy::cast_possible_truncation, reason = "inside the map")]
             let texel = is_on_map.then(|| row as usize * map.size as usize + column as usize);
             let occluder = texel.and_then(|texel| depths.get(texel)).copied().unwrap_or(f32::NEG_INFINITY);
             // From the point to the middle of the texel the depth follows the plane of the triangle.

@@ -57,7 +57,6 @@ impl<'a> Setting<'a> {
     #[must_use]
     pub fn with_way_back(self, way: &Unprojected) -> Self {
         let setting = self.with_point(way.world);
-        #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
         let pixel = DVec2::from_array(way.pixel.map(|x| x as f64));
         let viewport = |ndc: Projected| ndc.viewport.with_z(way.depth);
         let point = setting.point.map(|point| {

@@ -4,28 +4,20 @@ use std::collections::BTreeMap;
 
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
-/// A format of animations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AnimationFormat {
-    /// 256 colours in each picture. Every program plays it.
-    Gif,
-    /// Every colour. Browsers and most viewers play it.
-    Apng,
+crate::listed! {
+    /// A format of animations.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum AnimationFormat {
+        /// 256 colours in each picture. Every program plays it.
+        Gif = "GIF",
+        /// Every colour. Browsers and most viewers play it.
+        Apng = "APNG",
+    }
+    /// Its common name.
+    pub fn name
 }
 
 impl AnimationFormat {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::Gif, Self::Apng];
-
-    /// Its common name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Gif => "GIF",
-            Self::Apng => "APNG",
-        }
-    }
-
     /// The extension of its files.
     #[must_use]
     pub const fn ending(self) -> &'static str {

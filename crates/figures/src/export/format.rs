@@ -2,40 +2,28 @@
 
 use std::path::Path;
 
-/// A format of picture files. Command line and window know no other place where formats are listed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureFormat {
-    /// Pixels, without loss. Carries its figure.
-    Png,
-    /// Pixels, without loss, in fewer bytes.
-    WebP,
-    /// Pixels, with some loss, without transparency.
-    Jpeg,
-    /// Vectors, for pages of the web and programs that draw. Carries its figure.
-    Svg,
-    /// Vectors, for print. Carries its figure.
-    Pdf,
-    /// A figure of a LaTeX document whose letters are the document's, with a PDF beside it that carries the figure.
-    Tex,
+crate::listed! {
+    /// A format of picture files. Command line and window know no other place where formats are listed.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum PictureFormat {
+        /// Pixels, without loss. Carries its figure.
+        Png = "PNG",
+        /// Pixels, without loss, in fewer bytes.
+        WebP = "WebP",
+        /// Pixels, with some loss, without transparency.
+        Jpeg = "JPEG",
+        /// Vectors, for pages of the web and programs that draw. Carries its figure.
+        Svg = "SVG",
+        /// Vectors, for print. Carries its figure.
+        Pdf = "PDF",
+        /// A figure of a LaTeX document whose letters are the document's, with a PDF beside it that carries the figure.
+        Tex = "LaTeX",
+    }
+    /// Its common name.
+    pub fn name
 }
 
 impl PictureFormat {
-    /// All of them. The first is that of a file whose name has no extension.
-    pub const ALL: [Self; 6] = [Self::Png, Self::WebP, Self::Jpeg, Self::Svg, Self::Pdf, Self::Tex];
-
-    /// Its common name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Png => "PNG",
-            Self::WebP => "WebP",
-            Self::Jpeg => "JPEG",
-            Self::Svg => "SVG",
-            Self::Pdf => "PDF",
-            Self::Tex => "LaTeX",
-        }
-    }
-
     /// The extensions of its files, after the dot. The first is the usual one.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {

@@ -1,33 +1,23 @@
 //! The sizes of pictures for paper and slides that have a name.
 
-/// A place that a picture is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PaperPreset {
-    /// A column of a page of two, as in the journals of the IEEE: 8.8 cm.
-    Column,
-    /// The text of a page of A4 with margins of 2.5 cm: 16 cm.
-    A4,
-    /// A slide of 16 by 9, as large as programs for slides make them: 33.867 cm by 19.05 cm.
-    Slide,
-    /// A square as wide as a column.
-    Square,
+crate::listed! {
+    /// A place that a picture is made for.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum PaperPreset {
+        /// A column of a page of two, as in the journals of the IEEE: 8.8 cm.
+        Column = "ieee",
+        /// The text of a page of A4 with margins of 2.5 cm: 16 cm.
+        A4 = "a4",
+        /// A slide of 16 by 9, as large as programs for slides make them: 33.867 cm by 19.05 cm.
+        Slide = "slide",
+        /// A square as wide as a column.
+        Square = "square",
+    }
+    /// Its name on the command line and in preferences.
+    pub fn name
 }
 
 impl PaperPreset {
-    /// All, in the order of menus.
-    pub const ALL: [Self; 4] = [Self::Column, Self::A4, Self::Slide, Self::Square];
-
-    /// Its name on the command line and in preferences.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Column => "ieee",
-            Self::A4 => "a4",
-            Self::Slide => "slide",
-            Self::Square => "square",
-        }
-    }
-
     /// Width in centimetres, and height where it does not follow from the picture.
     #[must_use]
     pub const fn size(self) -> (f64, Option<f64>) {

@@ -214,7 +214,7 @@ impl Scale {
     }
 
     /// The marked places, on the axis and on the page.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a small number of marks")]
+    #[expect(clippy::cast_possible_truncation, reason = "a small number of marks")]
     fn marks(&self) -> impl Iterator<Item = (f64, f32)> {
         let [low, high] = self.ends;
         let step = self.axis.step(high - low, self.most);

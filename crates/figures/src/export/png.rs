@@ -125,7 +125,7 @@ fn density(dpi: f64) -> Option<PixelDimensions> {
     if !(1.0..=f64::from(i32::MAX)).contains(&per_metre) {
         return None;
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in the range of a PNG")]
+    #[expect(clippy::cast_possible_truncation, reason = "a whole number in the range of a PNG")]
     let per_metre = per_metre as u32;
     Some(PixelDimensions { xppu: per_metre, yppu: per_metre, unit: Unit::Meter })
 }

@@ -32,11 +32,7 @@ pub fn jpeg(pixmap: &Pixmap, dpi: Option<f64>) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let mut encoder = JpegEncoder::new_with_quality(&mut bytes, QUALITY);
     if let Some(dpi) = dpi.map(f64::round).filter(|dpi| (1.0..=f64::from(u16::MAX)).contains(dpi)) {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a whole number in the range of a JPEG"
-        )]
+        #[expect(clippy::cast_possible_truncation, reason = "a whole number in the range of a JPEG")]
         encoder.set_pixel_density(PixelDensity::dpi(dpi as u16));
     }
     encoder

@@ -1,5 +1,6 @@
 //! Why a text is not a figure.
 
+use super::words::{self, Words};
 use crate::camera::CameraError;
 use crate::expression::{self, ExpressionError};
 use crate::formula::FormulaError;
@@ -231,4 +232,11 @@ pub enum Allowed {
     Section,
     /// Sections, `[[like.this]]`.
     Sections,
+}
+
+impl Allowed {
+    /// One of these words.
+    pub(super) fn word_of<T>(words: Words<T>) -> Self {
+        Self::Word { words: words::names(words), near: None }
+    }
 }

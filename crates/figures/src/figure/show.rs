@@ -145,59 +145,34 @@ pub enum ShownProbe {
     Pixel([i64; 2]),
 }
 
-/// A length or an angle of the camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Measure {
-    /// F
-    Near,
-    /// B
-    Far,
-    /// D
-    Distance,
-    /// W
-    Width,
-    /// H
-    Height,
-    /// W/2
-    HalfWidth,
-    /// H/2
-    HalfHeight,
-    /// θ
-    Angle,
-    /// θ/2
-    HalfAngle,
+crate::listed! {
+    /// A length or an angle of the camera.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Measure {
+        /// F
+        Near = "F",
+        /// B
+        Far = "B",
+        /// D
+        Distance = "D",
+        /// W
+        Width = "W",
+        /// H
+        Height = "H",
+        /// W/2
+        HalfWidth = "W/2",
+        /// H/2
+        HalfHeight = "H/2",
+        /// θ
+        Angle = "θ",
+        /// θ/2
+        HalfAngle = "θ/2",
+    }
+    /// Its symbol in the notes.
+    pub fn symbol
 }
 
 impl Measure {
-    /// All.
-    pub const ALL: [Self; 9] = [
-        Self::Near,
-        Self::Far,
-        Self::Distance,
-        Self::Width,
-        Self::Height,
-        Self::HalfWidth,
-        Self::HalfHeight,
-        Self::Angle,
-        Self::HalfAngle,
-    ];
-
-    /// Its symbol in the notes.
-    #[must_use]
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::Near => "F",
-            Self::Far => "B",
-            Self::Distance => "D",
-            Self::Width => "W",
-            Self::Height => "H",
-            Self::HalfWidth => "W/2",
-            Self::HalfHeight => "H/2",
-            Self::Angle => "θ",
-            Self::HalfAngle => "θ/2",
-        }
-    }
-
     /// True if its line is one of those of `[world] dimensions`. The others are there for an author.
     #[must_use]
     pub const fn is_among_dimensions(self) -> bool {

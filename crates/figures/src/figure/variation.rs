@@ -155,7 +155,6 @@ fn range(text: &str, frames: Option<usize>, limit: usize) -> Result<Option<Vec<S
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
     let [from, to] = [number(from).ok_or_else(refused)?, number(to).ok_or_else(refused)?];
     let count = count.filter(|count| (2..=limit).contains(count)).ok_or_else(refused)?;
-    #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
     let share = |k: usize| k as f64 / (count - 1) as f64;
     let value = |k: usize| from * (1.0 - share(k)) + to * share(k);
     Ok(Some((0..count).map(|k| significant(value(k), EXACT_DIGITS.min(12))).collect()))

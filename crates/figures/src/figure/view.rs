@@ -1,41 +1,28 @@
 //! The three pictures, by name.
 
-/// One of the three pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum View {
-    /// The world, with the camera in it.
-    World,
-    /// The canonical volume.
-    Canonical,
-    /// The projected image.
-    Image,
+crate::listed! {
+    /// One of the three pictures.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum View {
+        /// The world, with the camera in it.
+        World = "world",
+        /// The canonical volume.
+        Canonical = "canonical",
+        /// The projected image.
+        Image = "image",
+    }
+    /// The word for it on the command line, in names of files and in data that programs read.
+    pub fn name
 }
 
 impl View {
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
 
-    /// All three, from left to right.
-    pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
-
     /// Its place in [`View::ALL`].
     #[must_use]
     pub const fn index(self) -> usize {
-        match self {
-            Self::World => 0,
-            Self::Canonical => 1,
-            Self::Image => 2,
-        }
-    }
-
-    /// The word for it on the command line, in names of files and in data that programs read.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::World => "world",
-            Self::Canonical => "canonical",
-            Self::Image => "image",
-        }
+        self as usize
     }
 }
 

@@ -60,6 +60,18 @@ const SIZES: &[&str] = &["displaystyle", "textstyle", "big", "Big", "bigl", "big
 /// Signs that Unicode has raised.
 const RAISED: [&str; 2] = ["0123456789+−=()ni", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿⁱ"];
 
+/// The LaTeX word for a sign beyond ASCII, the first of several.
+pub(super) fn word_for(sign: char) -> Option<String> {
+    let (word, _) = SIGNS.iter().chain(BETWEEN).find(|(_, written)| written.chars().eq([sign]))?;
+    (!sign.is_ascii()).then(|| format!("\\{word}"))
+}
+
+/// The sign that this one is the raised form of.
+pub(super) fn raised_by(c: char) -> Option<char> {
+    let at = RAISED[1].chars().position(|raised| raised == c)?;
+    RAISED[0].chars().nth(at)
+}
+
 /// The bold letter of mathematics for a letter or digit of ASCII. Others as they are.
 #[must_use]
 pub fn bold(c: char) -> char {

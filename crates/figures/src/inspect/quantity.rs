@@ -304,7 +304,6 @@ fn point(report: &PointReport, number: PointNumber) -> Option<Numbers> {
 
 fn ray(report: &RayReport, number: RayNumber) -> Numbers {
     match number {
-        #[expect(clippy::cast_precision_loss, reason = "pixels far beyond any image")]
         RayNumber::Pixel => column(report.pixel.map(|index| index as f64)),
         RayNumber::Origin => column(report.origin),
         RayNumber::Direction => column(report.direction),

@@ -95,7 +95,7 @@ impl Animation {
         seconds: f64,
         progress: &Progress,
     ) -> Result<Vec<u8>, PictureError> {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few seconds")]
+        #[expect(clippy::cast_possible_truncation, reason = "a few seconds")]
         let per_step = (seconds * f64::from(PER_SECOND)).round().clamp(1.0, 10_000.0) as u32;
         let pictures = self.steps() * per_step + 1;
         let size = [self.request.size.width, self.request.size.height];
@@ -140,7 +140,7 @@ pub(super) async fn filmed(
         let (mut drawn, _) = renderer.sheet(&frame, false).await?;
         let pixmap = drawn.take_pixmap()?;
         progress.advance_and_pause(1).await;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a minute")]
+        #[expect(clippy::cast_possible_truncation, reason = "at most a minute")]
         let ticks = (seconds / TICK).round().max(1.0) as u16;
         Some((pixmap, ticks))
     });

@@ -33,7 +33,7 @@ impl Differences {
     /// Compares the pictures of two sides. `color` and `scale`: of the stripes that mark the differing pixels.
     fn new([one, other]: &[Pixels; 2], color: Rgba, scale: f32) -> Self {
         let differing = differing(one, other).collect();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few pixels")]
+        #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
         let stripes = [STRIPES.0, STRIPES.1].map(|pixels| (pixels * scale).round().max(1.0) as usize);
         Self { differing, width: one.width as usize, color, stripes }
     }
@@ -75,7 +75,7 @@ pub(super) fn counted_requests(sides: &[Side; 2]) -> Option<[Request; 2]> {
         return None;
     }
     let shrink = (f64::from(MOST_COUNTED) / f64::from(image.width.max(image.height).max(1))).min(1.0);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most as large as before")]
+    #[expect(clippy::cast_possible_truncation, reason = "at most as large as before")]
     let [width, height] = [image.width, image.height].map(|side| (f64::from(side) * shrink).round().max(1.0) as u32);
     let size = Size { width, height, scale: 1.0 };
     let finish = Finish { bare: true, ..Finish::default() };
@@ -83,7 +83,6 @@ pub(super) fn counted_requests(sides: &[Side; 2]) -> Option<[Request; 2]> {
 }
 
 /// The share of pixels in which two pictures differ, 0 … 1.
-#[expect(clippy::cast_precision_loss, reason = "a share")]
 pub(super) fn differing_share([one, other]: &[Pixels; 2]) -> f64 {
     let (count, all) =
         differing(one, other).fold((0_usize, 0_usize), |(count, all), differs| (count + usize::from(differs), all + 1));

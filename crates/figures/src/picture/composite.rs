@@ -212,8 +212,7 @@ impl Composite {
     /// The same sheet, smaller by a factor, with letters and strokes: a preview.
     #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "no more than it was")]
+        #[expect(clippy::cast_possible_truncation, reason = "no more than it was")]
         let side = |side: u32| (side as f32 * factor.min(1.0)).round().max(1.0) as u32;
         for Size { width, height, scale } in self.requests.iter_mut().map(|request| &mut request.size) {
             (*width, *height, *scale) = (side(*width), side(*height), *scale * factor.min(1.0));
@@ -272,7 +271,6 @@ pub(super) fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
 /// The arrangement in which pictures use most of a sheet.
 fn best(pictures: &[Picture], request: &Request) -> Arrangement {
     let aspects = || pictures.iter().map(|picture| aspect_shown(picture.kind, request.shot.look.image));
-    #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let used = |(size, aspect): (Size, f32)| used_area(size.width as f32, size.height as f32, aspect);
     best_arrangement(pictures.len(), |arrangement| {
         let sizes = sizes_of(pictures.len(), arrangement, request.size);
@@ -311,7 +309,7 @@ fn parts(count: usize, length: u32, gap: u32) -> Option<impl Iterator<Item = u32
 /// The lengths of the first picture and of the others.
 fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u32; 2]> {
     let room = length.checked_sub(gap)?;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the room")]
+    #[expect(clippy::cast_possible_truncation, reason = "a share of the room")]
     let first = (f64::from(room) * f64::from(share_of_first(arrangement))).round() as u32;
     Some([first, room - first])
 }
@@ -319,7 +317,7 @@ fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u3
 /// Room between two pictures on a sheet, in pixels.
 #[must_use]
 pub fn gap(scale: f32) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+    #[expect(clippy::cast_possible_truncation, reason = "a small positive number")]
     let gap = (GAP * scale).round().clamp(1.0, 100.0) as u32;
     gap
 }

@@ -81,14 +81,13 @@ impl Family {
         };
         let image = request.shot.look.image;
         let wide = if let SheetSize::Pictures(size) = size { size[0] } else { share(width, places[0], 0)? };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a side of a picture")]
+        #[expect(clippy::cast_possible_truncation, reason = "a side of a picture")]
         let natural = (f64::from(wide) / image.aspect()).round().clamp(1.0, f64::from(MAX_SIDE)) as u32;
         let guess = Size { width: wide, height: natural, scale };
         let letters = paper.and_then(|paper| Some(paper.pixels(paper.letters?)));
         #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
         let letters = letters.map_or(guess.letters(), |letters| letters as f32);
         let captions = self.captioned(request, views.len(), columns, letters);
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
         let below = caption_height(&captions, wide as f32);
         let high = match size {
             SheetSize::Whole(_) => share(height, places[1], below)?,
@@ -160,7 +159,6 @@ impl Family {
         };
         // The letters that are wanted have room, or at least some that can be read.
         let most_of = |least: f64| {
-            #[expect(clippy::cast_precision_loss, reason = "a few columns")]
             let fit = |columns: &usize| width.is_none_or(|width| width / *columns as f64 >= least);
             (1..=MOST_COLUMNS.min(count)).rev().find(fit).unwrap_or(1)
         };

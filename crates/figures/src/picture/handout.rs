@@ -70,7 +70,6 @@ impl Handout {
     /// The width of a picture in points.
     #[must_use]
     pub fn picture_width(columns: usize) -> f32 {
-        #[expect(clippy::cast_precision_loss, reason = "one or two")]
         let columns = columns.max(1) as f32;
         (PAPER[0] - 2.0 * BORDER - (columns - 1.0) * GUTTER) / columns
     }

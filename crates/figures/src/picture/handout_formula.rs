@@ -37,7 +37,6 @@ impl FormulaPart {
             Self::Line(text) => measure(text, size, false).width,
             Self::Matrix(rows) => {
                 let columns = widths(rows, size);
-                #[expect(clippy::cast_precision_loss, reason = "a few")]
                 let gaps = columns.len().saturating_sub(1) as f32;
                 columns.iter().sum::<f32>() + (gaps * COLUMNS + 2.0 * (INSIDE + BESIDE)) * size
             }
@@ -47,7 +46,6 @@ impl FormulaPart {
     fn height(&self, size: f32) -> f32 {
         match self {
             Self::Line(_) => ROWS * size,
-            #[expect(clippy::cast_precision_loss, reason = "a few")]
             Self::Matrix(rows) => rows.len() as f32 * ROWS * size,
         }
     }
@@ -108,7 +106,6 @@ fn widths(rows: &[Vec<String>], size: f32) -> Vec<f32> {
 
 /// Draws a matrix from `left` on about the height `middle`.
 fn matrix(rows: &[Vec<String>], [left, middle]: [f32; 2], size: f32, items: &mut Vec<Item>) {
-    #[expect(clippy::cast_precision_loss, reason = "a few")]
     let half = 0.5 * rows.len() as f32 * ROWS * size;
     let columns = widths(rows, size);
     let mut y = middle - half;

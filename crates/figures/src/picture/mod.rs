@@ -130,7 +130,6 @@ impl Composite {
     /// The captions under each row, each with the corner of its strip.
     fn strips(&self, layout: &Layout, sizes: &[[u32; 2]]) -> Vec<([u32; 2], Drawing)> {
         let Some(grid) = self.grid.as_ref().filter(|grid| grid.below > 0) else { return Vec::new() };
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
         let unit = |pixels: u32| pixels as f32;
         let cells: Vec<(usize, f32, f32, u32)> = (0..)
             .zip(layout.corners.iter().zip(sizes))

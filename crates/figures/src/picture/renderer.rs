@@ -1,22 +1,23 @@
 //! Makes pictures from requests: the drawing of the view, then its pixels.
 
+mod several;
+
 use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
-use tiny_skia::{IntRect, Pixmap, PixmapPaint, Transform};
+use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
 use super::compared::{Differences, counted_requests, differing_share, joined};
 use super::plate::Plates;
 use super::shadow_truth::FoundShadows;
-use super::{Composite, FollowedTriangle, Pixels, RenderReport};
-use crate::appearance::{Shading, Texture};
+use super::{FollowedTriangle, Pixels, RenderReport};
+use crate::appearance::Texture;
 use crate::drawing::Surface;
-use crate::export::crop;
-use crate::pipeline::{Frame, OverBudget, ShadowMaps};
+use crate::pipeline::{Frame, ShadowMaps};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
-use crate::views::{self, LabelPlace, Request, SharedScene, Side, Size, TimedPipeline, View, overlay};
+use crate::views::{self, LabelPlace, Request, Side, Size, TimedPipeline, View, overlay};
 
 /// Makes pictures. Keeps its buffers, and the image on the view window, from one to the next.
 ///
@@ -44,9 +45,6 @@ pub struct Renderer {
     clock: Option<fn() -> Duration>,
     progress: Progress,
 }
-
-/// Pictures that are made at the same time. More would need more memory, and a large one has several threads.
-const AT_ONCE: usize = View::COUNT;
 
 impl Default for Renderer {
     fn default() -> Self {
@@ -201,84 +199,6 @@ impl Renderer {
         Some(account)
     }
 
-    /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads,
-    /// without a pause: part of a picture is always made by one of them. `None` if one of the results is.
-    pub async fn all_into(&mut self, requests: &[Request], pictures: &mut [Pixels]) -> Option<Vec<RenderReport>> {
-        let jobs = requests.iter().zip(pictures);
-        if rayon::current_num_threads() < 2 {
-            let mut reports = Vec::with_capacity(requests.len());
-            for (request, picture) in jobs {
-                reports.push(self.pixels_into(request, picture).await?);
-            }
-            return Some(reports);
-        }
-        self.paint_shadows(requests).await;
-        let count = AT_ONCE.min(requests.len());
-        let mut beside = std::mem::take(&mut self.beside);
-        beside.resize_with(beside.len().max(count.saturating_sub(1)), || Self::sharing(&self.shadow_maps));
-        for other in &mut beside {
-            other.measure(self.clock);
-            // How far this one has come is told.
-            other.watch(&self.progress.part());
-        }
-        let mut reports: Vec<Option<RenderReport>> = requests.iter().map(|_| None).collect();
-        let mut shares: Vec<Vec<_>> = (0..count).map(|_| Vec::new()).collect();
-        for (k, job) in jobs.zip(&mut reports).enumerate() {
-            shares[k % count].push(job);
-        }
-        // Threads of the pool: one that shares a part with others begins it at once, and need not be woken. While it
-        // waits for them it may make another picture, so what pictures share is found without the pool.
-        rayon::scope(|scope| {
-            for (renderer, share) in [&mut *self].into_iter().chain(&mut beside).zip(shares) {
-                scope.spawn(move |_| {
-                    for ((request, picture), report) in share {
-                        *report = at_once(renderer.pixels_into(request, picture));
-                    }
-                });
-            }
-        });
-        self.beside = beside;
-        reports.into_iter().collect()
-    }
-
-    /// Paints the shadow maps of pictures that are made at the same time. Otherwise each would paint them.
-    async fn paint_shadows(&mut self, requests: &[Request]) {
-        let mut painted: Option<&SharedScene> = None;
-        let shaded = requests.iter().filter(|request| request.shot.look.style.shading != Shading::Wireframe);
-        for Request { scene, .. } in shaded {
-            // Maps of one scene at a time are kept.
-            if painted.get_or_insert(scene) == &scene {
-                for map in self.shadow_maps.of_scene(scene.alone()) {
-                    self.rasterizer.paint_shadows(&map).await;
-                }
-            }
-        }
-    }
-
-    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty background around it. And
-    /// the shortfall of any of them. `None` as for [`pixels`](Self::pixels), and without pictures.
-    pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
-        let mut pictures = vec![Pixels::default(); sheet.requests.len()];
-        let reports = self.all_into(&sheet.requests, &mut pictures).await?;
-        let over_budget = reports.into_iter().find_map(|report| report.over_budget);
-        if crop {
-            pictures = cropped(pictures, sheet)?;
-        }
-        if pictures.len() == 1 && sheet.grid.is_none() {
-            return Some((pictures.pop()?, over_budget));
-        }
-        let sizes: Vec<[u32; 2]> = pictures.iter().map(Pixels::size).collect();
-        let layout = sheet.layout(&sizes, crop)?;
-        let mut whole = Pixels::arranged(pictures, &layout, sheet.ground)?;
-        let mut pixmap = whole.take_pixmap()?;
-        for ([left, top], strip) in sheet.strips(&layout, &sizes) {
-            let texts = self.rasterizer.paint(&strip)?;
-            let (left, top) = (i32::try_from(left).ok()?, i32::try_from(top).ok()?);
-            pixmap.draw_pixmap(left, top, texts.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
-        }
-        Some((pixmap.into(), over_budget))
-    }
-
     /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: the drawing that
     /// [`pixels`](Self::pixels) paints, or that of the [`Output`](crate::pipeline::Output) in the request. `None`
     /// without enough memory for the image on the window.
@@ -343,18 +263,6 @@ impl Renderer {
     }
 }
 
-/// The pictures of a sheet without the empty background around each, but for what makes the sheet as wide as it was
-/// asked to be.
-fn cropped(pictures: Vec<Pixels>, sheet: &Composite) -> Option<Vec<Pixels>> {
-    let pixmaps: Vec<Pixmap> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect::<Option<_>>()?;
-    let parts = sheet.kept(pixmaps.iter().map(|pixmap| crop::part(pixmap, sheet.gap)).collect());
-    let kept = |(pixmap, [left, top, width, height]): (&Pixmap, [u32; 4])| {
-        let rect = IntRect::from_xywh(i32::try_from(left).ok()?, i32::try_from(top).ok()?, width, height)?;
-        Some(Pixels::from(pixmap.clone_rect(rect)?))
-    };
-    pixmaps.iter().zip(parts).map(kept).collect()
-}
-
 /// The labels of two sides that are seen, in the pixels of the whole picture.
 fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace> {
     let of_side = |(side, labels): (&Side, Vec<LabelPlace>)| {
@@ -386,13 +294,13 @@ mod tests {
     use crate::drawing::Drawing;
     use crate::figure::read::parse;
     use crate::figure::{Observer, ShadowReveal};
-    use crate::pipeline::{Output, Reason, Stage};
+    use crate::pipeline::{Output, OverBudget, Reason, Stage};
     use crate::scene::{Scene, no_files};
     use crate::views::unlabelled;
-    use crate::views::{Finish, SharedScene, Shot, Size, Views};
+    use crate::views::{Finish, SharedScene, Shot, Size};
 
     /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
-    fn request(view: View, visibility: &str) -> Request {
+    pub(super) fn request(view: View, visibility: &str) -> Request {
         let object = |name: &str, color: &str, rotate: &str| {
             format!(
                 "[[scene.objects]]\nname = \"{name}\"\nshape = \"box\"\ncolor = \"{color}\"\nrotate = {rotate}\nscale = [2, 0.4, 2]\n"
@@ -528,66 +436,6 @@ mod tests {
             let account = at_once(with_few_pieces().pixels_into(&request, &mut picture)).unwrap();
             assert!(account.over_budget.is_some());
         }
-    }
-
-    #[test]
-    fn each_picture_of_a_sheet_is_cropped_and_nothing_stands_between_pictures_without_ground() {
-        let pixel = |picture: &Pixels, [x, y]: [u32; 2]| {
-            let at = 4 * (y * picture.width() + x) as usize;
-            <[u8; 4]>::try_from(&picture.rgba()[at..at + 4]).unwrap()
-        };
-        let request =
-            Request { size: Size { width: 720, height: 200, scale: 1.0 }, ..request(View::Image, "depth-buffer") };
-        let sheet = |transparent| {
-            let finish = Finish { transparent, ..Finish::default() };
-            let request = Request { finish, ..request.clone() };
-            Composite::of(Views::All, &request, &Shot::default(), None).unwrap()
-        };
-        let (whole, _) = at_once(Renderer::default().sheet(&sheet(false), false)).unwrap();
-        let (clear, _) = at_once(Renderer::default().sheet(&sheet(true), false)).unwrap();
-        let first = sheet(false).requests[0].size;
-        let gap = [first.width + 1, 100];
-        assert_eq!((pixel(&whole, gap)[3], pixel(&clear, gap)), (255, [0; 4]));
-
-        let (cropped, _) = at_once(Renderer::default().sheet(&sheet(false), true)).unwrap();
-        let each: Vec<Pixels> = sheet(false)
-            .requests
-            .iter()
-            .map(|request| Renderer::default().pixels(request).unwrap().cropped(sheet(false).gap))
-            .collect();
-        let wide: u32 = each.iter().map(Pixels::width).sum();
-        assert_eq!(cropped.width(), wide + 2 * sheet(false).gap);
-        assert_eq!(cropped.height(), each.iter().map(Pixels::height).max().unwrap());
-        assert!(each.iter().all(|picture| picture.width() < first.width), "there was ground to crop");
-    }
-
-    #[test]
-    fn pictures_at_the_same_time_are_those_one_after_the_other() {
-        let requests: Vec<Request> = ["depth-buffer", "bsp"]
-            .iter()
-            .flat_map(|visibility| View::ALL.map(|view| request(view, visibility)))
-            .collect();
-        let mut renderer = Renderer::default();
-        // Whatever the machine has.
-        let threads = rayon::ThreadPoolBuilder::new().num_threads(4).build().unwrap();
-        let all = |renderer: &mut Renderer, pictures: &mut [Pixels]| {
-            threads.install(|| at_once(renderer.all_into(&requests, pictures)))
-        };
-        for _ in 0..2 {
-            let mut pictures = vec![Pixels::default(); requests.len()];
-            let reports = all(&mut renderer, &mut pictures).unwrap();
-            assert_eq!(reports.len(), requests.len());
-            for (request, picture) in requests.iter().zip(&pictures) {
-                assert_eq!(Renderer::default().pixels(request).as_ref(), Some(picture));
-            }
-            renderer.forget();
-        }
-        let progress = Progress::default();
-        renderer.watch(&progress);
-        progress.cancel();
-        let mut pictures = vec![Pixels::default(); requests.len()];
-        assert!(all(&mut renderer, &mut pictures).is_none());
-        assert!(pictures.iter().all(|picture| *picture == Pixels::default()), "none of them was made");
     }
 
     #[test]

@@ -43,7 +43,6 @@ impl Pictures<'_> {
         let ends = [0, 1].map(|axis| {
             let along = || surfaces.iter().flat_map(|surface| &surface.positions).map(|position| position[axis]);
             let from = along().fold(f32::INFINITY, f32::min).floor().max(0.0);
-            #[expect(clippy::cast_precision_loss, reason = "a side of a picture")]
             let to = along().fold(f32::NEG_INFINITY, f32::max).ceil().min(size[axis] as f32);
             [from, to]
         });
@@ -57,14 +56,13 @@ impl Pictures<'_> {
 
     /// Surfaces without all else, in the part of a drawing with this corner and this extent.
     fn alone(&mut self, drawing: &Drawing, surfaces: &[&Surface], [corner, extent]: [[f32; 2]; 2]) -> Option<Pixmap> {
-        #[expect(clippy::cast_precision_loss, reason = "a few")]
         let factor = self.finer as f32;
         let place = |p: &[f32; 3]| [factor * (p[0] - corner[0]), factor * (p[1] - corner[1]), p[2]];
         let moved = |surface: &&Surface| Surface {
             positions: surface.positions.iter().map(place).collect(),
             ..(*surface).clone()
         };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, and within the drawing")]
+        #[expect(clippy::cast_possible_truncation, reason = "whole, and within the drawing")]
         let [width, height] = extent.map(|side| side as u32 * self.finer);
         self.rasterizer.paint(&Drawing {
             width,

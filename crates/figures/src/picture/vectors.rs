@@ -22,32 +22,21 @@ use crate::raster::{FADED, HALO, Rasterizer, area_outline, baseline, mark_layers
 use crate::text::Element;
 use crate::views::{Request, Side, Size, overlay};
 
-/// How the faces of a page are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Faces {
-    /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on it,
-    /// such as the window, is a picture among them. Otherwise as one picture.
-    #[default]
-    Auto,
-    /// As areas.
-    Areas,
-    /// As one picture, under all strokes.
-    Picture,
-}
-
-impl Faces {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Auto, Self::Areas, Self::Picture];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Areas => "vector",
-            Self::Picture => "picture",
-        }
+crate::listed! {
+    /// How the faces of a page are written.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Faces {
+        /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on it,
+        /// such as the window, is a picture among them. Otherwise as one picture.
+        #[default]
+        Auto = "auto",
+        /// As areas.
+        Areas = "vector",
+        /// As one picture, under all strokes.
+        Picture = "picture",
     }
+    /// Its name on the command line.
+    pub fn name
 }
 
 /// The most triangles that are written as areas unless they are asked for.
@@ -310,7 +299,6 @@ impl OtherVersions<'_> {
     fn larger(&mut self, renderer: &mut Renderer) -> Option<&Plates> {
         if self.larger.is_none() {
             let Size { width, height, scale } = self.request.size;
-            #[expect(clippy::cast_precision_loss, reason = "a few")]
             let factor = self.finer as f32;
             let size = Size { width: width * self.finer, height: height * self.finer, scale: scale * factor };
             self.larger = renderer.plates(&Request { size, ..self.request.clone() });
@@ -334,7 +322,6 @@ fn faces_as_picture(drawing: &Drawing, size: [f32; 2], rasterizer: &mut Rasteriz
 }
 
 /// A coordinate of pixels.
-#[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
 fn unit(pixels: u32) -> f32 {
     pixels as f32
 }
@@ -397,7 +384,7 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
 }
 
 fn faded(color: Rgba, fades: bool) -> Rgba {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a byte")]
+    #[expect(clippy::cast_possible_truncation, reason = "a share of a byte")]
     let alpha = (f32::from(color.a) * FADED).round() as u8;
     if fades { color.with_alpha(alpha) } else { color }
 }

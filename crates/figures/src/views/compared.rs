@@ -62,7 +62,7 @@ impl Request {
             let second = width - other.size.width;
             [[0, second], [own.size.width, second]]
         } else {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the width")]
+            #[expect(clippy::cast_possible_truncation, reason = "a share of the width")]
             let at = (f64::from(width) * compared.comparison.wiper.clamp(0.0, 1.0)).round() as u32;
             [[0, 0], [at, at]]
         };
@@ -108,7 +108,7 @@ fn projected(mut other: Request, own: &Request) -> Request {
 
 /// The size of one of two halves.
 fn half(size: Size) -> Size {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+    #[expect(clippy::cast_possible_truncation, reason = "a small positive number")]
     let gap = (GAP * size.scale).round().clamp(1.0, 100.0) as u32;
     Size { width: size.width.saturating_sub(gap) / 2, ..size }
 }
@@ -120,9 +120,7 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     let Size { width, height, scale } = request.size;
     let palette = Palette::of(request.shot.look.style.theme);
     let mut drawing = on_clear_ground([width, height], palette.paper);
-    #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [wide, high] = [width, height].map(|side| side as f32);
-    #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [left, right] = [own.columns.end, other.columns.start].map(|column| column as f32);
     let beside = compared.comparison.beside;
     if beside {

@@ -35,7 +35,6 @@ impl Size {
     /// by the same factor.
     #[must_use]
     pub fn as_on_a_screen(width: u32, height: u32) -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
         let [x, y] = [width as f32 / SCREEN[0], height as f32 / SCREEN[1]];
         Self { width, height, scale: x.min(y).max(1.0) }
     }
@@ -68,7 +67,6 @@ impl Size {
 
     /// Pixels for one unit of stroke width and of type size.
     pub(super) fn type_scale(self) -> f32 {
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
         let (width, height) = (self.width as f32, self.height as f32);
         self.scale * growth(height.min(0.8 * width) / self.scale.max(0.1))
     }
@@ -125,7 +123,7 @@ pub fn image_frame(size: Size, aspect: f64) -> PixelRect {
 /// The nearest whole number of pixels, 1 … `most`.
 fn rounded(pixels: f64, most: u32) -> u32 {
     let bounded = pixels.round().clamp(1.0_f64.min(f64::from(most)), f64::from(most));
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in 0 … most")]
+    #[expect(clippy::cast_possible_truncation, reason = "a whole number in 0 … most")]
     let whole = bounded as u32;
     whole
 }

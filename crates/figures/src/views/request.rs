@@ -218,7 +218,6 @@ pub struct Normalizing {
 impl Normalizing {
     /// The progress of a camera; `None` if it has no steps of this source.
     #[must_use]
-    #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
     pub fn of(step: ShownStep, camera: &Camera) -> Option<Self> {
         let ShownStep { way, at } = step;
         let end = camera.decomposed(way)?.len() as f64;

@@ -14,7 +14,7 @@ use super::{Entry, Make};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::figure::Bilingual;
 use crate::figure::error::{Allowed, Problem};
-use crate::figure::read::{self, Fault, Section};
+use crate::figure::read::{self, Fault, Section, at_most};
 use crate::figure::words::Words;
 use crate::figure::{Figure, FigureError};
 use crate::formula;
@@ -58,7 +58,7 @@ const CODES: Words<Mistake> = {
         let mut words = [("", Mistake::Sign); Mistake::ALL.len()];
         let mut k = 0;
         while k < words.len() {
-            words[k] = (Mistake::ALL[k].1, Mistake::ALL[k].0);
+            words[k] = (Mistake::ALL[k].code(), Mistake::ALL[k]);
             k += 1;
         }
         words
@@ -137,14 +137,11 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     if faults.is_empty() && root.faults.is_empty() && subject.camera().is_err() {
         root.refuse("ops", Allowed::Operations);
     }
-    let mut sections = root.sections("ask", "[[ask]]");
-    if let Some(beyond) = sections.get(MAX_ASKS) {
-        let problem = Problem::TooMany { count: sections.len(), limit: MAX_ASKS };
-        faults.push(Fault { at: beyond.start(), key: "[[ask]]".to_owned(), problem });
-        sections.clear();
-    } else if sections.is_empty() {
+    let sections = root.sections("ask", "[[ask]]");
+    if sections.is_empty() {
         root.missing("ask", Allowed::Sections);
     }
+    let sections = at_most(sections, MAX_ASKS, "[[ask]]", faults);
     faults.extend(root.finish());
     // The questions about a faulty figure are not checked.
     let is_good = faults.iter().all(Fault::is_unknown_key);
@@ -182,9 +179,7 @@ pub(crate) fn question(
 pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
     let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
     let Some(text) = section.text(key) else {
-        if !section.is_present(key) {
-            section.missing(key, allowed());
-        }
+        section.require(key, allowed());
         return String::new();
     };
     let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
@@ -197,9 +192,7 @@ pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
 
 /// A text that has to be there.
 pub(crate) fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
-    if !section.is_present(key) {
-        section.missing(key, Allowed::Bilingual);
-    }
+    section.require(key, Allowed::Bilingual);
     let told = section.told(key);
     told.and_then(|texts| harmless(section, key, texts)).unwrap_or_default()
 }
@@ -376,9 +369,7 @@ fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> 
         Kind::Choice(choices) => choices.clone(),
         _ => Vec::new(),
     };
-    if !section.is_present("answer") {
-        section.missing("answer", if choices.is_empty() { Allowed::Numbers } else { Allowed::Choice(choices.clone()) });
-    }
+    section.require("answer", if choices.is_empty() { Allowed::Numbers } else { Allowed::Choice(choices.clone()) });
     let answer = given(&mut section, &choices, Some(ask.unit));
     let is_right = match (&answer, ask.expected()) {
         (Some(ExpectedAnswer::Choice(wrong)), Expected::Choice(right, ..)) => wrong == right,

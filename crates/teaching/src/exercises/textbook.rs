@@ -189,13 +189,8 @@ impl<'a> Textbook<'a> {
 
     /// F where a point is projected.
     fn near_of_window(&self) -> f64 {
-        if self.slips.has(Slip::NearForgottenOnWindow) {
-            1.0
-        } else if self.slips.has(Slip::DistanceOnWindow) {
-            self.camera.distance()
-        } else {
-            self.near
-        }
+        self.slips
+            .pick([(Slip::NearForgottenOnWindow, 1.0), (Slip::DistanceOnWindow, self.camera.distance())], self.near)
     }
 
     /// The projection of points and rays.
@@ -211,13 +206,7 @@ impl<'a> Textbook<'a> {
 
     /// A number of pixels as a whole one.
     fn floored(&self, x: f64) -> f64 {
-        let whole = if self.slips.has(Slip::NotFloored) {
-            x
-        } else if self.slips.has(Slip::RoundedNotFloored) {
-            x.round()
-        } else {
-            whole(x)
-        };
+        let whole = self.slips.pick([(Slip::NotFloored, x), (Slip::RoundedNotFloored, x.round())], whole(x));
         whole + if self.slips.has(Slip::OneBased) { 1.0 } else { 0.0 }
     }
 
@@ -246,17 +235,13 @@ impl<'a> Textbook<'a> {
         let starts = if self.slips.has(Slip::OffsetIgnored) { [0.0; 2] } else { [x, y].map(f64::from) };
         let [x, y] = [(starts[0], width, ndc.x), (starts[1], height, up)]
             .map(|(start, size, n)| self.floored(size / 2.0 * (n + 1.0)) + start);
-        let z = if self.slips.has(Slip::DepthNotMapped) {
-            ndc.z
-        } else if self.slips.has(Slip::DepthRangeIgnored) {
-            f64::midpoint(ndc.z, 1.0)
-        } else {
-            (depth_far - depth_near) / 2.0 * ndc.z + f64::midpoint(depth_far, depth_near)
-        };
+        let z = self.slips.pick(
+            [(Slip::DepthNotMapped, ndc.z), (Slip::DepthRangeIgnored, f64::midpoint(ndc.z, 1.0))],
+            (depth_far - depth_near) / 2.0 * ndc.z + f64::midpoint(depth_far, depth_near),
+        );
         if self.slips.has(Slip::ColumnsAndRows) { [y, x, z] } else { [x, y, z] }
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
     fn ray(&self, [i, j]: [i64; 2], number: RayNumber) -> Option<Table> {
         let slips = self.slips;
         let ImageSize { width, height } = self.subject.figure.image;
@@ -331,13 +316,7 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     let made_from = unit(to_viewer, all);
     let u = unit(up.cross(made_from), all || slips.has(Slip::UNotNormalised));
     let u = if slips.has(Slip::UReversed) { -u } else { u };
-    let v = if slips.has(Slip::UnitViewUpAsV) {
-        unit(up, false)
-    } else if slips.has(Slip::ViewUpAsV) {
-        up
-    } else {
-        made_from.cross(u)
-    };
+    let v = slips.pick([(Slip::UnitViewUpAsV, unit(up, false)), (Slip::ViewUpAsV, up)], made_from.cross(u));
     let u = if slips.has(Slip::UNotNormalisedAlone) { up.cross(made_from) } else { u };
     let u = if slips.has(Slip::UReversedAlone) { -u } else { u };
     let v = if slips.has(Slip::VReversed) { -v } else { v };
@@ -346,25 +325,16 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
 
 /// tan(θ/2) for θ in degrees: half the window's height to F, `[0]` (5.5).
 pub(super) fn half_tangent(view_angle: f64, slips: Slips) -> f64 {
-    let (angle, by) = if slips.has(Slip::WholeAngle) {
-        (view_angle, 1.0)
-    } else if slips.has(Slip::WholeAngleOnce) {
-        (view_angle, 2.0)
-    } else {
-        (view_angle / 2.0, 1.0)
-    };
+    let (angle, by) = slips.pick(
+        [(Slip::WholeAngle, (view_angle, 1.0)), (Slip::WholeAngleOnce, (view_angle, 2.0))],
+        (view_angle / 2.0, 1.0),
+    );
     if slips.has(Slip::Radians) { angle } else { angle.to_radians() }.tan() / by
 }
 
 /// W/H for A.
 pub(super) fn over_height(aspect: f64, slips: Slips) -> f64 {
-    if slips.has(Slip::AspectInverted) {
-        1.0 / aspect
-    } else if slips.has(Slip::AspectLeftOut) {
-        1.0
-    } else {
-        aspect
-    }
+    slips.pick([(Slip::AspectInverted, 1.0 / aspect), (Slip::AspectLeftOut, 1.0)], aspect)
 }
 
 /// l, r, b, t, `[0]` (5.1), (5.5).
@@ -376,20 +346,9 @@ fn window(camera: &Camera, slips: Slips) -> ViewWindow {
     let height = match camera.projection() {
         Projection::Parallel => parameters.height,
         Projection::Perspective => {
-            let near = if slips.has(Slip::NearForgotten) {
-                1.0
-            } else if slips.has(Slip::DistanceForNear) {
-                camera.distance()
-            } else {
-                camera.near()
-            };
-            let twice = if slips.has(Slip::HeightHalved) {
-                1.0
-            } else if slips.has(Slip::HeightDoubled) {
-                4.0
-            } else {
-                2.0
-            };
+            let near =
+                slips.pick([(Slip::NearForgotten, 1.0), (Slip::DistanceForNear, camera.distance())], camera.near());
+            let twice = slips.pick([(Slip::HeightHalved, 1.0), (Slip::HeightDoubled, 4.0)], 2.0);
             twice * near * half_tangent(parameters.view_angle, slips)
         }
     };
@@ -469,13 +428,7 @@ fn projection_matrix(camera: &Camera, window: &ViewWindow, rows: u32, slips: Sli
         scale = -scale;
     }
     let last = if slips.any(&[Slip::WSign, Slip::LeftHanded]) { -last } else { last };
-    let twice = if slips.has(Slip::ScaleHalved) {
-        1.0
-    } else if slips.has(Slip::ScaleDoubled) {
-        4.0
-    } else {
-        2.0
-    };
+    let twice = slips.pick([(Slip::ScaleHalved, 1.0), (Slip::ScaleDoubled, 4.0)], 2.0);
     let along = match projection {
         Projection::Parallel => 1.0,
         Projection::Perspective if everywhere => -near,

@@ -498,7 +498,6 @@ const UNIT_DIRECTION: [(&str, &str); 3] =
 const ORIGIN: [(&str, &str); 3] = [("O_R,x", "O_{R,x}"), ("O_R,y", "O_{R,y}"), ("O_R,z", "O_{R,z}")];
 
 /// The ray through the centre of a pixel: (5.23) with the half, then (5.17) to (5.21).
-#[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
 fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], number: RayNumber) -> Worked {
     let in_perspective = setting.space().camera().projection() == Projection::Perspective;
     let equation = if in_perspective { "(5.23), (5.17)–(5.19)" } else { "(5.23), (5.20), (5.21)" };

@@ -10,7 +10,7 @@ use crate::camera::Camera;
 use crate::exercises::own::{bilingual_list, harmless, name, question, told};
 use crate::exercises::{self, Entry, Kind, Subject};
 use crate::figure::error::{Allowed, Problem};
-use crate::figure::read::{Fault, Section, Stacked, parse_with, text_of};
+use crate::figure::read::{Fault, Section, Stacked, at_most, parse_with, text_of};
 use crate::figure::{Bilingual, Figure, FigureError, update, varied};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
@@ -51,19 +51,16 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     let id = name(&mut root, "id");
     let title = line(&mut root, "title");
     let sentence = optional(&mut root, "sentence");
-    let minutes = root.is_present("minutes").then(|| root.number_in("minutes", 0.5, MOST_MINUTES, 5.0));
+    let minutes = root.optional_in("minutes", 0.5, MOST_MINUTES, 5.0);
     let aims = bilingual_list(&mut root, "aims");
     let plan = optional(&mut root, "plan");
     let [pretest, posttest] = ["pretest", "posttest"].map(|key| questions(&mut root, key, faults));
     let before = root.list("before", Allowed::Texts, |text| (!text.trim().is_empty()).then(|| text.to_owned()));
-    let mut sections = root.sections("step", "[[step]]");
-    if let Some(beyond) = sections.get(MAX_LESSON_STEPS) {
-        let problem = Problem::TooMany { count: sections.len(), limit: MAX_LESSON_STEPS };
-        faults.push(Fault { at: beyond.start(), key: "[[step]]".to_owned(), problem });
-        sections.clear();
-    } else if sections.is_empty() && root.faults.is_empty() {
+    let sections = root.sections("step", "[[step]]");
+    if sections.is_empty() && root.faults.is_empty() {
         root.missing("step", Allowed::Sections);
     }
+    let sections = at_most(sections, MAX_LESSON_STEPS, "[[step]]", faults);
     faults.extend(root.finish());
     let mut stacked = Stacked::default();
     let steps = sections.into_iter().map(|section| step(section, &mut stacked, faults)).collect();
@@ -79,9 +76,7 @@ fn questions(root: &mut Section<'_>, key: &'static str, faults: &mut Vec<Fault>)
         return Vec::new();
     }
     let question = |mut section: Section<'_>| {
-        if !section.is_present("exercise") {
-            section.missing("exercise", Allowed::Exercise);
-        }
+        section.require("exercise", Allowed::Exercise);
         let question = exercise(&mut section).map(|(id, seed)| Question { id, seed });
         faults.extend(section.finish());
         question
@@ -171,9 +166,7 @@ fn way(text: &str) -> Option<(String, String)> {
 
 /// A text with the numbers of a figure, which has to be there; without a report they are not checked.
 fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Report>) -> Bilingual {
-    if !section.is_present(key) {
-        section.missing(key, Allowed::Bilingual);
-    }
+    section.require(key, Allowed::Bilingual);
     let Some(texts) = section.told(key) else { return Bilingual::default() };
     if let Some(report) = report {
         match in_both(&texts, report) {

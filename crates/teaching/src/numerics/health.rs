@@ -32,48 +32,29 @@ impl Level {
     }
 }
 
-/// A quantity that is judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum HealthQuantity {
-    /// The angle between VUP and the line of DOP in degrees, 0 … 90.
-    VupAngle,
-    /// B / F.
-    FarNearRatio,
-    /// The smallest difference of depth at B that the figure's depth format keeps, in scene units: of whole numbers as
-    /// the figure has them, otherwise of 24 bits, which a graphics card has unless a program asks for more.
-    DepthResolution,
-    /// Decimal digits left for the view of the camera, of the 16 that an `f64` has.
-    PositionDigits,
-    /// The longest side of the view volume over its shortest, at half its depth.
-    VolumeShape,
-    /// θ in degrees; 0 in parallel projection.
-    ViewAngle,
+crate::listed! {
+    /// A quantity that is judged.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum HealthQuantity {
+        /// The angle between VUP and the line of DOP in degrees, 0 … 90.
+        VupAngle = "vup-angle",
+        /// B / F.
+        FarNearRatio = "far-near-ratio",
+        /// The smallest difference of depth at B that the figure's depth format keeps, in scene units: of whole numbers as
+        /// the figure has them, otherwise of 24 bits, which a graphics card has unless a program asks for more.
+        DepthResolution = "depth-resolution",
+        /// Decimal digits left for the view of the camera, of the 16 that an `f64` has.
+        PositionDigits = "position-digits",
+        /// The longest side of the view volume over its shortest, at half its depth.
+        VolumeShape = "volume-shape",
+        /// θ in degrees; 0 in parallel projection.
+        ViewAngle = "view-angle",
+    }
+    /// Its name in JSON.
+    pub fn code
 }
 
 impl HealthQuantity {
-    /// All, in the order of reporting.
-    pub const ALL: [Self; 6] = [
-        Self::VupAngle,
-        Self::FarNearRatio,
-        Self::DepthResolution,
-        Self::PositionDigits,
-        Self::VolumeShape,
-        Self::ViewAngle,
-    ];
-
-    /// Its name in JSON.
-    #[must_use]
-    pub const fn code(self) -> &'static str {
-        match self {
-            Self::VupAngle => "vup-angle",
-            Self::FarNearRatio => "far-near-ratio",
-            Self::DepthResolution => "depth-resolution",
-            Self::PositionDigits => "position-digits",
-            Self::VolumeShape => "volume-shape",
-            Self::ViewAngle => "view-angle",
-        }
-    }
-
     /// The line that a warning belongs to.
     const fn of(warning: &Warning) -> Self {
         match warning {

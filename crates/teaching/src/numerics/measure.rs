@@ -29,7 +29,6 @@ pub(super) fn bits_off(computed: f64, exact: f64) -> f64 {
         let magnitude = i128::from(x.to_bits() & !(1 << 63));
         if x.is_sign_negative() { -magnitude } else { magnitude }
     };
-    #[expect(clippy::cast_precision_loss, reason = "a number of numbers, for its logarithm")]
     let between = (place(computed) - place(exact)).unsigned_abs() as f64;
     (between + 1.0).log2()
 }
@@ -101,7 +100,6 @@ impl Trial {
             clock::now().saturating_sub(start)
         };
         let shortest = TICKS * watch.tick;
-        #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
         let count = items as f64;
         let warm_up = timed(1);
         // A run longer than its slice is timed once.
@@ -135,7 +133,6 @@ impl Trial {
             polled
         })
         .await;
-        #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
         self.took(time, items as f64);
         outcome
     }

@@ -28,66 +28,35 @@ use measure::{Trial, Watch};
 /// The name of the method that is the program's own.
 pub const OWN: &str = "camera-lab";
 
-/// A place where a graphics programmer has a choice.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Study {
-    /// World points to view space, in worlds far from the origin.
-    VertexTransform,
-    /// **u** **v** **n** where VUP is almost along DOP, and of vectors of every size.
-    Basis,
-    /// Many small rotations, one after the other.
-    RepeatedOperations,
-    /// The formats of depth buffers.
-    DepthBuffer,
-    /// Visible surfaces.
-    Visibility,
-    /// Light on curved surfaces made of flat faces.
-    Shading,
-    /// Samples of a pixel.
-    Antialiasing,
-    /// Segments through w = 0, cut before or after the division.
-    Clipping,
-    /// Filters of pictures on surfaces.
-    TextureFilter,
-    /// Shadow maps: their size, bias and soft edge.
-    Shadows,
-    /// The camera of a photograph from lines that are a pixel off.
-    Photograph,
-}
-
-impl Study {
-    /// All, in the order of reporting.
-    pub const ALL: [Self; 11] = [
-        Self::VertexTransform,
-        Self::Basis,
-        Self::RepeatedOperations,
-        Self::DepthBuffer,
-        Self::Visibility,
-        Self::Shading,
-        Self::Antialiasing,
-        Self::Clipping,
-        Self::TextureFilter,
-        Self::Shadows,
-        Self::Photograph,
-    ];
-
-    /// Its name on the command line and in JSON.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::VertexTransform => "vertex-transform",
-            Self::Basis => "basis",
-            Self::RepeatedOperations => "repeated-operations",
-            Self::DepthBuffer => "depth-buffer",
-            Self::Visibility => "visibility",
-            Self::Shading => "shading",
-            Self::Antialiasing => "antialiasing",
-            Self::Clipping => "clipping",
-            Self::TextureFilter => "texture-filter",
-            Self::Shadows => "shadows",
-            Self::Photograph => "photograph",
-        }
+crate::listed! {
+    /// A place where a graphics programmer has a choice.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Study {
+        /// World points to view space, in worlds far from the origin.
+        VertexTransform = "vertex-transform",
+        /// **u** **v** **n** where VUP is almost along DOP, and of vectors of every size.
+        Basis = "basis",
+        /// Many small rotations, one after the other.
+        RepeatedOperations = "repeated-operations",
+        /// The formats of depth buffers.
+        DepthBuffer = "depth-buffer",
+        /// Visible surfaces.
+        Visibility = "visibility",
+        /// Light on curved surfaces made of flat faces.
+        Shading = "shading",
+        /// Samples of a pixel.
+        Antialiasing = "antialiasing",
+        /// Segments through w = 0, cut before or after the division.
+        Clipping = "clipping",
+        /// Filters of pictures on surfaces.
+        TextureFilter = "texture-filter",
+        /// Shadow maps: their size, bias and soft edge.
+        Shadows = "shadows",
+        /// The camera of a photograph from lines that are a pixel off.
+        Photograph = "photograph",
     }
+    /// Its name on the command line and in JSON.
+    pub fn name
 }
 
 impl Serialize for Study {
@@ -96,36 +65,25 @@ impl Serialize for Study {
     }
 }
 
-/// The unit of an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unit {
-    /// Scene units.
-    SceneUnits,
-    /// Radians.
-    Radians,
-    /// A share of the quantity itself.
-    Relative,
-    /// A share of the depths, or of the pixels, that were tried.
-    Share,
-    /// A share of the whole range of a colour's channels, or of a pixel's area.
-    Color,
-    /// Of normalised device coordinates, 2 from side to side.
-    Ndc,
-}
-
-impl Unit {
-    /// Its name in JSON.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SceneUnits => "scene units",
-            Self::Radians => "radians",
-            Self::Relative => "relative",
-            Self::Share => "share",
-            Self::Color => "color",
-            Self::Ndc => "ndc",
-        }
+crate::worded! {
+    /// The unit of an error.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Unit {
+        /// Scene units.
+        SceneUnits = "scene units",
+        /// Radians.
+        Radians = "radians",
+        /// A share of the quantity itself.
+        Relative = "relative",
+        /// A share of the depths, or of the pixels, that were tried.
+        Share = "share",
+        /// A share of the whole range of a colour's channels, or of a pixel's area.
+        Color = "color",
+        /// Of normalised device coordinates, 2 from side to side.
+        Ndc = "ndc",
     }
+    /// Its name in JSON.
+    pub fn name
 }
 
 impl Serialize for Unit {
@@ -216,9 +174,27 @@ impl Lab {
     /// The watch of a study that times this many passes' series.
     fn watch(&self, series: usize) -> Watch {
         self.progress.begin(Activity::Measuring, series);
-        #[expect(clippy::cast_precision_loss, reason = "a small number of series")]
         let slice = Duration::try_from_secs_f64(self.effort.seconds / series.max(1) as f64).unwrap_or_default();
         Watch { slice, tick: clock::resolution(), progress: self.progress.clone() }
+    }
+
+    /// Measures methods, each on all setups. Pauses after each setup.
+    async fn methods<M, S>(
+        &self,
+        methods: &[(&'static str, M)],
+        setups: &[S],
+        mut measure: impl FnMut(&M, usize, &S, &mut Trial),
+    ) -> Vec<Method> {
+        let mut measured = Vec::new();
+        for (name, method) in methods {
+            let mut trial = Trial::default();
+            for (input, setup) in setups.iter().enumerate() {
+                measure(method, input, setup, &mut trial);
+                self.progress.advance_and_pause(1).await;
+            }
+            measured.push(Method::new(name, trial));
+        }
+        measured
     }
 
     /// `all` of something, or `few` for tests.

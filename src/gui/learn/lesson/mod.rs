@@ -54,6 +54,8 @@ const BESIDE_PRESENTED: f32 = 0.8;
 const GUTTER: f32 = 24.0;
 /// Lines of text for a question, its field, what is understood and the verdict.
 const LINES_OF_ANSWER: f32 = 12.0;
+/// Lines of text for the verdict on an answer in a presentation.
+const LINES_OF_VERDICT: f32 = 4.0;
 /// The share of a tall window that they take, so that a long verdict has room.
 const ANSWER: f32 = 0.23;
 /// Seconds after which a typed number is one.
@@ -202,10 +204,12 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
     let notes = playing.shows_notes && !speaker::has_window(&ctx, model, learn);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
-    let fits = Fits { size, lang: t.lang, writes, presents, asks: presents && asks, shows };
-    let height = match &playing.height {
-        Some((kept, height)) if *kept == fits => *height,
-        _ if writes || fits.asks => most,
+    let asks = (presents && asks).then_some(playing.step);
+    let fits = Fits { size, lang: t.lang, writes, presents, asks, shows };
+    let kept = playing.height.as_ref().filter(|(kept, _)| *kept == fits).map(|(_, height)| *height);
+    let mut height = match kept {
+        Some(height) => height,
+        _ if writes || asks.is_some() => most,
         _ => first_height(ui, t, learn, &fits).min(most),
     };
     let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
@@ -221,7 +225,14 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
             let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
             let shown =
                 area.show(ui, |ui| if writes { written(ui, t, model, learn) } else { content(ui, t, model, learn) });
-            is_cut = shown.content_size.y > shown.inner_rect.height();
+            let room = shown.inner_rect.height();
+            is_cut = shown.content_size.y > room;
+            if asks.is_some() && kept.is_none() {
+                // As high as the question, with room for its verdict: the pictures are what is asked about.
+                let verdict = LINES_OF_VERDICT * ui.text_style_height(&egui::TextStyle::Body);
+                height = most.min(height - room + shown.content_size.y + verdict);
+                ui.ctx().request_discard("the height of a question");
+            }
         }
         (command, is_cut)
     });
@@ -240,8 +251,8 @@ pub(in crate::gui) struct Fits {
     lang: Lang,
     writes: bool,
     presents: bool,
-    /// In a presentation a question is shown when it's asked for.
-    asks: bool,
+    /// The step whose question is shown, in a presentation.
+    asks: Option<usize>,
     /// There is more than the bar.
     shows: bool,
 }

@@ -119,7 +119,7 @@ impl Camera {
         }
         let ratio = self.origin_ratio();
         if ratio > FAR_AWAY {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 15")]
+            #[expect(clippy::cast_possible_truncation, reason = "between 0 and 15")]
             let digits = (15.0 - ratio.log10()).clamp(0.0, 15.0) as u32;
             warnings.push(Warning::FarFromOrigin { ratio, digits });
         }

@@ -12,18 +12,22 @@ use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
 use crate::camera::{Api, Camera, Ndc, Projection};
 
-/// Whose steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Decomposition {
-    /// `[0]`, Pagliosa
-    #[default]
-    Notes,
-    /// `[2]`, Gattass: S T P
-    Box,
-    /// `[1]`, USP: M_xyscale M_pers
-    Scale,
-    /// `[3]`: N_persp and M_P, N_ort; its canonical volume has z in 0 … 1
-    Normalised,
+crate::listed! {
+    /// Whose steps.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Decomposition {
+        /// `[0]`, Pagliosa
+        #[default]
+        Notes = "notes",
+        /// `[2]`, Gattass: S T P
+        Box = "box",
+        /// `[1]`, USP: M_xyscale M_pers
+        Scale = "scale",
+        /// `[3]`: N_persp and M_P, N_ort; its canonical volume has z in 0 … 1
+        Normalised = "normalised",
+    }
+    /// Its word on the command line.
+    pub fn name
 }
 
 /// A step.
@@ -73,26 +77,12 @@ pub enum Step {
 }
 
 impl Decomposition {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Notes, Self::Box, Self::Scale, Self::Normalised];
-
     /// The convention of NDC in which it ends.
     #[must_use]
     pub fn ndc(self) -> Ndc {
         match self {
             Self::Notes | Self::Box | Self::Scale => Ndc::default(),
             Self::Normalised => Ndc { api: Api::Direct3d, ..Ndc::default() },
-        }
-    }
-
-    /// Its word on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Notes => "notes",
-            Self::Box => "box",
-            Self::Scale => "scale",
-            Self::Normalised => "normalised",
         }
     }
 

@@ -4,31 +4,22 @@ use glam::{DMat3, DVec2, DVec3};
 
 use super::{AxisVanishing, Frame, PhotographError};
 
-/// An axis of the world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WorldAxis {
-    /// x
-    X,
-    /// y
-    Y,
-    /// z
-    Z,
+crate::listed! {
+    /// An axis of the world.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum WorldAxis {
+        /// x
+        X = "x",
+        /// y
+        Y = "y",
+        /// z
+        Z = "z",
+    }
+    /// `x`, `y` or `z`.
+    pub fn name
 }
 
 impl WorldAxis {
-    /// All, in their order.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
-
-    /// `x`, `y` or `z`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-        }
-    }
-
     pub(super) const fn index(self) -> usize {
         match self {
             Self::X => 0,

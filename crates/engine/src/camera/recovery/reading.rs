@@ -2,51 +2,30 @@
 
 use crate::camera::{Axes, ImageSize, NdcRange};
 
-/// The kind of a pasted matrix.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MatrixKind {
-    /// M_v, from the world to the camera.
-    View,
-    /// The inverse of M_v: `matrix_world` of Blender, a node of glTF, `matrixWorld` of three.js.
-    CameraToWorld,
-    /// M_p
-    Projection,
-    /// M_p M_v
-    ViewProjection,
-    /// K \[R | t\] of computer vision, from the world to pixels. It may be padded to four rows.
-    Pinhole,
-    /// K alone: focal lengths and principal point in pixels.
-    Intrinsics,
-    /// Three points and vectors: C, PF and VUP.
-    LookAt,
+crate::listed! {
+    /// The kind of a pasted matrix.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum MatrixKind {
+        /// M_v, from the world to the camera.
+        View = "view",
+        /// The inverse of M_v: `matrix_world` of Blender, a node of glTF, `matrixWorld` of three.js.
+        CameraToWorld = "camera-to-world",
+        /// M_p
+        Projection = "projection",
+        /// M_p M_v
+        ViewProjection = "view-projection",
+        /// K \[R | t\] of computer vision, from the world to pixels. It may be padded to four rows.
+        Pinhole = "pinhole",
+        /// K alone: focal lengths and principal point in pixels.
+        Intrinsics = "intrinsics",
+        /// Three points and vectors: C, PF and VUP.
+        LookAt = "look-at",
+    }
+    /// The name on the command line.
+    pub fn name
 }
 
 impl MatrixKind {
-    /// All, in the order in which they are listed.
-    pub const ALL: [Self; 7] = [
-        Self::View,
-        Self::CameraToWorld,
-        Self::Projection,
-        Self::ViewProjection,
-        Self::Pinhole,
-        Self::Intrinsics,
-        Self::LookAt,
-    ];
-
-    /// The name on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::View => "view",
-            Self::CameraToWorld => "camera-to-world",
-            Self::Projection => "projection",
-            Self::ViewProjection => "view-projection",
-            Self::Pinhole => "pinhole",
-            Self::Intrinsics => "intrinsics",
-            Self::LookAt => "look-at",
-        }
-    }
-
     /// Whether it is written in axes of the camera that programs choose differently.
     #[must_use]
     pub const fn has_camera_axes(self) -> bool {

@@ -9,53 +9,36 @@ use crate::camera::recovery::{
 };
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
 
-/// Why a matrix is read as it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Evidence {
-    /// No other reading gives a camera.
-    Only,
-    /// In no other reading the camera is level and upright.
-    Level,
-    /// In no other reading that is as level the origin lies in front of the camera.
-    OriginAhead,
-    /// None: others fit as well.
-    Nothing,
-}
-
-impl Evidence {
-    /// The name in the output of the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Only => "only",
-            Self::Level => "level",
-            Self::OriginAhead => "origin-ahead",
-            Self::Nothing => "nothing",
-        }
+crate::worded! {
+    /// Why a matrix is read as it is.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Evidence {
+        /// No other reading gives a camera.
+        Only = "only",
+        /// In no other reading the camera is level and upright.
+        Level = "level",
+        /// In no other reading that is as level the origin lies in front of the camera.
+        OriginAhead = "origin-ahead",
+        /// None: others fit as well.
+        Nothing = "nothing",
     }
-}
-
-/// How sure a reading is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Certainty {
-    /// Others are about as likely.
-    Open,
-    /// The evidence is for this one. Others aren't refused.
-    Likely,
-    /// The numbers, or words of the text, refuse all others.
-    Only,
-}
-
-impl Certainty {
     /// The name in the output of the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Open => "open",
-            Self::Likely => "likely",
-            Self::Only => "only",
-        }
+    pub fn name
+}
+
+crate::worded! {
+    /// How sure a reading is.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Certainty {
+        /// Others are about as likely.
+        Open = "open",
+        /// The evidence is for this one. Others aren't refused.
+        Likely = "likely",
+        /// The numbers, or words of the text, refuse all others.
+        Only = "only",
     }
+    /// The name in the output of the command line.
+    pub fn name
 }
 
 /// A reading that the numbers allow, with its camera.

@@ -83,7 +83,7 @@ impl Attribute for [f32; 2] {
 }
 
 impl Attribute for Rgba {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of bytes is a byte")]
+    #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes is a byte")]
     fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
         let mean = |channel: fn(Self) -> u8| {
             let sum: f64 = (0..3).map(|i| f64::from(channel(of[i])) * weights[i]).sum();

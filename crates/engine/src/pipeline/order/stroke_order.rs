@@ -273,7 +273,7 @@ fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
 }
 
 /// The index of a square among those of the picture. Places beside the picture belong to those at its border.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates")]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates")]
 fn square(v: f64, count: usize) -> usize {
     ((v / SQUARE).max(0.0) as usize).min(count - 1)
 }

@@ -357,11 +357,7 @@ impl Faces {
 }
 
 /// The squares of a row of `count` that lie between two places, in pixels.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "`as` saturates, and the end is held to the count"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates, and the end is held to the count")]
 fn squares(from: f64, to: f64, count: usize) -> Range<usize> {
     let first = (from / SQUARE).floor().max(0.0) as usize;
     let end = ((to / SQUARE).floor().max(-1.0) + 1.0) as usize;

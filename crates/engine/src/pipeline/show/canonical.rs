@@ -72,7 +72,6 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
     let lines = scene.lines.iter().flat_map(|line| clipped_line(line, projector));
     let clipped = Scene {
         objects,
-        lights: Vec::new(),
         lines: lines.chain(borders).collect(),
         marks: scene
             .marks
@@ -84,9 +83,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
             .iter()
             .filter_map(|text| Some(Text { position: inside(text.position)?, ..text.clone() }))
             .collect(),
-        grids: Vec::new(),
-        photograph: None,
-        notices: Vec::new(),
+        ..Scene::default()
     };
     (clipped, in_view)
 }
@@ -208,8 +205,6 @@ fn clipped_object(
         .map_or_else(Vec::new, |style| borders.into_iter().map(|ends| Line { points: ends.to_vec(), style }).collect());
     let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
     let clipped = Object {
-        part_of: object.part_of.clone(),
-        name: object.name.clone(),
         mesh: Arc::new(Mesh {
             positions,
             normals: Vec::new(),
@@ -223,10 +218,8 @@ fn clipped_object(
         paint,
         lit: false,
         two_sided: object.two_sided || !whole,
-        faces: object.faces,
-        edges: object.edges,
-        outline: object.outline,
         in_world: in_world.map(Arc::new),
+        ..object.clone()
     };
     Some((clipped, in_view, cuts))
 }

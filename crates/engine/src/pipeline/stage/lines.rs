@@ -20,7 +20,7 @@ use super::project::{clip_from_view, clip_from_world};
 use super::vertices::Vertices;
 use super::viewport::{unsnapped, viewport};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
-use crate::drawing::{Anchor, Label, Mark, StrokeSet};
+use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
 use crate::pipeline::mesh::chunks::CHUNK;
 use crate::pipeline::mesh::outline::outline;
@@ -241,15 +241,14 @@ impl<'a> Strokes<'a> {
         let labels = scenes.texts().filter_map(|text| {
             Some(Label {
                 name: text.name.clone(),
-                mathematical: false,
-                position: self.inside(text.position)?,
                 offset: text.offset.map(|c| c * self.scale),
-                text: text.text.clone(),
-                size: text.size * self.scale,
-                color: text.color,
-                halo: self.background,
-                anchor: Anchor::Left,
                 fade_if_hidden: text.fade_if_hidden,
+                ..Label::new(
+                    self.inside(text.position)?,
+                    &*text.text,
+                    text.size * self.scale,
+                    [text.color, self.background],
+                )
             })
         });
         labels.collect()

@@ -269,19 +269,8 @@ fn recipe(light: &Light, occluders: &[Occluder]) -> u64 {
 
 /// Faces and nothing else, without light, seen from both sides.
 fn alone(Occluder { mesh, world_from_object }: &Occluder) -> Object {
-    Object {
-        name: String::new(),
-        part_of: None,
-        mesh: Arc::clone(mesh),
-        world_from_object: *world_from_object,
-        paint: ObjectPaint::Solid(Rgba::rgb(0, 0, 0)),
-        lit: false,
-        two_sided: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
-    }
+    let paint = ObjectPaint::Solid(Rgba::rgb(0, 0, 0));
+    Object { lit: false, two_sided: true, ..Object::new("", Arc::clone(mesh), *world_from_object, paint) }
 }
 
 fn rays(cameras: &[Camera], projector: &Projector, size: u32) -> Option<Rays> {

@@ -53,7 +53,7 @@ impl Bands {
 
     /// The bands that may have pixels whose centres lie in a box.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the picture")]
+    #[expect(clippy::cast_possible_truncation, reason = "held to the picture")]
     fn touched(self, [left, right]: [f32; 2], [top, bottom]: [f32; 2]) -> Range<usize> {
         let (width, height) = (self.width as f32, self.height as f32);
         // False if anything isn't a number.

@@ -66,7 +66,6 @@ pub(super) fn arriving<K: Simd>(
                 }
                 (distance, view) = (farther.select(new, distance), farther.select(i32x8::splat(simd, k), view));
             }
-            #[expect(clippy::cast_precision_loss, reason = "at most 4096")]
             let size = map.size as f32;
             let ahead = distance.simd_gt(0.0);
             let texels = f32x8::splat(simd, 0.5 * size) / (distance * *reach);

@@ -41,7 +41,6 @@ impl<'a, K: Simd> Textured<'a, K> {
         let tint = [tint.r, tint.g, tint.b, 255].map(|c| f32::from(c) / 255.0 * alpha);
         let asks = sampler.filter == Filter::Trilinear && image.levels().len() > 1
             || matches!(sampler.reveal, Some(TextureReveal::Levels | TextureReveal::Texels));
-        #[expect(clippy::cast_precision_loss, reason = "sides of pictures are far below 2²⁴")]
         let [wide, high] = [image.width() as f32, image.height() as f32];
         let change = if asks {
             Some([texels_changed(change[0], &uv, [wide, high]), texels_changed(change[1], &uv, [wide, high])])
@@ -99,7 +98,7 @@ impl<'a, K: Simd> Textured<'a, K> {
                 Filter::Trilinear => detail[l].clamp(0.0, last as f32),
                 Filter::Nearest | Filter::Bilinear => 0.0,
             };
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 5")]
+            #[expect(clippy::cast_possible_truncation, reason = "0 … 5")]
             let finer = (detail as usize).min(last);
             let share = detail - finer as f32;
             let [fine, coarse] = [finer, (finer + 1).min(last)].map(|level| LEVEL_COLORS[level]);

@@ -121,7 +121,7 @@ fn reflected(lighting: &Lighting, normal: Vec3, position: Vec3, arriving: impl F
 }
 
 /// A whole power by squaring, which every machine rounds alike.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "exponents are small")]
+#[expect(clippy::cast_possible_truncation, reason = "exponents are small")]
 fn power(mut base: f32, exponent: f32) -> f32 {
     let (mut left, mut result) = (exponent as u32, 1.0);
     while left > 0 {
@@ -148,13 +148,13 @@ fn premultiplied(color: Rgba) -> Color {
 }
 
 /// The nearest whole number of 0 … 255; of two, the even one.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates")]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates")]
 fn nearest(value: f32) -> u8 {
     value.round_ties_even() as u8
 }
 
 /// The nearest whole number of 0 … 255; of two, the upper one.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates")]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates")]
 fn half_up(value: f32) -> u8 {
     (value + 0.5) as u8
 }

@@ -19,7 +19,7 @@ pub(super) fn texels([u, v]: [f32; 2], level: &Level, sampler: &Sampler) -> [Aro
     [around(u, level.width, wrap_u, filter), around(v, level.height, wrap_v, filter)]
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates at 0")]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates at 0")]
 fn around(t: f32, size: u32, wrap: Wrap, filter: Filter) -> Around {
     let (last, size) = (size - 1, size as f32);
     let folded = match wrap {

@@ -330,7 +330,7 @@ fn matrix(node: &::gltf::Node<'_>) -> DMat4 {
 fn color(material: &::gltf::Material<'_>) -> Rgba {
     let [r, g, b, a] = material.pbr_metallic_roughness().base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
     let byte = |share: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+        #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
         let byte = (share * 255.0).round() as u8;
         byte
     };

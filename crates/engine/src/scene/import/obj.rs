@@ -258,7 +258,7 @@ impl Material {
 }
 
 fn byte(share: f64) -> u8 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
     let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
     byte
 }
@@ -352,22 +352,17 @@ impl ObjFile {
             let corner = ObjCorner::read(word).ok_or_else(|| ObjFault::Corner { found: escaped(word) })?;
             let point = from_one(corner.point, self.points.len()).ok_or_else(|| self.no_such_point(word))?;
             self.points_ahead.note(point, self.points.len(), word, line);
-            let mut texture_coordinate = None;
-            if let Some(index) = corner.texture_coordinate {
-                texture_coordinate = from_one(index, self.texture_coordinates.len());
-                match texture_coordinate {
-                    Some(i) => self.texture_coordinates_ahead.note(i, self.texture_coordinates.len(), word, line),
+            let mut beside = |index: Option<i64>, so_far: usize, ahead: &mut Ahead| {
+                let place = from_one(index?, so_far);
+                match place {
+                    Some(i) => ahead.note(i, so_far, word, line),
                     None => drop(self.impossible.get_or_insert_with(|| (line, word.to_owned()))),
                 }
-            }
-            let mut normal = None;
-            if let Some(index) = corner.normal {
-                normal = from_one(index, self.normals.len());
-                match normal {
-                    Some(i) => self.normals_ahead.note(i, self.normals.len(), word, line),
-                    None => drop(self.impossible.get_or_insert_with(|| (line, word.to_owned()))),
-                }
-            }
+                place
+            };
+            let (uvs, normals) = (self.texture_coordinates.len(), self.normals.len());
+            let texture_coordinate = beside(corner.texture_coordinate, uvs, &mut self.texture_coordinates_ahead);
+            let normal = beside(corner.normal, normals, &mut self.normals_ahead);
             self.normals_lack |= normal.is_none();
             let uv = texture_coordinate.map(|i| i - 1);
             self.open.corners.push((point - 1, normal.map(|i| i - 1), uv));

@@ -9,48 +9,50 @@ use super::{Matrix, MatrixFormula, Notation, Setting, Writer};
 use crate::camera::{AngleUnit, Axes, Camera, Program, Projection, ViewWindow};
 use crate::numbers::{DecimalMark, exact};
 
-/// A library, or a language.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum CodeTarget {
-    /// C with OpenGL 1 and GLU
-    #[default]
-    OpenGl,
-    /// C++ with GLM
-    Glm,
-    /// Rust with glam
-    Glam,
-    /// JavaScript with three.js
-    ThreeJs,
-    /// Python with VTK or `PyVista`
-    Vtk,
-    /// Python with `NumPy`
-    NumPy,
-    /// LaTeX
-    Latex,
-    /// Python in Blender
-    Blender,
-    /// C# in Unity
-    Unity,
-    /// C++ in Unreal
-    Unreal,
-    /// Python with `NumPy`, in the words of `OpenCV`
-    OpenCv,
-    /// A file of `Open3D`
-    Open3d,
-    /// Two files of COLMAP
-    Colmap,
-    /// A file of nerfstudio
-    Nerfstudio,
-    /// A file of glTF
-    Gltf,
-    /// Python with `PyTorch3D`
-    PyTorch3d,
-    /// `GDScript` in Godot
-    Godot,
-    /// JavaScript with Babylon.js
-    Babylon,
-    /// Rust with Bevy
-    Bevy,
+crate::listed! {
+    /// A library, or a language.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum CodeTarget {
+        /// C with OpenGL 1 and GLU
+        #[default]
+        OpenGl,
+        /// C++ with GLM
+        Glm,
+        /// Rust with glam
+        Glam,
+        /// JavaScript with three.js
+        ThreeJs,
+        /// Python with VTK or `PyVista`
+        Vtk,
+        /// Python with `NumPy`
+        NumPy,
+        /// LaTeX
+        Latex,
+        /// Python in Blender
+        Blender,
+        /// C# in Unity
+        Unity,
+        /// C++ in Unreal
+        Unreal,
+        /// Python with `NumPy`, in the words of `OpenCV`
+        OpenCv,
+        /// A file of `Open3D`
+        Open3d,
+        /// Two files of COLMAP
+        Colmap,
+        /// A file of nerfstudio
+        Nerfstudio,
+        /// A file of glTF
+        Gltf,
+        /// Python with `PyTorch3D`
+        PyTorch3d,
+        /// `GDScript` in Godot
+        Godot,
+        /// JavaScript with Babylon.js
+        Babylon,
+        /// Rust with Bevy
+        Bevy,
+    }
 }
 
 /// A fact about a library that is needed to use its camera.
@@ -78,29 +80,6 @@ pub enum CodeConvention {
 static PROGRAMS: [Program; CodeTarget::ALL.len()] = Program::ALL;
 
 impl CodeTarget {
-    /// All of them, in the order of [`Program::ALL`].
-    pub const ALL: [Self; 19] = [
-        Self::OpenGl,
-        Self::Glm,
-        Self::Glam,
-        Self::ThreeJs,
-        Self::Vtk,
-        Self::NumPy,
-        Self::Latex,
-        Self::Blender,
-        Self::Unity,
-        Self::Unreal,
-        Self::OpenCv,
-        Self::Open3d,
-        Self::Colmap,
-        Self::Nerfstudio,
-        Self::Gltf,
-        Self::PyTorch3d,
-        Self::Godot,
-        Self::Babylon,
-        Self::Bevy,
-    ];
-
     /// Its row of the table of programs.
     #[must_use]
     pub const fn program(self) -> &'static Program {

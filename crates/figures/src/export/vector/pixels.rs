@@ -16,7 +16,7 @@ pub fn pixels(page: &Page, zoom: f32) -> Option<Pixmap> {
 
 /// The part of some things inside a rectangle: left, top, right and bottom in units.
 fn paint(items: &[Item], [left, top, right, bottom]: [f32; 4], zoom: f32) -> Option<Pixmap> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a pixmap refuses too large a size")]
+    #[expect(clippy::cast_possible_truncation, reason = "a pixmap refuses too large a size")]
     let [width, height] = [right - left, bottom - top].map(|side| (side * zoom).round() as u32);
     let mut pixmap = Pixmap::new(width, height)?;
     let place = Transform::from_row(zoom, 0.0, 0.0, zoom, -left * zoom, -top * zoom);
@@ -50,7 +50,6 @@ fn paint(items: &[Item], [left, top, right, bottom]: [f32; 4], zoom: f32) -> Opt
                 fill(&mut pixmap, &outline, *color, place);
             }
             Item::Picture { corner, size, pixels } => {
-                #[expect(clippy::cast_precision_loss, reason = "sides of a picture")]
                 let [x, y] = [size[0] / pixels.width() as f32, size[1] / pixels.height() as f32];
                 let place = place.pre_translate(corner[0], corner[1]).pre_scale(x, y);
                 pixmap.draw_pixmap(0, 0, pixels.as_ref(), &PixmapPaint::default(), place, None);

@@ -46,7 +46,6 @@ pub fn number_at(figure: &Figure, key: &str) -> Option<f64> {
     // A lens may stand for it in the file.
     let angle = || (key == "camera.view_angle").then_some(figure.camera.view_angle);
     let Some(value) = value_of(&document, key) else { return angle().or_else(at_end) };
-    #[expect(clippy::cast_precision_loss, reason = "numbers of pixels, and of steps")]
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 

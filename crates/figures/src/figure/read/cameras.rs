@@ -1,7 +1,7 @@
 //! The `[[cameras]]` of a figure file, and the name and color of its `[camera]`.
 
 use super::camera_keys;
-use super::section::{Fault, Section};
+use super::section::{Fault, Section, at_most};
 use crate::camera::{LensForm, Parameters};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::{CameraTag, NamedCamera};
@@ -17,14 +17,9 @@ pub(super) fn current(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (Cam
 
 /// Reads the list. A camera that has no name or is impossible is left out, with a fault.
 pub(super) fn cameras(sections: Vec<Section<'_>>, current: &CameraTag, faults: &mut Vec<Fault>) -> Vec<NamedCamera> {
-    if let Some(beyond) = sections.get(MAX_CAMERAS) {
-        let problem = Problem::TooMany { count: sections.len(), limit: MAX_CAMERAS };
-        faults.push(Fault { at: beyond.start(), key: "[[cameras]]".to_owned(), problem });
-        return Vec::new();
-    }
     let mut names: Vec<String> = current.name.iter().cloned().collect();
     let mut found = Vec::new();
-    for section in sections {
+    for section in at_most(sections, MAX_CAMERAS, "[[cameras]]", faults) {
         let camera = camera(section, &names, faults);
         names.extend(camera.iter().map(|camera| camera.name.clone()));
         found.extend(camera);
@@ -38,15 +33,11 @@ fn tag(section: &mut Section<'_>) -> CameraTag {
 
 fn camera(mut section: Section<'_>, before: &[String], faults: &mut Vec<Fault>) -> Option<NamedCamera> {
     let CameraTag { name, color } = tag(&mut section);
-    if !section.is_present("name") {
-        section.missing("name", Allowed::Line { limit: MAX_CAMERA_NAME });
-    }
+    section.require("name", Allowed::Line { limit: MAX_CAMERA_NAME });
     if name.as_ref().is_some_and(|name| before.contains(name)) {
         section.fault("name", Problem::Duplicate);
     }
     let (parameters, lens) = camera_keys(&mut section, faults);
-    let found = section.finish();
-    let good = found.iter().all(Fault::is_unknown_key);
-    faults.extend(found);
+    let good = section.is_good(faults);
     name.filter(|_| good).map(|name| NamedCamera { name, color, parameters, lens })
 }

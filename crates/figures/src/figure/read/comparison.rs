@@ -50,9 +50,7 @@ pub(super) fn comparison(
         let key = if with.is_empty() { "ops" } else { "with" };
         section.fault(key, Problem::TooMany { count, limit: MAX_COMPARED_KEYS });
     }
-    let found = section.finish();
-    let is_good = found.iter().all(Fault::is_unknown_key);
-    faults.extend(found);
+    let is_good = section.is_good(faults);
     (is_there && is_good && count > 0).then_some(Comparison { with, ops, camera, wiper, beside, differences })
 }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::section::{Fault, Section};
+use super::section::{Fault, Section, at_most};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::labels::{LabelTextError, set_text};
 use crate::figure::words::{DIMENSIONS, LETTERS, MEASURE_TEXTS, PICTURES};
@@ -43,16 +43,10 @@ fn each<'a, T>(
     faults: &mut Vec<Fault>,
     read: fn(&mut Section<'a>, &mut Vec<Fault>) -> Option<T>,
 ) -> Vec<T> {
-    if let Some(beyond) = sections.get(MAX_LABELS) {
-        let problem = Problem::TooMany { count: sections.len(), limit: MAX_LABELS };
-        faults.push(Fault { at: beyond.start(), key: format!("[[labels.{key}]]"), problem });
-        return Vec::new();
-    }
+    let sections = at_most(sections, MAX_LABELS, &format!("[[labels.{key}]]"), faults);
     let one = |mut section: Section<'a>| {
         let found = read(&mut section, faults);
-        let of_section = section.finish();
-        let is_good = of_section.iter().all(Fault::is_unknown_key);
-        faults.extend(of_section);
+        let is_good = section.is_good(faults);
         found.filter(|_| is_good)
     };
     sections.into_iter().filter_map(one).collect()
@@ -60,9 +54,7 @@ fn each<'a, T>(
 
 /// A line that must be there.
 fn needed(section: &mut Section<'_>, key: &'static str) -> Option<String> {
-    if !section.is_present(key) {
-        section.missing(key, Allowed::Line { limit: MAX_LABEL_TEXT });
-    }
+    section.require(key, Allowed::Line { limit: MAX_LABEL_TEXT });
     section.line(key, MAX_LABEL_TEXT)
 }
 
@@ -83,17 +75,13 @@ fn renamed(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<RenamedLabel
 fn moved(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<MovedLabel> {
     let name = needed(section, "name");
     let view = section.choice("view", PICTURES);
-    if !section.is_present("by") {
-        section.missing("by", Allowed::PairIn(-MAX_LABEL_MOVE, MAX_LABEL_MOVE));
-    }
+    section.require("by", Allowed::PairIn(-MAX_LABEL_MOVE, MAX_LABEL_MOVE));
     let by = section.pair_in("by", -MAX_LABEL_MOVE, MAX_LABEL_MOVE);
     Some(MovedLabel { name: name?, view, by: by? })
 }
 
 fn size(section: &mut Section<'_>) -> Option<f64> {
-    let given = section.is_present("size");
-    let size = section.number_in("size", *LABEL_SIZE.start(), *LABEL_SIZE.end(), 1.0);
-    given.then_some(size)
+    section.optional_in("size", *LABEL_SIZE.start(), *LABEL_SIZE.end(), 1.0)
 }
 
 fn styled(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<StyledLabel> {
@@ -102,10 +90,7 @@ fn styled(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<StyledLabel> 
 }
 
 fn measure(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<LabelledMeasure> {
-    if !section.is_present("name") {
-        let words = DIMENSIONS.iter().map(|(word, _)| *word).collect();
-        section.missing("name", Allowed::Word { words, near: None });
-    }
+    section.require("name", Allowed::word_of(DIMENSIONS));
     let measure = section.choice("name", DIMENSIONS);
     let shown = section.word("as", MEASURE_TEXTS, MeasureText::default());
     Some(LabelledMeasure { measure: measure?, shown })
@@ -114,8 +99,8 @@ fn measure(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<LabelledMeas
 fn note(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Note> {
     let view = section.choice("view", PICTURES);
     let at = place(section, faults);
-    if matches!(at, Some(NotePlace::Picture(_))) && !section.is_present("view") {
-        section.missing("view", Allowed::Word { words: PICTURES.iter().map(|(word, _)| *word).collect(), near: None });
+    if matches!(at, Some(NotePlace::Picture(_))) {
+        section.require("view", Allowed::word_of(PICTURES));
     }
     let by = section.pair_in("by", -MAX_LABEL_MOVE, MAX_LABEL_MOVE);
     let (text, size, color) = (text(section), size(section), section.color("color"));
@@ -136,9 +121,7 @@ fn place(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<NotePlace
     if !inner.is_table() {
         return None;
     }
-    if !inner.is_present("object") {
-        inner.missing("object", Allowed::Text);
-    }
+    inner.require("object", Allowed::Text);
     let object = inner.text("object");
     let at = match [inner.is_present("vertex"), inner.is_present("edge")] {
         [true, false] => {
@@ -160,8 +143,6 @@ fn place(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<NotePlace
             None
         }
     };
-    let of_inner = inner.finish();
-    let is_good = of_inner.iter().all(Fault::is_unknown_key);
-    faults.extend(of_inner);
+    let is_good = inner.is_good(faults);
     at.filter(|_| is_good)
 }

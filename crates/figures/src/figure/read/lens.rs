@@ -40,9 +40,7 @@ fn focal_length(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Len
     }
     let usual = Sensor::default();
     let focal_length = section.positive("focal_length", 50.0);
-    if !section.is_present("focal_length") {
-        section.missing("focal_length", Allowed::PositiveNumber);
-    }
+    section.require("focal_length", Allowed::PositiveNumber);
     let [width, height] = section.positive_pair("sensor", [usual.width, usual.height]);
     let fit = section.word("fit", SENSOR_FITS, SensorFit::default());
     let found = section.finish();

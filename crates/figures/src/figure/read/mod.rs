@@ -33,7 +33,7 @@ pub use comparison::typed_comparison;
 use lens::WAYS_OF_THE_ANGLE;
 pub(super) use lens::{is_way_of_the_angle, remove_rivals};
 pub use scene::line_of_object;
-pub use section::{Fault, Section};
+pub use section::{Fault, Section, at_most};
 pub use stacked::Stacked;
 
 /// Reads the bytes of a figure file, whatever they are.
@@ -222,16 +222,11 @@ fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindo
     }
     let mut side = |key| {
         let value = section.number(key, 0.0);
-        if !section.is_present(key) {
-            section.missing(key, Allowed::Number);
-        }
+        section.require(key, Allowed::Number);
         value
     };
     let window = ViewWindow { left: side("left"), right: side("right"), bottom: side("bottom"), top: side("top") };
-    let found = section.finish();
-    let good = found.iter().all(Fault::is_unknown_key);
-    faults.extend(found);
-    good.then_some(window)
+    section.is_good(faults).then_some(window)
 }
 
 /// The size, whether the image is shown undistorted, and the photograph under it.
@@ -296,16 +291,14 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
 }
 
 fn world(mut section: Section<'_>, faults: &mut Vec<Fault>) -> WorldLook {
-    let given = section.is_present("window_opacity");
-    let opacity = section.number_in("window_opacity", 0.0, 1.0, 1.0);
     let [shortest, longest] = AXES_LENGTHS;
-    let has_length = section.is_present("axes_length");
-    let length = section.number_in("axes_length", shortest, longest, 1.0);
+    let window_opacity = section.optional_in("window_opacity", 0.0, 1.0, 1.0);
+    let axes_length = section.optional_in("axes_length", shortest, longest, 1.0);
     let world = WorldLook {
         section: section.switch("section"),
         dimensions: section.switch("dimensions"),
-        window_opacity: given.then_some(opacity),
-        axes_length: has_length.then_some(length),
+        window_opacity,
+        axes_length,
         parts: world_parts(&mut section),
     };
     faults.extend(section.finish());

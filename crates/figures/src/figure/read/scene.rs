@@ -8,7 +8,7 @@ use super::section::{Fault, Section};
 use crate::appearance::{Filter, Theme, Wrap};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
-use crate::figure::words::{self, LIGHTS, PRESETS, SHAPES};
+use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
 use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
 use crate::scene::{
@@ -143,9 +143,7 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
             Shape::Segments(points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect())
         }
         Shape::Mesh { .. } => {
-            if !section.is_present("path") {
-                section.missing("path", Allowed::Text);
-            }
+            section.require("path", Allowed::Text);
             Shape::Mesh { path: section.text("path")? }
         }
         other => other,
@@ -153,9 +151,7 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
 }
 
 fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> Option<Light> {
-    if !section.is_present("kind") {
-        section.missing("kind", Allowed::Word { words: words::names(LIGHTS), near: None });
-    }
+    section.require("kind", Allowed::word_of(LIGHTS));
     let light = section.choice("kind", LIGHTS).map(|kind| {
         let (key, default) = kind.vector();
         let vector = section.vector(key, default);

@@ -44,13 +44,9 @@ fn entry(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ScreenEntr
         return None;
     }
     let matrix = section.choice("matrix", SCREEN_MATRICES);
-    if matrix.is_none() && !section.is_present("matrix") {
-        section.missing("matrix", Allowed::Word { words: words::names(SCREEN_MATRICES), near: None });
-    }
+    section.require("matrix", Allowed::word_of(SCREEN_MATRICES));
     let inverse = section.switch("inverse");
     let [row, column] = ["row", "column"].map(|key| section.integer(key, 1, 4, 1));
-    let found = section.finish();
-    let is_good = found.iter().all(Fault::is_unknown_key);
-    faults.extend(found);
+    let is_good = section.is_good(faults);
     matrix.filter(|_| is_good).map(|matrix| ScreenEntry { matrix, inverse, place: [row, column] })
 }

@@ -112,6 +112,13 @@ impl<'a> Section<'a> {
         self.fault(key, Problem::Value { found, allowed });
     }
 
+    /// Reports that the section must have `key`, if it's missing.
+    pub fn require(&mut self, key: &str, allowed: Allowed) {
+        if !self.is_present(key) {
+            self.missing(key, allowed);
+        }
+    }
+
     /// Reports that the section must have `key`.
     pub fn missing(&mut self, key: &str, allowed: Allowed) {
         self.fault(key, Problem::Missing { allowed });
@@ -187,6 +194,13 @@ impl<'a> Section<'a> {
     /// A number between `least` and `most`, both included.
     pub fn number_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
         self.quantity_in(key, Dimension::Number, least, most, default)
+    }
+
+    /// As [`number_in`](Self::number_in), if the key is there; the default where it is wrong.
+    pub fn optional_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> Option<f64> {
+        let is_present = self.is_present(key);
+        let number = self.number_in(key, least, most, default);
+        is_present.then_some(number)
     }
 
     /// Degrees.
@@ -515,6 +529,14 @@ impl<'a> Section<'a> {
         Some(self.text.get(span)?.trim().to_owned())
     }
 
+    /// Adds the section's faults to others. True if nothing is wrong with it but unknown keys.
+    pub fn is_good(self, faults: &mut Vec<Fault>) -> bool {
+        let own = self.finish();
+        let is_good = own.iter().all(Fault::is_unknown_key);
+        faults.extend(own);
+        is_good
+    }
+
     /// The faults of the section, those of unknown keys included.
     pub fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self
@@ -534,6 +556,14 @@ impl<'a> Section<'a> {
     }
 }
 
+/// The sections of a list that may have `limit`; of more, none, and a fault. `label` names the list in the message.
+pub fn at_most<'a>(sections: Vec<Section<'a>>, limit: usize, label: &str, faults: &mut Vec<Fault>) -> Vec<Section<'a>> {
+    let Some(beyond) = sections.get(limit) else { return sections };
+    let problem = Problem::TooMany { count: sections.len(), limit };
+    faults.push(Fault { at: beyond.at, key: label.to_owned(), problem });
+    Vec::new()
+}
+
 /// Why a value with numbers in it is refused.
 enum Refused {
     /// The value is not allowed.
@@ -545,7 +575,6 @@ enum Refused {
 /// A finite number, an integer, or an expression as a text.
 fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
     match value {
-        #[expect(clippy::cast_precision_loss, reason = "the nearest f64 is what a number in a figure means")]
         Value::Integer(i) => Ok(*i.value() as f64),
         Value::Float(x) => Some(*x.value()).filter(|x| x.is_finite()).ok_or(Refused::Value),
         Value::String(text) => {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::camera;
-use super::section::{Fault, Section};
+use super::section::{Fault, Section, at_most};
 use crate::camera::Operation;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::words::{MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
@@ -13,7 +13,7 @@ use crate::limits::MAX_SHOWN_OBJECTS;
 
 /// Reads the section. A faulty key shows nothing.
 pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
-    let painted = section.is_present("painted").then(|| section.number_in("painted", 0.0, 1.0, 1.0));
+    let painted = section.optional_in("painted", 0.0, 1.0, 1.0);
     let [step_section, triangle_section, probe_section] =
         ["step", "triangle", "probe"].map(|key| section.section(key, &format!("[show] {key}.")));
     let answer_section = section.section("answer", "[show.answer]");
@@ -62,9 +62,7 @@ fn operations(section: &mut Section<'_>) -> Vec<Operation> {
 
 /// The result of a section without faults.
 fn good<T>(section: Section<'_>, found: Option<T>, faults: &mut Vec<Fault>) -> Option<T> {
-    let of_section = section.finish();
-    let is_good = of_section.iter().all(Fault::is_unknown_key);
-    faults.extend(of_section);
+    let is_good = section.is_good(faults);
     found.filter(|_| is_good)
 }
 
@@ -73,12 +71,10 @@ fn step(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> 
         return None;
     }
     let way = section.choice("way", WAYS);
-    if way.is_none() && !section.is_present("way") {
-        section.missing("way", Allowed::Word { words: WAYS.iter().map(|(word, _)| *word).collect(), near: None });
-    }
+    section.require("way", Allowed::word_of(WAYS));
     // In either projection: who changes it keeps a figure that can be read.
     let steps = way.unwrap_or_default().most_steps();
-    let at = section.is_present("at").then(|| section.number_in("at", 0.0, f64::from(steps), 0.0));
+    let at = section.optional_in("at", 0.0, f64::from(steps), 0.0);
     good(section, way.map(|way| ShownStep { way, at }), faults)
 }
 
@@ -87,9 +83,7 @@ fn triangle(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownTr
         return None;
     }
     let object = section.text("object");
-    if object.is_none() && !section.is_present("object") {
-        section.missing("object", Allowed::Text);
-    }
+    section.require("object", Allowed::Text);
     let index = section.integer("index", 0, i64::from(u32::MAX), 0);
     let step = section.word("step", TRIANGLE_STEPS, TriangleStep::default());
     let pixel = section.whole_pair("pixel", 0);
@@ -120,19 +114,13 @@ fn probe(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownProbe
 }
 
 fn previews(sections: Vec<Section<'_>>, faults: &mut Vec<Fault>) -> Vec<TransformPreview> {
-    if let Some(beyond) = sections.get(MAX_SHOWN_OBJECTS) {
-        let problem = Problem::TooMany { count: sections.len(), limit: MAX_SHOWN_OBJECTS };
-        faults.push(Fault { at: beyond.start(), key: "[[show.moved]]".to_owned(), problem });
-        return Vec::new();
-    }
+    let sections = at_most(sections, MAX_SHOWN_OBJECTS, "[[show.moved]]", faults);
     sections.into_iter().filter_map(|section| preview(section, faults)).collect()
 }
 
 fn preview(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<TransformPreview> {
     for key in ["change", "frame"] {
-        if !section.is_present(key) {
-            section.missing(key, Allowed::Matrix);
-        }
+        section.require(key, Allowed::Matrix);
     }
     let (change, frame) = (section.matrix("change"), section.matrix("frame"));
     let objects = section.list("objects", Allowed::Texts, |name| Some(name.to_owned())).into_iter().collect();

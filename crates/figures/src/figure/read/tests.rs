@@ -523,6 +523,6 @@ fn very_many_unknown_parents_take_the_time_of_reading_them() {
     let begin = std::time::Instant::now();
     let (line, key, _) = error(&figure(&|i| format!("parent = \"objekt {i}\"\n")));
     assert_eq!((line, key.as_str()), (3, "[[scene.objects]] parent"));
-    // Every unknown name held against all that there are: hundreds of times as long.
+    // Every unknown name compared with all that there are: hundreds of times as long.
     assert!(begin.elapsed() < 20 * reading, "{:?}, {reading:?} without a fault", begin.elapsed());
 }

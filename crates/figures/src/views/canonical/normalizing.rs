@@ -41,13 +41,12 @@ impl Way {
     fn of(request: &Request) -> Option<Self> {
         let Normalizing { decomposition, time } = request.normalizing()?;
         let factors = request.camera.decomposed(decomposition)?;
-        #[expect(clippy::cast_precision_loss, reason = "there are a handful of steps")]
         let end = factors.len() as f64;
         if time.is_nan() || time >= end {
             return None;
         }
         let time = time.max(0.0);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … the number of steps")]
+        #[expect(clippy::cast_possible_truncation, reason = "0 … the number of steps")]
         let step = time.floor() as usize;
         Some(Self { factors, step, share: time - time.floor() })
     }

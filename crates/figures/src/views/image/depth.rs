@@ -233,7 +233,7 @@ fn near_over_far(camera: &Camera) -> f64 {
 
 /// The grey of a level, 0 black … 1 white.
 fn grey(level: f64) -> Rgba {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 … 255 before the cast")]
+    #[expect(clippy::cast_possible_truncation, reason = "clamped to 0 … 255 before the cast")]
     let byte = (255.0 * level).round().clamp(0.0, 255.0) as u8;
     Rgba::rgb(byte, byte, byte)
 }

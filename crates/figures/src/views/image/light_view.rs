@@ -63,7 +63,6 @@ pub(in crate::views) fn rows(request: &Request, palette: Palette) -> Option<Lege
         }
         (ShadowReveal::Truth, Some(truth @ ShadowTruth::Found { of, .. })) => {
             let wrong = truth.wrong();
-            #[expect(clippy::cast_precision_loss, reason = "numbers of pixels")]
             let share = 100.0 * wrong as f64 / (*of).max(1) as f64;
             let share = labels.mark.number(share, 2);
             let text = format!("{} {wrong} {} {of} pixels, {share} %", labels.map_wrong, labels.out_of);
@@ -185,7 +184,7 @@ fn at(scene: &Scene, index: usize, light: &Light, p: DVec3) -> Option<ShadowAt> 
         };
         let nearest = first_crossing(scene, on_plane(near), on_plane(far)).map(|t| near + t * (far - near));
         let length = window.width() / size / scale;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the map")]
+        #[expect(clippy::cast_possible_truncation, reason = "within the map")]
         let texel = [texel.x as u32, texel.y as u32];
         // A face that is seen at 45° sinks by a texel's length within a texel.
         let allowed = 1.5 * shadows.bias * length;

@@ -42,12 +42,11 @@ pub(super) fn frame(request: &Request) -> PixelRect {
     let Size { width, height, scale } = request.size;
     let aspect = request.shot.look.image_aspect(&request.camera);
     let margin = (MARGIN * request.size.type_scale()).ceil();
-    #[expect(clippy::cast_precision_loss, reason = "sizes of pictures")]
     let room = width.min(height) as f32 / 8.0;
     if !request.finish.framed || request.finish.bare || room < margin {
         return image_frame(request.size, aspect);
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most an eighth of the picture")]
+    #[expect(clippy::cast_possible_truncation, reason = "at most an eighth of the picture")]
     let margin = margin as u32;
     let inner = image_frame(Size { width: width - 2 * margin, height: height - 2 * margin, scale }, aspect);
     PixelRect { x: inner.x + margin, y: inner.y + margin, ..inner }
@@ -181,7 +180,6 @@ fn add(drawing: &mut Drawing, more: Drawing) {
 
 /// The image in the middle of a larger picture, with a thin border.
 fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) -> Drawing {
-    #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [x, y, w, h] = [rect.x, rect.y, rect.width, rect.height].map(|v| v as f32);
     let shift = |p: &mut [f32; 3]| *p = shifted(*p, rect);
     image.surfaces.iter_mut().flat_map(|s| &mut s.positions).for_each(shift);
@@ -201,7 +199,6 @@ fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) ->
 }
 
 /// A place in the image, in the whole picture.
-#[expect(clippy::cast_precision_loss, reason = "pixels")]
 fn shifted([x, y, z]: [f32; 3], rect: PixelRect) -> [f32; 3] {
     [x + rect.x as f32, y + rect.y as f32, z]
 }

@@ -6,12 +6,7 @@ use crate::drawing::Drawing;
 /// left out: the faces that hide them may not be there yet.
 pub(in crate::views) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
     let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-    #[expect(
-        clippy::cast_precision_loss,
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a share of a count"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "a share of a count")]
     let count = (all as f64 * share.clamp(0.0, 1.0)).round() as usize;
     // Without an order, translucent faces are painted last, whatever their place in the list.
     let mut order: Vec<usize> = (0..drawing.surfaces.len()).collect();

@@ -10,13 +10,12 @@ use crate::views::Request;
 /// other cameras are without it. It was taken by the figure's own.
 pub(super) fn under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) {
     let share = request.shot.look.photograph_opacity;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
     let opacity = (255.0 * share.clamp(0.0, 1.0)).round() as u8;
     let Some(image) = request.scene.photograph.as_ref().filter(|_| opacity > 0 && request.projector.is_none()) else {
         return;
     };
     for drawing in drawings {
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
         let [w, h] = [drawing.width, drawing.height].map(|side| side as f32);
         // On the back plane, the farthest that anything is.
         let corners = vec![[0.0, 0.0, 0.0], [w, 0.0, 0.0], [w, h, 0.0], [0.0, h, 0.0]];

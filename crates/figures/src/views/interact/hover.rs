@@ -111,7 +111,6 @@ impl Probe {
         match shown {
             ShownProbe::World(p) => Self::Point(p),
             ShownProbe::Window(p) => Self::Window(p),
-            #[expect(clippy::cast_precision_loss, reason = "pixels of an image")]
             ShownProbe::Pixel([i, j]) => {
                 let center = DVec2::new(i as f64, j as f64) + 0.5;
                 Self::Window(image.window_from_image(&camera.window(), center))

@@ -60,7 +60,7 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
     let share = frame.holds(pointer).then(|| frame.window_point(pointer))?;
     let window = request.camera.window();
     let (m, n) = (request.shot.look.image.width, request.shot.look.image.height);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the image")]
+    #[expect(clippy::cast_possible_truncation, reason = "held to the image")]
     let part = |share: f64, size: u32| ((share * f64::from(size)) as u32).min(size.saturating_sub(1));
     let x = (share.x - window.left) / window.width();
     let y = (window.top - share.y) / window.height();

@@ -321,7 +321,7 @@ fn divide_first(request: &Request, reach: f64, palette: Palette) -> Option<(Divi
 }
 
 fn mixed(own: Rgba, with: Rgba) -> Rgba {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of two bytes")]
+    #[expect(clippy::cast_possible_truncation, reason = "a mean of two bytes")]
     let mix = |a: u8, b: u8| (f64::from(a) * (1.0 - WRONG) + f64::from(b) * WRONG).round() as u8;
     Rgba::rgba(mix(own.r, with.r), mix(own.g, with.g), mix(own.b, with.b), GLASS)
 }

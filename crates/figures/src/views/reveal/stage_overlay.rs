@@ -253,7 +253,6 @@ pub(in crate::views) fn part(frame: &mut Frame, request: &Request) {
         before.labels.clone_from(&drawing.labels);
     }
     let palette = Palette::of(request.shot.look.style.theme);
-    #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let (middle, height, scale) = ((drawing.width / 2) as f32, drawing.height as f32, request.size.scale);
     let author = Author::of(request, palette);
     for drawing in [before, drawing] {

@@ -74,7 +74,7 @@ fn texel(t: f64, wrap: Wrap, size: u32) -> u32 {
             if twice > 1.0 { 2.0 - twice } else { twice }
         }
     };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped; NaN is 0")]
+    #[expect(clippy::cast_possible_truncation, reason = "clamped; NaN is 0")]
     let index = (folded * f64::from(size)).clamp(0.0, f64::from(size)) as u32;
     index.min(size.saturating_sub(1))
 }

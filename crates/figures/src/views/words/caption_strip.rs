@@ -78,8 +78,7 @@ pub fn caption_height(captions: &Captions, width: f32) -> u32 {
     if count == 0 {
         return 0;
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most four lines of letters")]
-    #[expect(clippy::cast_precision_loss, reason = "at most four")]
+    #[expect(clippy::cast_possible_truncation, reason = "at most four lines of letters")]
     let height = (captions.letters * (2.0 * ABOVE + LINE * count as f32)).ceil() as u32;
     height
 }

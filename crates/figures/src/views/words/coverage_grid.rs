@@ -24,7 +24,7 @@ impl Solids {
     /// The area covered by the faces of a drawing, glass not counted.
     pub(in crate::views) fn of(drawing: &Drawing) -> Self {
         let cell = (f64::from(drawing.width.min(drawing.height)) / f64::from(CELLS)).max(LEAST);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of cells")]
+        #[expect(clippy::cast_possible_truncation, reason = "a number of cells")]
         let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
         let (columns, rows) = (cells(drawing.width), cells(drawing.height));
         let mut covered = vec![false; columns * rows];
@@ -50,13 +50,12 @@ impl Solids {
     pub(in crate::views) fn share(&self, center: DVec2, half: DVec2) -> f64 {
         let limit = |p: DVec2| (p / self.cell).clamp(DVec2::ZERO, self.extent());
         let (low, high) = (limit(center - half).floor(), limit(center + half).ceil());
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "cells of the image")]
+        #[expect(clippy::cast_possible_truncation, reason = "cells of the image")]
         let at = |x: f64, y: f64| f64::from(self.sums[y as usize * (self.columns + 1) + x as usize]);
         let inside = at(high.x, high.y) - at(low.x, high.y) - at(high.x, low.y) + at(low.x, low.y);
         inside / ((high - low).element_product()).max(1.0)
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "a number of cells")]
     fn extent(&self) -> DVec2 {
         DVec2::new(self.columns as f64, self.rows as f64)
     }
@@ -72,7 +71,7 @@ struct Grid {
 impl Grid {
     /// The column, or the row, of a place. Those beside the picture have the nearest one.
     fn index(v: f64, count: usize) -> usize {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell of the image")]
+        #[expect(clippy::cast_possible_truncation, reason = "a cell of the image")]
         let index = v.max(0.0) as usize;
         index.min(count.saturating_sub(1))
     }
@@ -88,7 +87,6 @@ impl Grid {
         let side = |p: DVec2, q: DVec2, at: DVec2| (q - p).perp_dot(at - p);
         for y in Self::index(low.y, self.rows)..=Self::index(high.y, self.rows) {
             for x in Self::index(low.x, self.columns)..=Self::index(high.x, self.columns) {
-                #[expect(clippy::cast_precision_loss, reason = "a cell of the image")]
                 let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
                 let sides = [side(a, b, middle), side(b, c, middle), side(c, a, middle)];
                 if sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0) {

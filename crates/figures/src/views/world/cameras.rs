@@ -1,17 +1,14 @@
 //! The other cameras of a figure in the world: body, volume, axes and name of each, in its color.
 
-use std::sync::Arc;
-
-use glam::{DMat4, DVec3};
+use glam::DVec3;
 
 use super::camera_gizmo::GizmoSizes;
-use super::gizmos::{self, AnnotationBuilder, SMALL_TYPE};
+use super::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
-use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
+use crate::appearance::{Dash, MarkShape, Rgba};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
 use crate::sanitize;
-use crate::scene::{Object, ObjectPaint};
 use crate::views::{OtherCamera, Palette, Request};
 
 /// Adds the other cameras with their volumes as they are drawn.
@@ -55,31 +52,15 @@ pub(in crate::views) fn projectors(builder: &mut AnnotationBuilder, request: &Re
 fn sides(builder: &mut AnnotationBuilder, volume: &DrawnVolume, color: Rgba) {
     /// Opacity of a face, of 255. The volumes lie over one another.
     const FACE: u8 = 14;
-    let far = volume.far_face();
-    let mut faces = vec![far];
-    for [from, to] in volume.parts() {
-        let (a, b) = (volume.section(from), volume.section(to));
-        faces.extend((0..4).map(|i| [a[i], a[(i + 1) % 4], b[(i + 1) % 4], b[i]]));
-        for (from, to) in a.into_iter().zip(b) {
-            builder.line(vec![from, to], color, 1.1, Dash::Solid);
-        }
-    }
-    builder.sheer("volume of another camera", &faces, color.with_alpha(FACE));
-    if let Some([from, to]) = volume.gap {
-        for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
-            builder.breaks(from, to, color);
-        }
-    }
-    builder.closed(&far, color, 1.2, Dash::Dashed);
+    builder.volume("volume of another camera", volume, [color, color.with_alpha(FACE)], 1.1);
+    builder.closed(&volume.far_face(), color, 1.2, Dash::Dashed);
 }
 
 /// The window, and in perspective the edges from C to it.
 fn window(builder: &mut AnnotationBuilder, other: &OtherCamera, volume: &DrawnVolume, color: Rgba) {
     if other.camera.projection() == Projection::Perspective {
-        for [from, to] in volume.parts_before() {
-            for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
-                builder.line(vec![from, to], color, 0.8, Dash::Solid);
-            }
+        for part in volume.parts_before() {
+            builder.edges(volume, part, color, 0.8);
         }
     }
     builder.closed(&volume.window(), color, 1.6, Dash::Solid);
@@ -91,16 +72,7 @@ fn gear(builder: &mut AnnotationBuilder, request: &Request, other: &OtherCamera,
     let (c, basis) = (camera.position(), camera.basis());
     let gear = GizmoSizes::new(screen, camera, &request.shot.look.world);
     if parts.has(WorldPart::CameraBody) {
-        builder.gear.objects.push(Object {
-            lit: false,
-            edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
-            ..Object::new(
-                "another camera",
-                Arc::new(gizmos::camera_body()),
-                camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
-                ObjectPaint::Solid(color.with_alpha(110)),
-            )
-        });
+        builder.camera_body("another camera", camera, gear.body, [color, color.with_alpha(110)]);
     }
     builder.mark_above(c, MarkShape::Disc, 2.2, color);
     let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);

@@ -7,7 +7,7 @@ use crate::appearance::{Dash, MarkShape};
 
 use super::camera_gizmo::GizmoSizes;
 use super::dimensions::{Pen, Span, span};
-use super::gizmos::{AnnotationBuilder, SMALL_TYPE};
+use super::gizmos::{AnnotationBuilder, SMALL_TYPE, symbol_of};
 use super::volume::DrawnVolume;
 use crate::figure::{Measured, WindowSide};
 use crate::views::{Palette, Request};
@@ -42,7 +42,7 @@ pub(in crate::views) fn in_world(
             }
             Measured::Side(side) => {
                 let ends = to_side(request, volume, side);
-                let name = text.split_once(" = ").map_or(&*text, |(symbol, _)| symbol);
+                let name = symbol_of(&text);
                 span(builder, &Span { ends, aside: DVec3::ZERO, name, text: &text, gap: None }, pen);
             }
         }

@@ -1,17 +1,14 @@
 //! Operations that a figure shows, and the one that is being tried: axis and pivot, the way that the moved points go,
 //! and the camera before.
 
-use std::sync::Arc;
+use glam::{DQuat, DVec2, DVec3};
 
-use glam::{DMat4, DQuat, DVec2, DVec3};
-
-use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
+use crate::appearance::{Dash, MarkShape, Rgba};
 use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
-use crate::scene::{Object, ObjectPaint};
 
 use super::camera_gizmo::GizmoSizes;
-use super::gizmos::{self, AnnotationBuilder, SMALL_TYPE, TYPE};
+use super::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::{Ghost, Palette, Request};
 
 /// Adds the operations that the figure shows, the one that is being tried, and the camera that an answer describes.
@@ -93,16 +90,7 @@ fn camera_answered(
 /// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.
 fn camera(builder: &mut AnnotationBuilder, gear: GizmoSizes, camera: &Camera, name: &str, color: Rgba) {
     let c = camera.position();
-    builder.gear.objects.push(Object {
-        lit: false,
-        edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
-        ..Object::new(
-            name,
-            Arc::new(gizmos::camera_body()),
-            camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
-            ObjectPaint::Solid(color.with_alpha(70)),
-        )
-    });
+    builder.camera_body(name, camera, gear.body, [color, color.with_alpha(70)]);
     builder.line(vec![c, camera.focal_point()], color, 0.9, Dash::Dotted);
     let corners = camera.volume_corners();
     builder.closed(&corners[..4], color, 1.2, Dash::Dotted);

@@ -9,6 +9,8 @@ use crate::drawing::single;
 use crate::geometry::Angle;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
+use super::volume::DrawnVolume;
+use crate::camera::Camera;
 use crate::views::screen::Screen;
 
 /// Height of ordinary letters, in pixels at scale 1.
@@ -21,6 +23,11 @@ const GAP: f64 = 7.0;
 /// A stroke with the hidden-line rule of the figure.
 pub(in crate::views) fn stroke(color: Rgba, width: f32, dash: Dash, hidden: HiddenLines) -> LineStyle {
     LineStyle { color, width, dash, hidden, arrow: false }
+}
+
+/// The name of a text: one with a value is called by its symbol.
+pub(in crate::views) fn symbol_of(text: &str) -> &str {
+    text.split_once(" = ").map_or(text, |(symbol, _)| symbol)
 }
 
 /// The gear of a picture while it is made.
@@ -65,6 +72,44 @@ impl<'a> AnnotationBuilder<'a> {
         }
     }
 
+    /// The four edges of a view volume between two distances.
+    pub(in crate::views) fn edges(&mut self, volume: &DrawnVolume, part: [f64; 2], color: Rgba, width: f32) {
+        let [from, to] = part.map(|distance| volume.section(distance));
+        for (from, to) in from.into_iter().zip(to) {
+            self.line(vec![from, to], color, width, Dash::Solid);
+        }
+    }
+
+    /// The breaks of these edges where a part is left out.
+    pub(in crate::views) fn gap(&mut self, volume: &DrawnVolume, gap: Option<[f64; 2]>, color: Rgba) {
+        let Some([from, to]) = gap.map(|gap| gap.map(|distance| volume.section(distance))) else { return };
+        for (from, to) in from.into_iter().zip(to) {
+            self.breaks(from, to, color);
+        }
+    }
+
+    /// A view volume from the window on: its edges, its sides and its far face.
+    pub(in crate::views) fn volume(&mut self, name: &str, volume: &DrawnVolume, [edge, fill]: [Rgba; 2], width: f32) {
+        let mut faces = vec![volume.far_face()];
+        for part in volume.parts() {
+            let [a, b] = part.map(|distance| volume.section(distance));
+            faces.extend((0..4).map(|i| [a[i], a[(i + 1) % 4], b[(i + 1) % 4], b[i]]));
+            self.edges(volume, part, edge, width);
+        }
+        self.sheer(name, &faces, fill);
+        self.gap(volume, volume.gap, edge);
+    }
+
+    /// The body of a camera, with the length of its axes.
+    pub(in crate::views) fn camera_body(&mut self, name: &str, camera: &Camera, size: f64, [edge, fill]: [Rgba; 2]) {
+        let world_from_body = camera.world_from_view() * DMat4::from_scale(DVec3::splat(size));
+        self.gear.objects.push(Object {
+            lit: false,
+            edges: Some(stroke(edge, 0.8, Dash::Solid, HiddenLines::Hidden)),
+            ..Object::new(name, Arc::new(camera_body()), world_from_body, ObjectPaint::Solid(fill))
+        });
+    }
+
     /// An arrow along a way, if there is one.
     pub(in crate::views) fn arrows(&mut self, way: Option<Vec<DVec3>>, color: Rgba) {
         if let Some(points) = way {
@@ -91,9 +136,7 @@ impl<'a> AnnotationBuilder<'a> {
     /// A text beside a point, if there is room in this direction (pixels, y down). Texts that come first have the
     /// choice.
     pub(in crate::views) fn text(&mut self, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
-        // What says a value is called by its symbol.
-        let name = text.split_once(" = ").map_or(text, |(symbol, _)| symbol);
-        self.named(name, position, text, toward, size, color);
+        self.named(symbol_of(text), position, text, toward, size, color);
     }
 
     /// A text as [`text`](Self::text) puts it, by whose name an author changes it.

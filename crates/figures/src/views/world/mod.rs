@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
 use crate::pipeline::Frame;
@@ -155,13 +155,7 @@ impl World<'_> {
     /// The grid on y = 0.
     fn ground(&mut self) {
         let Some(ground) = self.content.ground().filter(|_| self.has(WorldPart::Grid)) else { return };
-        let style = LineStyle {
-            color: self.palette.grid,
-            width: 1.0,
-            dash: Dash::Solid,
-            hidden: HiddenLines::Hidden,
-            arrow: false,
-        };
+        let style = gizmos::stroke(self.palette.grid, 1.0, Dash::Solid, HiddenLines::Hidden);
         self.builder.gear.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
     }
 
@@ -170,24 +164,9 @@ impl World<'_> {
         if !self.has(WorldPart::Volume) {
             return;
         }
-        let volume = self.content.volume;
-        let far = volume.far_face();
-        let mut faces = vec![far];
-        let color = self.palette.volume_edge;
-        for [from, to] in volume.parts() {
-            let (a, b) = (volume.section(from), volume.section(to));
-            faces.extend((0..4).map(|i| [a[i], a[(i + 1) % 4], b[(i + 1) % 4], b[i]]));
-            for (from, to) in a.into_iter().zip(b) {
-                self.builder.line(vec![from, to], color, 1.3, Dash::Solid);
-            }
-        }
-        self.builder.sheer("volume", &faces, self.palette.volume);
-        if let Some([from, to]) = volume.gap {
-            for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
-                self.builder.breaks(from, to, color);
-            }
-        }
-        self.face(&far, color, 1.5, Dash::Dashed);
+        let (volume, color) = (self.content.volume, self.palette.volume_edge);
+        self.builder.volume("volume", &volume, [color, self.palette.volume], 1.3);
+        self.face(&volume.far_face(), color, 1.5, Dash::Dashed);
     }
 
     /// The sides of the window or of the far face. Broken where they are longer than they are drawn.
@@ -222,16 +201,10 @@ impl World<'_> {
         let volume = self.content.volume;
         let (near, color) = (volume.window(), self.palette.volume_edge);
         if camera.projection() == Projection::Perspective {
-            for [from, to] in volume.parts_before() {
-                for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
-                    self.builder.line(vec![from, to], color, 1.0, Dash::Solid);
-                }
+            for part in volume.parts_before() {
+                self.builder.edges(&volume, part, color, 1.0);
             }
-            if let Some([from, to]) = volume.before {
-                for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
-                    self.builder.breaks(from, to, color);
-                }
-            }
+            self.builder.gap(&volume, volume.before, color);
         }
         match self.on_window {
             Some(image) => {
@@ -332,18 +305,9 @@ impl World<'_> {
     fn camera(&mut self) {
         let camera = &self.request.camera;
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
-        let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
         if self.has(WorldPart::CameraBody) {
-            self.builder.gear.objects.push(Object {
-                lit: false,
-                edges: Some(edge),
-                ..Object::new(
-                    "camera",
-                    Arc::new(gizmos::camera_body()),
-                    camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
-                    ObjectPaint::Solid(self.palette.body),
-                )
-            });
+            let colors = [self.palette.body_edge, self.palette.body];
+            self.builder.camera_body("camera", camera, gear.body, colors);
         }
         self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
         let screen = self.builder.screen;
@@ -470,7 +434,7 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
     let mut mesh = Mesh::default();
     gizmos::add_polygon(&mut mesh, &near);
     mesh.edges.clear();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
     let opacity = (255.0 * opacity.clamp(0.0, 1.0)).round() as u8;
     let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
     Object {

@@ -70,7 +70,7 @@ fn rotation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTr
     };
     builder.line(vec![origin, at(0.0)], pen.color, 0.6 * pen.width, Dash::Solid);
     builder.line(vec![origin, at(angle)], pen.color, 0.6 * pen.width, Dash::Solid);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 … 72")]
+    #[expect(clippy::cast_possible_truncation, reason = "1 … 72")]
     let count = (angle.abs() / STEP).ceil().max(1.0) as u32;
     if angle != 0.0 {
         let points = (0..=count).map(|k| at(angle * f64::from(k) / f64::from(count))).collect();

@@ -11,7 +11,7 @@ use crate::sanitize;
 use super::dimensions::{self, Pen, Span};
 use super::framing;
 use super::framing::Content;
-use super::gizmos::{AnnotationBuilder, TYPE};
+use super::gizmos::{AnnotationBuilder, TYPE, symbol_of};
 use super::volume::DrawnVolume;
 use crate::figure::Measure;
 use crate::views::observer::{Direction, Viewpoint, enclosing};
@@ -218,8 +218,7 @@ fn lengths(builder: &mut AnnotationBuilder, request: &Request, palette: Palette,
     let upright = |builder: &mut AnnotationBuilder, at: f64, to: f64, aside: DVec3, text: &str, pen| {
         if to.abs() > 0.05 * step {
             let ends = [profile.at(at, 0.0), profile.at(at, to)];
-            let name = text.split_once(" = ").map_or(text, |(symbol, _)| symbol);
-            dimensions::span(builder, &Span { ends, aside, name, text, gap: None }, pen);
+            dimensions::span(builder, &Span { ends, aside, name: symbol_of(text), text, gap: None }, pen);
         }
     };
     let near = camera.near();
@@ -230,14 +229,8 @@ fn lengths(builder: &mut AnnotationBuilder, request: &Request, palette: Palette,
         upright(builder, near, side, -dop * (0.6 * step), &half, soft);
     }
     upright(builder, near, profile.image(), dop * (0.6 * step), &format!("y_p = {}", number(profile.image())), probe);
-    upright(
-        builder,
-        profile.distance(),
-        profile.height(),
-        dop * (0.6 * step),
-        &format!("y_c = {}", number(profile.height())),
-        probe,
-    );
+    let height = format!("y_c = {}", number(profile.height()));
+    upright(builder, profile.distance(), profile.height(), dop * (0.6 * step), &height, probe);
     if dimensions::half_angle(request).is_some() {
         let side = profile.sides(near)[usize::from(profile.height() < 0.0)];
         let toward = (side - camera.position()).normalize_or_zero();

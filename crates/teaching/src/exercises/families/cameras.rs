@@ -50,7 +50,6 @@ const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [
 const ASPECTS: [f64; 5] = [4.0 / 3.0, 3.0 / 2.0, 5.0 / 4.0, 7.0 / 4.0, 3.0 / 4.0];
 
 fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "a few units")]
     let value = random.whole(low, high) as f64;
     value
 }
@@ -162,7 +161,7 @@ pub(super) fn subject(camera: Parameters) -> Subject {
 /// With an image whose sides have the aspect of the window, as far as whole pixels can.
 pub(super) fn with_image(mut subject: Subject, height: u32) -> Subject {
     let aspect = subject.figure.camera.window.map_or(subject.figure.camera.aspect, |window| window.aspect());
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred pixels")]
+    #[expect(clippy::cast_possible_truncation, reason = "a few hundred pixels")]
     let width = (f64::from(height) * aspect).round().max(1.0) as u32;
     subject.figure.image = ImageSize { width, height };
     subject

@@ -112,13 +112,13 @@ impl Vertex {
     /// **N** · **L**
     fn cosine(&self, k: usize, slips: Slips) -> f64 {
         let cosine = self.unit_normal(slips).dot(self.lamp_direction(k, slips));
-        if slips.has(Slip::CosineLeftAsAngle) {
-            cosine.acos().to_degrees()
-        } else if slips.has(Slip::ShareOfRightAngle) {
-            1.0 - cosine.acos().to_degrees() / 90.0
-        } else {
-            cosine
-        }
+        slips.pick(
+            [
+                (Slip::CosineLeftAsAngle, cosine.acos().to_degrees()),
+                (Slip::ShareOfRightAngle, 1.0 - cosine.acos().to_degrees() / 90.0),
+            ],
+            cosine,
+        )
     }
 
     /// The share of its own colour that the vertex sends back.
@@ -130,13 +130,10 @@ impl Vertex {
     /// The white that lamp 1 adds. None is no evidence of any mistake.
     fn highlight(&self, slips: Slips) -> Option<f64> {
         let (n, l, v) = (self.unit_normal(slips), self.lamp_direction(0, slips), self.viewer_direction(slips));
-        let cosine = if slips.has(Slip::LightForHalfway) {
-            n.dot(l)
-        } else if slips.has(Slip::ReflectedForHalfway) {
-            (2.0 * n.dot(l) * n - l).dot(v)
-        } else {
-            n.dot(self.halfway(slips))
-        };
+        let cosine = slips.pick(
+            [(Slip::LightForHalfway, n.dot(l)), (Slip::ReflectedForHalfway, (2.0 * n.dot(l) * n - l).dot(v))],
+            n.dot(self.halfway(slips)),
+        );
         let power = if slips.has(Slip::ExponentForgotten) { 1 } else { self.exponent };
         let white = if slips.has(Slip::SpecularForgotten) { 1.0 } else { SPECULAR };
         (cosine > 0.0).then(|| white * cosine.powi(power))
@@ -165,13 +162,7 @@ fn share(cosines: [f64; 2], slips: Slips) -> f64 {
 /// The vector halfway between two ways.
 fn halfway(lamp_direction: DVec3, viewer_direction: DVec3, slips: Slips) -> DVec3 {
     let sum = lamp_direction + viewer_direction;
-    if slips.has(Slip::HalfwaySum) {
-        sum
-    } else if slips.has(Slip::HalfwayMean) {
-        sum / 2.0
-    } else {
-        sum.normalize()
-    }
+    slips.pick([(Slip::HalfwaySum, sum), (Slip::HalfwayMean, sum / 2.0)], sum.normalize())
 }
 
 fn light(seed: u64) -> Exercise {

@@ -120,7 +120,6 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
     let mut spare = (around, 0);
     for _ in 0..4000 {
         let by = DVec3::from_array([0, 1, 2].map(|_| {
-            #[expect(clippy::cast_precision_loss, reason = "a few units")]
             let by = random.whole(-20, 20) as f64;
             by
         }));
@@ -244,7 +243,6 @@ fn ray_of(random: &mut Random) -> Exercise {
     subject.pixels.push([i, j]);
     let asks = [RayNumber::Origin, RayNumber::Direction]
         .map(|number| Ask::quantity(number.name(), &subject, Quantity::Ray(0, number)));
-    #[expect(clippy::cast_precision_loss, reason = "a few hundred pixels")]
     let facts = [vec![("i", Fact::Number(i as f64)), ("j", Fact::Number(j as f64))], image(size)].concat();
     let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
     exercise.facts.extend(facts);

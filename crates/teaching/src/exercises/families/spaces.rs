@@ -20,7 +20,6 @@ pub(super) const ORDER: Entry = Entry::family("order", "[4], [3]", |seed, _| ord
 fn pyramid(seed: u64) -> Exercise {
     let mut random = numbers("pyramid", seed);
     telling(&[Slip::DayAndMonth, Slip::ClipWithOne], || {
-        #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
         let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
         notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
     })
@@ -120,20 +119,8 @@ fn left_handed(seed: u64) -> Exercise {
 /// l, r, b, t of glFrustum, and K, from the arguments of gluPerspective.
 fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
     let distance = (parameters.position - parameters.focal_point).length();
-    let near = if slips.has(Slip::NearForgotten) {
-        1.0
-    } else if slips.has(Slip::DistanceForNear) {
-        distance
-    } else {
-        parameters.near
-    };
-    let times = if slips.has(Slip::SideWhole) {
-        2.0
-    } else if slips.has(Slip::HeightHalved) {
-        0.5
-    } else {
-        1.0
-    };
+    let near = slips.pick([(Slip::NearForgotten, 1.0), (Slip::DistanceForNear, distance)], parameters.near);
+    let times = slips.pick([(Slip::SideWhole, 2.0), (Slip::HeightHalved, 0.5)], 1.0);
     let top = times * near * half_tangent(parameters.view_angle, slips);
     let right = top * over_height(parameters.aspect, slips);
     [-right, right, -top, top]
@@ -182,13 +169,7 @@ fn vocabulary(seed: u64) -> Exercise {
         let near = if slips.has(Slip::NearForgottenInScale) { 1.0 } else { parameters.near };
         let twice = if slips.has(Slip::ScaleDoubled) { 1.0 } else { 2.0 };
         let f = [m * near / (twice * right), n * near / (twice * top)];
-        let by = if slips.has(Slip::CentreWhole) {
-            1.0
-        } else if slips.has(Slip::CentreIgnored) {
-            0.0
-        } else {
-            0.5
-        };
+        let by = slips.pick([(Slip::CentreWhole, 1.0), (Slip::CentreIgnored, 0.0)], 0.5);
         let less = if slips.has(Slip::CentresAtWhole) { 0.5 } else { 0.0 };
         let centre = if slips.has(Slip::CentresExchanged) { [n, m] } else { [m, n] };
         let [x, y] = centre.map(|side| side * by - less);
@@ -223,19 +204,16 @@ fn order(seed: u64) -> Exercise {
         let (sin, cos) = angle.sin_cos();
         let turn = DMat4::from_mat3(rotation(axis, sin, cos));
         let (move_by, stretch) = (DMat4::from_translation(by), DMat4::from_scale(scale));
-        if slips.has(Slip::OrderReversed) {
-            stretch * turn * move_by
-        } else if slips.has(Slip::OrderRts) {
-            turn * move_by * stretch
-        } else if slips.has(Slip::OrderTsr) {
-            move_by * stretch * turn
-        } else if slips.has(Slip::OrderStr) {
-            stretch * move_by * turn
-        } else if slips.has(Slip::OrderRst) {
-            turn * stretch * move_by
-        } else {
-            move_by * turn * stretch
-        }
+        slips.pick(
+            [
+                (Slip::OrderReversed, stretch * turn * move_by),
+                (Slip::OrderRts, turn * move_by * stretch),
+                (Slip::OrderTsr, move_by * stretch * turn),
+                (Slip::OrderStr, stretch * move_by * turn),
+                (Slip::OrderRst, turn * stretch * move_by),
+            ],
+            move_by * turn * stretch,
+        )
     };
     let alpha = angle("α", r"\alpha", degrees);
     let of = |function| Formula::Of(function, Box::new(alpha.into()));

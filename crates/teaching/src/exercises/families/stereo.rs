@@ -59,15 +59,10 @@ impl Pair {
     /// Of Q.
     fn measured(&self, slips: Slips) -> f64 {
         let [left, right] = self.columns;
-        if slips.has(Slip::OneImage) {
-            left
-        } else if slips.has(Slip::PositionsAdded) {
-            left + right
-        } else if slips.has(Slip::EyesExchanged) {
-            right - left
-        } else {
-            left - right
-        }
+        slips.pick(
+            [(Slip::OneImage, left), (Slip::PositionsAdded, left + right), (Slip::EyesExchanged, right - left)],
+            left - right,
+        )
     }
 
     fn depth(&self, slips: Slips) -> f64 {
@@ -172,7 +167,7 @@ fn disparity(seed: u64) -> Exercise {
     exercise
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred pixels")]
+#[expect(clippy::cast_possible_truncation, reason = "a few hundred pixels")]
 const fn side(pixels: f64) -> u32 {
     pixels as u32
 }

@@ -4,35 +4,39 @@ use super::mistake::Mistake;
 use crate::camera::ParameterKey;
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
 
-/// The nature of what a question asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Nature {
-    /// A length, an angle or a share: never negative.
-    Size,
-    /// A number with a sign.
-    Number,
-    /// A point or another vector.
-    Vector,
-    /// A vector of length 1.
-    Direction,
-    /// The cosine of an angle between vectors of length 1.
-    Cosine,
-    /// A share of light: never negative, of vectors of length 1.
-    Light,
-    /// A matrix.
-    Matrix,
-    /// A pixel.
-    Pixel,
-    /// Six bits.
-    Outcode,
-    /// t of a segment.
-    Parameter,
-    /// Things in an order.
-    Order,
-    /// One of several.
-    Choice,
-    /// A camera.
-    Camera,
+crate::worded! {
+    /// The nature of what a question asks for.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Nature {
+        /// A length, an angle or a share: never negative.
+        Size = "size",
+        /// A number with a sign.
+        Number = "number",
+        /// A point or another vector.
+        Vector = "vector",
+        /// A vector of length 1.
+        Direction = "direction",
+        /// The cosine of an angle between vectors of length 1.
+        Cosine = "cosine",
+        /// A share of light: never negative, of vectors of length 1.
+        Light = "light",
+        /// A matrix.
+        Matrix = "matrix",
+        /// A pixel.
+        Pixel = "pixel",
+        /// Six bits.
+        Outcode = "outcode",
+        /// t of a segment.
+        Parameter = "parameter",
+        /// Things in an order.
+        Order = "order",
+        /// One of several.
+        Choice = "choice",
+        /// A camera.
+        Camera = "camera",
+    }
+    /// Its name among the texts.
+    pub fn name
 }
 
 impl Nature {
@@ -64,25 +68,5 @@ impl Nature {
     pub(in crate::exercises) const fn shows(self, mistake: Mistake) -> bool {
         let has_lengths = matches!(self, Self::Direction | Self::Cosine | Self::Light | Self::Matrix);
         has_lengths || !matches!(mistake, Mistake::NotNormalised)
-    }
-
-    /// Its name among the texts.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Size => "size",
-            Self::Number => "number",
-            Self::Vector => "vector",
-            Self::Direction => "direction",
-            Self::Cosine => "cosine",
-            Self::Light => "light",
-            Self::Matrix => "matrix",
-            Self::Pixel => "pixel",
-            Self::Outcode => "outcode",
-            Self::Parameter => "parameter",
-            Self::Order => "order",
-            Self::Choice => "choice",
-            Self::Camera => "camera",
-        }
     }
 }

@@ -440,6 +440,12 @@ impl Slips {
         self.0[place / 128] & (1 << (place % 128)) != 0
     }
 
+    /// The value of the first of these mistakes that is made; `right` if none is.
+    #[must_use]
+    pub fn pick<T, const N: usize>(self, mistakes: [(Slip, T); N], right: T) -> T {
+        mistakes.into_iter().find(|(slip, _)| self.has(*slip)).map_or(right, |(_, wrong)| wrong)
+    }
+
     /// Whether any of these is made.
     #[must_use]
     pub fn any(self, slips: &[Slip]) -> bool {

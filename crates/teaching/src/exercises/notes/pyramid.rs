@@ -42,17 +42,15 @@ impl Birth {
     fn model(&self, slips: Slips) -> DMat4 {
         let (day, month) = if slips.has(Slip::DayAndMonth) { (self.month, self.day) } else { (self.day, self.month) };
         let scale = DMat4::from_scale(DVec3::new(month, day, month));
-        let by = if slips.has(Slip::MovedByHalf) {
-            0.5
-        } else if slips.has(Slip::MovedByWhole) {
-            month
-        } else if slips.has(Slip::MovedOneMore) {
-            month / 2.0 + 1.0
-        } else if slips.has(Slip::OnlyScaled) {
-            0.0
-        } else {
-            month / 2.0
-        };
+        let by = slips.pick(
+            [
+                (Slip::MovedByHalf, 0.5),
+                (Slip::MovedByWhole, month),
+                (Slip::MovedOneMore, month / 2.0 + 1.0),
+                (Slip::OnlyScaled, 0.0),
+            ],
+            month / 2.0,
+        );
         let move_by = DMat4::from_translation(DVec3::new(by, 0.0, by));
         if slips.has(Slip::OrderReversed) { scale * move_by } else { move_by * scale }
     }
@@ -82,7 +80,7 @@ impl Birth {
             far: 10.0 * self.day,
             ..Parameters::default()
         };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1, at most 4000")]
+        #[expect(clippy::cast_possible_truncation, reason = "at least 1, at most 4000")]
         let width = (400.0 * self.aspect).clamp(1.0, 4000.0).round() as u32;
         figure.image = ImageSize { width, height: 400 };
         let subject = Subject { figure, ..Subject::default() };

@@ -63,7 +63,6 @@ impl WrongPixels {
     /// The share of wrong pixels, 0 … 1.
     #[must_use]
     pub fn share(self) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
         let [wrong, of] = [self.wrong, self.of].map(|pixels| pixels as f64);
         wrong / of.max(1.0)
     }

@@ -35,91 +35,64 @@ const FEW: f64 = 1e-3;
 /// Less than this share of an object is left where the border of the image cuts it.
 const SLIVER: f64 = 0.2;
 
-/// Why something is not in the picture, or not as it should be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Cause {
-    /// There is nothing to see.
-    EmptyScene,
-    /// The eye is inside of it.
-    CameraInsideObject,
-    /// Behind the plane of the eye.
-    BehindCamera,
-    /// Between the eye and the front plane.
-    BeforeNear,
-    /// Beyond the back plane.
-    BeyondFar,
-    /// To the left of the window.
-    OutsideLeft,
-    /// To the right of the window.
-    OutsideRight,
-    /// Above the window.
-    OutsideTop,
-    /// Below the window.
-    OutsideBottom,
-    /// Smaller than a pixel, or so thin that it lies between the pixels' centres.
-    SmallerThanPixel,
-    /// Its colour has alpha 0.
-    FullyTransparent,
-    /// The near plane opens it, so that its inside is seen instead of its front.
-    HiddenByNearCut,
-    /// The scene is seen, but on less than 0.1 % of the image.
-    FewPixels,
-    /// VUP is along the view, or has no length.
-    ViewUpAlongView,
-    /// C = PF.
-    FocalPointAtPosition,
-    /// Not 0 < F < B.
-    NearBeyondFar,
-    /// Not 0° < θ < 180°.
-    ViewAngleRange,
-    /// Another parameter of the camera is out of its range.
-    CameraValue,
-    /// The figure's depth format shows farther faces in front of nearer ones.
-    DepthConflict,
-    /// The order of painting shows farther faces in front of nearer ones.
-    WrongOrder,
-    /// Faces lie in their own shadow.
-    ShadowAcne,
-    /// Shadows come off the thing that casts them.
-    ShadowDetached,
-    /// A texture is interpolated without w.
-    AffineTexture,
-    /// The image is too large, or has too many faces, to be compared with exact visibility.
-    NotCompared,
+crate::worded! {
+    /// Why something is not in the picture, or not as it should be.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Cause {
+        /// There is nothing to see.
+        EmptyScene = "empty-scene",
+        /// The eye is inside of it.
+        CameraInsideObject = "camera-inside-object",
+        /// Behind the plane of the eye.
+        BehindCamera = "behind-camera",
+        /// Between the eye and the front plane.
+        BeforeNear = "before-near",
+        /// Beyond the back plane.
+        BeyondFar = "beyond-far",
+        /// To the left of the window.
+        OutsideLeft = "outside-left",
+        /// To the right of the window.
+        OutsideRight = "outside-right",
+        /// Above the window.
+        OutsideTop = "outside-top",
+        /// Below the window.
+        OutsideBottom = "outside-bottom",
+        /// Smaller than a pixel, or so thin that it lies between the pixels' centres.
+        SmallerThanPixel = "smaller-than-pixel",
+        /// Its colour has alpha 0.
+        FullyTransparent = "fully-transparent",
+        /// The near plane opens it, so that its inside is seen instead of its front.
+        HiddenByNearCut = "hidden-by-near-cut",
+        /// The scene is seen, but on less than 0.1 % of the image.
+        FewPixels = "few-pixels",
+        /// VUP is along the view, or has no length.
+        ViewUpAlongView = "view-up-along-view",
+        /// C = PF.
+        FocalPointAtPosition = "focal-point-at-position",
+        /// Not 0 < F < B.
+        NearBeyondFar = "near-beyond-far",
+        /// Not 0° < θ < 180°.
+        ViewAngleRange = "view-angle-range",
+        /// Another parameter of the camera is out of its range.
+        CameraValue = "camera-value",
+        /// The figure's depth format shows farther faces in front of nearer ones.
+        DepthConflict = "depth-conflict",
+        /// The order of painting shows farther faces in front of nearer ones.
+        WrongOrder = "wrong-order",
+        /// Faces lie in their own shadow.
+        ShadowAcne = "shadow-acne",
+        /// Shadows come off the thing that casts them.
+        ShadowDetached = "shadow-detached",
+        /// A texture is interpolated without w.
+        AffineTexture = "affine-texture",
+        /// The image is too large, or has too many faces, to be compared with exact visibility.
+        NotCompared = "not-compared",
+    }
+    /// Its name in JSON.
+    pub fn code
 }
 
 impl Cause {
-    /// Its name in JSON.
-    #[must_use]
-    pub const fn code(self) -> &'static str {
-        match self {
-            Self::EmptyScene => "empty-scene",
-            Self::CameraInsideObject => "camera-inside-object",
-            Self::BehindCamera => "behind-camera",
-            Self::BeforeNear => "before-near",
-            Self::BeyondFar => "beyond-far",
-            Self::OutsideLeft => "outside-left",
-            Self::OutsideRight => "outside-right",
-            Self::OutsideTop => "outside-top",
-            Self::OutsideBottom => "outside-bottom",
-            Self::SmallerThanPixel => "smaller-than-pixel",
-            Self::FullyTransparent => "fully-transparent",
-            Self::HiddenByNearCut => "hidden-by-near-cut",
-            Self::FewPixels => "few-pixels",
-            Self::ViewUpAlongView => "view-up-along-view",
-            Self::FocalPointAtPosition => "focal-point-at-position",
-            Self::NearBeyondFar => "near-beyond-far",
-            Self::ViewAngleRange => "view-angle-range",
-            Self::CameraValue => "camera-value",
-            Self::DepthConflict => "depth-conflict",
-            Self::WrongOrder => "wrong-order",
-            Self::ShadowAcne => "shadow-acne",
-            Self::ShadowDetached => "shadow-detached",
-            Self::AffineTexture => "affine-texture",
-            Self::NotCompared => "not-compared",
-        }
-    }
-
     const fn outside(side: Side) -> Self {
         match side {
             Side::Left => Self::OutsideLeft,
@@ -194,7 +167,6 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
     let ImageSpec { scene, camera, style, image, .. } = *spec;
     let mut counter = Counter::default();
     let drawn = counter.draw(scene, camera, style, image).ok_or(NoDiagnosis::TooLarge)?;
-    #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
     let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
     let subjects = NamedThing::all(scene);
     let mut findings = Findings::default();

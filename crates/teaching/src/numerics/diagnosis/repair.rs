@@ -146,7 +146,6 @@ impl Looked<'_> {
         members.iter().for_each(|member| member.add_to(&mut alone, self.scene));
         let Some(drawn) = self.counter.draw(&alone, &camera, self.style, self.image) else { return false };
         let pixels = f64::from(self.image.width) * f64::from(self.image.height);
-        #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
         let covered = drawn.pixels as f64 / pixels;
         if wanted == Wanted::AtAll {
             return drawn.pixels > 0;

@@ -185,7 +185,7 @@ const ROUNDING: f64 = 1e-14;
 
 /// The tile of a coordinate in pixels. Before the image the first.
 fn tile(coordinate: f64) -> usize {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and an image's side")]
+    #[expect(clippy::cast_possible_truncation, reason = "between 0 and an image's side")]
     let tile = (coordinate / TILE).max(0.0) as usize;
     tile
 }

@@ -15,7 +15,7 @@ use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::progress::pause;
 use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
 
@@ -41,16 +41,11 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
                 setups.extend(Setup::new(&mut random, size, thin));
                 pause().await;
             }
-            let mut methods = Vec::new();
-            for (name, method) in METHODS {
-                let mut trial = Trial::default();
-                for (input, setup) in setups.iter().enumerate() {
-                    let coverage = method.coverage(setup, &mut trial, &watch);
-                    setup.judge(input, &coverage, &mut trial);
-                    lab.progress.advance_and_pause(1).await;
-                }
-                methods.push(Method::new(name, trial));
-            }
+            let measure = |method: &Samples, input, setup: &Setup, trial: &mut Trial| {
+                let coverage = method.coverage(setup, trial, &watch);
+                setup.judge(input, &coverage, trial);
+            };
+            let methods = lab.methods(&METHODS, &setups, measure).await;
             let group = Group { case: case.to_owned(), parameter: size, unit: Unit::Color, methods };
             rows.extend(group.rows(|input| setups.get(input).map(Setup::figure)));
         }

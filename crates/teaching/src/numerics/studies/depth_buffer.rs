@@ -117,7 +117,6 @@ impl DepthCase {
     }
 
     /// Records the error of a format at `depths`, and returns the theoretical prediction for the mean.
-    #[expect(clippy::cast_precision_loss, reason = "a few hundred depths")]
     fn judge(
         self,
         range: &Range,

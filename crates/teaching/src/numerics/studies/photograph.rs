@@ -125,7 +125,6 @@ fn lines(random: &mut Random, camera: &Camera, (axis, d): (WorldAxis, DVec3), an
     let (towards_middle, distance) = (middle() - vanishing, (middle() - vanishing).length());
     let half = HALF.min(distance / 2.0);
     let line = |k: usize, random: &mut Random| {
-        #[expect(clippy::cast_precision_loss, reason = "a few lines")]
         let turned = (k as f64 / (LINES - 1) as f64 - 0.5) * angle.to_radians();
         let way = DVec2::from_angle(turned).rotate(towards_middle / distance);
         let mut off = || random.between(-1.0, 1.0) * 3.0_f64.sqrt();
@@ -152,7 +151,6 @@ fn mean(input: &Input) -> Option<Found> {
     of_vanishing_points(input, |lines| {
         let pairs = (0..lines.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
         let places: Vec<DVec2> = pairs.map(|(a, b)| intersection(&lines[a], &lines[b])).collect();
-        #[expect(clippy::cast_precision_loss, reason = "a few lines")]
         let count = places.len() as f64;
         Some(places.into_iter().sum::<DVec2>() / count)
     })

@@ -199,7 +199,6 @@ impl Setup {
             }
         }
         let covered = self.exact.iter().flatten().count().max(1);
-        #[expect(clippy::cast_precision_loss, reason = "a number of pixels")]
         let error = wrong / covered as f64;
         outline.note(0, Off { error, bits: 64.0 * error.min(1.0) });
     }

@@ -150,7 +150,6 @@ impl Setup {
         let of = count(|verdict| verdict != Verdict::None).max(1);
         let dark = count(|verdict| verdict == Verdict::WronglyDark);
         let lit = count(|verdict| verdict == Verdict::WronglyLit);
-        #[expect(clippy::cast_precision_loss, reason = "numbers of pixels")]
         [dark + lit, dark, lit].map(|wrong| wrong as f64 / of as f64)
     }
 

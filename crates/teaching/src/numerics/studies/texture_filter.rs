@@ -14,7 +14,7 @@ use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Row, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Row, Study, Unit};
 use crate::progress::pause;
 use crate::scene::{Mesh, Object, ObjectPaint, ObjectSpec, Pictured, Preset, Scene, SceneSpec, Shape, TextureSource};
 
@@ -45,16 +45,13 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 900 + (c * SCALES.len() + s) as u64);
             let shift = DVec2::new(random.unit(), random.unit());
             let Some(setup) = Setup::new(tilt, scale, shift).await else { continue };
-            let mut methods = Vec::new();
-            for (name, method) in METHODS {
-                let mut trial = Trial::default();
-                let light = setup.light(method, &chequer, &mut trial, &watch);
+            let measure = |method: &Way, input, setup: &Setup, trial: &mut Trial| {
+                let light = setup.light(*method, &chequer, trial, &watch);
                 for (&computed, &exact) in light.iter().zip(&setup.exact) {
-                    trial.note(0, Off { error: (computed - exact).abs(), bits: bits_off(computed, exact) });
+                    trial.note(input, Off { error: (computed - exact).abs(), bits: bits_off(computed, exact) });
                 }
-                methods.push(Method::new(name, trial));
-                lab.progress.advance_and_pause(1).await;
-            }
+            };
+            let methods = lab.methods(&METHODS, std::slice::from_ref(&setup), measure).await;
             let group = Group { case: case.to_owned(), parameter: scale, unit: Unit::Color, methods };
             // Each method has a figure of its own: its filter is in it.
             let of_methods = METHODS.map(|(_, way)| Some(setup.figure(way)));

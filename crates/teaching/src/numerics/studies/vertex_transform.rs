@@ -15,7 +15,7 @@ use crate::numerics::chain::{Matrix, Vector, basis, projection_matrix, view_matr
 use crate::numerics::measure::{Off, Trial, Watch, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::pipeline::project::view_of;
 
 const DISTANCES: [f64; 5] = [1.0, 1e3, 1e6, 1e9, 1e12];
@@ -33,16 +33,11 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 100 + i as u64);
             let setups: Vec<Setup> =
                 (0..cameras).filter_map(|_| Setup::new(&mut random, parameter, projection, points)).collect();
-            let mut methods = Vec::new();
-            for &(name, run) in METHODS.iter() {
-                let mut trial = Trial::default();
-                for (input, setup) in setups.iter().enumerate() {
-                    let results = run(setup, &mut trial, &watch);
-                    setup.judge(input, &results, &mut trial);
-                    lab.progress.advance_and_pause(1).await;
-                }
-                methods.push(Method::new(name, trial));
-            }
+            let measure = |run: &Run, input, setup: &Setup, trial: &mut Trial| {
+                let results = run(setup, trial, &watch);
+                setup.judge(input, &results, trial);
+            };
+            let methods = lab.methods(&METHODS, &setups, measure).await;
             let group = Group { case: case.to_owned(), parameter, unit: Unit::SceneUnits, methods };
             rows.extend(group.rows(|input| setups.get(input).map(|setup| figure_of(&setup.parameters, 1.0))));
         }

@@ -17,7 +17,7 @@ use crate::numerics::depth_format::{Format, Range};
 use crate::numerics::measure::{Off, Trial, Watch};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::progress::pause;
 use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
 
@@ -46,16 +46,11 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             for _ in 0..count {
                 setups.extend(Setup::new(triangles(&mut random), ratio).await);
             }
-            let mut methods = Vec::new();
-            for (name, method) in METHODS {
-                let mut trial = Trial::default();
-                for (input, setup) in setups.iter().enumerate() {
-                    let seen = method(setup, &mut trial, &watch);
-                    trial.note(input, setup.off(&seen));
-                    lab.progress.advance_and_pause(1).await;
-                }
-                methods.push(Method::new(name, trial));
-            }
+            let measure = |method: &Seen, input, setup: &Setup, trial: &mut Trial| {
+                let seen = method(setup, trial, &watch);
+                trial.note(input, setup.off(&seen));
+            };
+            let methods = lab.methods(&METHODS, &setups, measure).await;
             let group = Group { case: case.to_owned(), parameter: ratio, unit: Unit::Share, methods };
             rows.extend(group.rows(|input| setups.get(input).map(Setup::figure)));
         }
@@ -152,7 +147,6 @@ impl Setup {
         Some(Self { parameters, camera, triangles, scene, rays, exact })
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "a number of pixels")]
     fn off(&self, seen: &[Option<usize>]) -> Off {
         // The two triangles of a wall or bar are one surface where they meet; which of them a pixel on their seam shows
         // is no error.

@@ -301,7 +301,7 @@ fn image_size(segments: &[Segment]) -> Option<ImageSize> {
 /// A side of an image in pixels, if a number can be one.
 fn side(value: f64) -> Option<u32> {
     let is_side = value >= 1.0 && value <= f64::from(crate::limits::MAX_SIDE) && value.fract() == 0.0;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is a whole number in this range")]
+    #[expect(clippy::cast_possible_truncation, reason = "it is a whole number in this range")]
     is_side.then_some(value as u32)
 }
 
