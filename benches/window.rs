@@ -63,7 +63,7 @@ impl Window {
     fn new() -> Option<Self> {
         let mut state = State::new(Start { figure: gui::fresh(), lang: Lang::En, ..Start::default() }).ok()?;
         // As in a window that has been used before.
-        state.settings.welcomed = true;
+        state.model.settings.welcomed = true;
         let ctx = Context::default();
         let mut app = App::new(&ctx, state);
         app.canvas.patience = Duration::from_secs(60);

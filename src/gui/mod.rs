@@ -7,11 +7,10 @@ pub mod files;
 pub mod gallery;
 pub mod inspector;
 pub mod kit;
-mod learn;
+pub mod learn;
 pub mod model;
 pub mod pictures;
 pub mod platform;
-pub mod state;
 pub mod storage;
 pub mod why;
 
@@ -22,7 +21,7 @@ use crate::lessons::OpenLesson;
 use crate::scene::Preset;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
-pub use state::State;
+pub use app::state::State;
 
 /// The initial state of the window.
 #[derive(Clone, Debug, Default)]
@@ -95,7 +94,7 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.state.file_flow.news.tell(storage::session::News::NoHome);
             }
             if let Some(open) = lesson {
-                files::file_flow::begin(&context.egui_ctx, &mut app.state, state::AfterSave::Lesson(open));
+                files::file_flow::begin(&context.egui_ctx, &mut app.state, model::action::AfterSave::Lesson(open));
             }
             Ok(Box::new(app))
         }),

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::Arc;
 
-use camera_lab::gui::state::Chosen;
+use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::i18n::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
@@ -46,16 +46,16 @@ fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
         ("gone.toml", "gone.toml cannot be read: there is no such file"),
     ] {
         window.drop_files([&*folder.file(name)]);
-        assert!(window.says(said), "{:?}", window.state().message);
-        assert_eq!(window.state().document.name(), None);
+        assert!(window.says(said), "{:?}", window.state().model.message);
+        assert_eq!(window.state().model.document.name(), None);
     }
     // With changes, it is asked before, and what was changed is there after all.
     window.enter("B", "40");
     window.drop_files([&*huge]);
     window.click(en::WINDOW.dont_save);
     assert!(window.says("huge.toml is larger than any figure"));
-    assert_eq!(window.state().document.draft().far, 40.0);
-    assert!(window.state().document.is_changed());
+    assert_eq!(window.state().model.document.draft().far, 40.0);
+    assert!(window.state().model.document.is_changed());
 }
 
 #[test]
@@ -69,10 +69,10 @@ fn meshes_that_are_none_stand_in_the_scene_with_the_reason() {
         window.drop_files([&*folder.file(name)]);
         window.wait(|window| window.says(said));
     }
-    assert_eq!(window.state().document.figure().scene.objects.len(), 3);
+    assert_eq!(window.state().model.document.figure().scene.objects.len(), 3);
     for left in (0..3).rev() {
         window.command_key(Key::Z);
-        assert_eq!(window.state().document.figure().scene.objects.len(), left);
+        assert_eq!(window.state().model.document.figure().scene.objects.len(), left);
     }
 }
 
@@ -83,13 +83,13 @@ fn of_a_thousand_files_one_is_taken_and_that_is_said() {
     fs::write(&paths[0], "[camera]\nfar = 61.0\n[scene]\npreset = \"empty\"\n").unwrap();
     let mut window = Window::new(Lang::En);
     window.drop_files(paths.iter().map(|path| &**path));
-    assert_eq!(window.state().document.draft().far, 61.0);
-    let said = window.state().message.as_ref().unwrap().text(Lang::En);
+    assert_eq!(window.state().model.document.draft().far, 61.0);
+    let said = window.state().model.message.as_ref().unwrap().text(Lang::En);
     assert!(said.starts_with("Of 1000 files, the window opens one: ") && said.ends_with("0.toml"), "{said}");
     // What is wrong with the one is more than how many there are.
     window.drop_files(paths[1..].iter().map(|path| &**path));
     assert!(window.says("1.toml cannot be read"));
-    assert_eq!(window.state().document.draft().far, 61.0);
+    assert_eq!(window.state().model.document.draft().far, 61.0);
 }
 
 #[test]
@@ -103,16 +103,16 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     };
     put();
     let mut window = exercises::window(Lang::En);
-    window.app_mut().state.exercises.look_into(Some(lecture.clone()));
+    window.app_mut().state.learn.exercises.look_into(Some(lecture.clone()));
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     let chosen = Chosen { id: "field-of-view".to_owned(), seed: 0 };
     let open = |window: &mut Window| {
-        window.app_mut().state.exercises.work_on(chosen.clone());
+        window.app_mut().state.learn.exercises.work_on(chosen.clone());
         window.run();
     };
     let again = |window: &mut Window| {
-        window.app_mut().state.exercises.leave();
+        window.app_mut().state.learn.exercises.leave();
         window.run();
         window.click(en::EXERCISE_WINDOW.own_again);
     };
@@ -132,7 +132,7 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     assert!(typed(&window) && window.says("wrong"));
     again(&mut window);
     assert!(window.says("lecture cannot be read: there is no such file"));
-    assert!(window.state().exercises.entry("field-of-view").is_none());
+    assert!(window.state().learn.exercises.entry("field-of-view").is_none());
     // A pipe in the place of its file: said at once, and nobody waits for it.
     fs::create_dir_all(&lecture).unwrap();
     pipe(&lecture.join("a.toml"));

@@ -4,7 +4,6 @@
 
 use std::time::Duration;
 
-use crate::words::en;
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::kit::theme;
@@ -25,6 +24,7 @@ use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
 use super::window::Window;
+use crate::words::en;
 
 pub(super) struct Stage {
     pub(super) state: State,
@@ -71,15 +71,15 @@ pub(super) fn place(harness: &Harness<Stage>, label: &str) -> Rect {
 }
 
 pub(super) fn parameters(harness: &Harness<Stage>) -> Parameters {
-    *harness.state().state.document.draft()
+    *harness.state().state.model.document.draft()
 }
 
 pub(super) fn world_observer(harness: &Harness<Stage>) -> Observer {
-    harness.state().state.document.figure().observers.world.unwrap()
+    harness.state().state.model.document.figure().observers.world.unwrap()
 }
 
 pub(super) fn canonical_observer(harness: &Harness<Stage>) -> Observer {
-    harness.state().state.document.figure().observers.canonical.unwrap()
+    harness.state().state.model.document.figure().observers.canonical.unwrap()
 }
 
 /// The world in `rect`.
@@ -87,8 +87,8 @@ pub(super) fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
     let state = &harness.state().state;
     let side = |s: f32| s.round() as u32;
     let size = Size { width: side(rect.width()), height: side(rect.height()), scale: 1.0 };
-    let (figure, camera) = (state.document.figure(), state.document.camera());
-    Request::of(figure, View::World, camera, state.scene_cache.scene(), labels(Lang::En), size)
+    let (figure, camera) = (state.model.document.figure(), state.model.document.camera());
+    Request::of(figure, View::World, camera, state.model.scene_cache.scene(), labels(Lang::En), size)
 }
 
 /// Where a handle is on the screen.
@@ -119,7 +119,7 @@ pub(super) fn drag(
     harness.event(press(false, from + motion));
     harness.event(Event::ModifiersChanged(Modifiers::NONE));
     harness.run();
-    harness.state_mut().state.document.commit();
+    harness.state_mut().state.model.document.commit();
 }
 
 pub(super) fn drag_primary(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2) {
@@ -140,12 +140,12 @@ fn a_drag_turns_the_observer_by_half_a_degree_a_point_and_is_no_undo_step() {
     assert!((now.azimuth - 70.0).abs() < 1e-4 && (now.elevation - 40.0).abs() < 1e-4, "{now:?}");
     assert_eq!((now.target, now.distance), (observer().target, observer().distance));
     assert_eq!(canonical_observer(&h).azimuth, observer().azimuth, "the other picture is not linked");
-    assert!(!h.state().state.document.can_undo());
+    assert!(!h.state().state.model.document.can_undo());
 }
 
 #[test]
 fn linked_orbits_turn_together() {
-    let mut h = stage(|state| state.layout.linked = true);
+    let mut h = stage(|state| state.model.layout.linked = true);
     let from = place(&h, CANONICAL).left_bottom() + vec2(20.0, -20.0);
     drag_primary(&mut h, from, vec2(-40.0, 0.0));
     for now in [world_observer(&h), canonical_observer(&h)] {
@@ -200,7 +200,7 @@ fn c_goes_over_its_plane_in_one_undo_step() {
     assert_eq!((after.focal_point, after.near, after.far), (before.focal_point, before.near, before.far));
     let now = handle(&h, Handle::Position);
     assert!(now.distance(from + vec2(30.0, 12.0)) < 2.0, "C is under the pointer: {now}");
-    let document = &mut h.state_mut().state.document;
+    let document = &mut h.state_mut().state.model.document;
     document.undo();
     assert_eq!(*document.draft(), before);
     assert!(!document.can_undo(), "one step");
@@ -257,16 +257,16 @@ fn escape_gives_a_handle_back() {
 
 #[test]
 fn a_picture_can_be_hidden_and_shown_again() {
-    let mut h = stage(|state| state.layout.arrangement = Some(Arrangement::Row));
+    let mut h = stage(|state| state.model.layout.arrangement = Some(Arrangement::Row));
     let width = place(&h, IMAGE).width();
     h.get_all_by_label(en::CANVAS.hide).next().unwrap().click();
     h.run();
-    assert_eq!(h.state().state.layout.shown, [false, true, true]);
+    assert_eq!(h.state().state.model.layout.shown, [false, true, true]);
     assert!(h.query_by_label_contains(WORLD).is_none());
     assert!(place(&h, IMAGE).width() > 1.4 * width);
     h.get_by_label("World").click();
     h.run();
-    assert_eq!(h.state().state.layout.shown, [true; 3]);
+    assert_eq!(h.state().state.model.layout.shown, [true; 3]);
     assert!(h.query_by_label_contains(WORLD).is_some());
 }
 
@@ -284,7 +284,7 @@ fn a_double_click_gives_a_picture_all_the_room_and_takes_it_back() {
             h.step();
         }
         h.run();
-        assert_eq!(h.state().state.layout.maximized, expected);
+        assert_eq!(h.state().state.model.layout.maximized, expected);
         assert_eq!(h.query_by_label_contains(IMAGE).is_none(), expected.is_some());
         h.run_steps(60);
     }
@@ -304,11 +304,11 @@ fn only_what_has_changed_is_drawn_again() {
     assert!(orbited[0] > drawn[0]);
     assert_eq!(orbited[1..], drawn[1..], "only the world has another observer");
 
-    h.state_mut().state.layout.shown[1] = false;
+    h.state_mut().state.model.layout.shown[1] = false;
     h.run();
     let hidden = h.state().canvas.drawn();
     let wider = Parameters { view_angle: 60.0, ..parameters(&h) };
-    h.state_mut().state.document.set_parameters(wider);
+    h.state_mut().state.model.document.set_parameters(wider);
     h.run();
     let changed = h.state().canvas.drawn();
     assert_eq!((changed[0], changed[1], changed[2]), (hidden[0] + 1, hidden[1], hidden[2] + 1));
@@ -329,11 +329,11 @@ fn a_look_from_a_side_is_taken_and_an_untold_observer_stays_while_the_camera_mov
     assert_eq!(world_observer(&h).elevation, 90.0);
     assert_eq!(canonical_observer(&h).elevation, 30.0, "each picture has its own buttons");
     look(&mut h, "From a corner");
-    assert_eq!(h.state().state.document.figure().observers.world, None);
+    assert_eq!(h.state().state.model.document.figure().observers.world, None);
 
     let drawn = h.state().canvas.drawn()[0];
     let moved = Parameters { position: parameters(&h).position * 1.02, ..parameters(&h) };
-    h.state_mut().state.document.set_parameters(moved);
+    h.state_mut().state.model.document.set_parameters(moved);
     h.run();
     assert_eq!(h.state().canvas.drawn()[0], drawn + 1, "one picture, from one place");
 }
@@ -349,7 +349,7 @@ fn two_bars_divide_the_pictures() {
 
 #[test]
 fn pictures_are_arranged_as_asked() {
-    let mut h = stage(|state| state.layout.arrangement = Some(Arrangement::Row));
+    let mut h = stage(|state| state.model.layout.arrangement = Some(Arrangement::Row));
     assert!(place(&h, IMAGE).left() > place(&h, CANONICAL).right(), "side by side");
     h.get_by_label(en::CANVAS.arrange).click();
     h.run_steps(4);
@@ -433,7 +433,8 @@ fn the_hand_on_the_image_moves_the_camera() {
     assert!(turned.position.distance(before.position) > 0.5, "{:?} {:?}", turned.position, before.position);
     let [near, far] = [before, turned].map(|p| p.position.distance(p.focal_point));
     assert!((near - far).abs() < 1e-9 && turned.position.y > before.position.y, "downwards it rises");
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.run();
     assert_eq!(parameters(&h), before);
     let shift = Modifiers::SHIFT;
@@ -441,7 +442,8 @@ fn the_hand_on_the_image_moves_the_camera() {
     let panned = parameters(&h);
     let moved = panned.focal_point - before.focal_point;
     assert!(moved.length() > 0.1 && (panned.position - before.position - moved).length() < 1e-9);
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.hover_at(from);
     h.run();
     h.event(Event::MouseWheel {
@@ -459,11 +461,11 @@ fn the_hand_on_the_image_moves_the_camera() {
 #[test]
 fn a_right_click_in_a_picture_opens_its_menu() {
     let mut window = Window::new(Lang::En);
-    window.app_mut().state.layout.maximized = None;
+    window.app_mut().state.model.layout.maximized = None;
     window.run();
     let description = |window: &Window, view| {
         let state = window.state();
-        words::describe(Lang::En, view, state.document.camera(), state.document.figure().image)
+        words::describe(Lang::En, view, state.model.document.camera(), state.model.document.figure().image)
     };
     let world = description(&window, View::World);
     window.harness.get_by_label(&world).click_secondary();
@@ -472,7 +474,7 @@ fn a_right_click_in_a_picture_opens_its_menu() {
     let named = window.harness.get_all_by_label(en::CANVAS.hide);
     named.max_by(|a, b| a.rect().width().total_cmp(&b.rect().width())).unwrap().click();
     window.run();
-    assert!(!window.state().layout.is_shown(View::World));
+    assert!(!window.state().model.layout.is_shown(View::World));
     // A command of the window.
     let image = description(&window, View::Image);
     window.harness.get_by_label(&image).click_secondary();
@@ -486,12 +488,12 @@ fn a_right_click_in_a_picture_opens_its_menu() {
 #[test]
 fn the_axes_in_the_corner_lead_to_their_viewpoints() {
     let mut window = Window::new(Lang::En);
-    window.app_mut().state.layout.maximized = Some(View::World);
+    window.app_mut().state.model.layout.maximized = Some(View::World);
     window.run();
     for (name, axis) in [(en::CANVAS.top, DVec3::Y), (en::CANVAS.side, DVec3::X), (en::CANVAS.front, DVec3::Z)] {
         let axis_name = ["x", "y", "z"][axis.to_array().iter().position(|part| *part == 1.0).unwrap()];
         window.click(&format!("{} {axis_name}", en::CANVAS.axis));
-        let observer = window.state().document.figure().observers.world.unwrap();
+        let observer = window.state().model.document.figure().observers.world.unwrap();
         assert!(observer.axes()[2].dot(axis) > 0.999, "{name}");
     }
 }

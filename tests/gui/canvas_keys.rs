@@ -49,7 +49,7 @@ fn keys_raise_the_camera_and_turn_the_view() {
 
 /// The image alone, with the focus.
 fn focused_image() -> Harness<'static, Stage> {
-    let mut h = stage(|state| state.layout.maximized = Some(View::Image));
+    let mut h = stage(|state| state.model.layout.maximized = Some(View::Image));
     h.get_by_label_contains(IMAGE).focus();
     h.run();
     h
@@ -78,7 +78,7 @@ fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
     for (convention, degrees) in [(Convention::RightHand, -5.0), (Convention::Vtk, 5.0)] {
         let mut h = focused_image();
         h.state_mut().state.operations.convention = convention;
-        let camera = h.state().state.document.camera().clone();
+        let camera = h.state().state.model.document.camera().clone();
         h.key_press(Key::ArrowUp);
         h.run();
         let elevated = Operation::Elevation(Angle::from_degrees(degrees)).apply(&camera, convention).unwrap();
@@ -91,14 +91,14 @@ fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
 fn a_key_that_can_do_nothing_says_why() {
     let mut h = focused_image();
     let impossible = Parameters { near: 100.0, ..parameters(&h) };
-    h.state_mut().state.document.set_parameters(impossible);
+    h.state_mut().state.model.document.set_parameters(impossible);
     h.run();
     for key in [Key::PageUp, Key::ArrowLeft, Key::Plus] {
-        h.state_mut().state.message = None;
+        h.state_mut().state.model.message = None;
         h.key_press(key);
         h.run();
         assert_eq!(parameters(&h), impossible, "what was typed stays");
-        let message = h.state().state.message.as_ref().unwrap();
+        let message = h.state().state.model.message.as_ref().unwrap();
         assert!(message.is_error() && message.text(Lang::En).contains("F must be less than B"), "{message:?}");
     }
 }

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
 use camera_lab::gui::State;
-use camera_lab::gui::state::Selected;
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::scene::{Light, LightKind, ObjectSpec, Preset, Shape};
 use camera_lab::views::transform_gizmo::part_at;
 use camera_lab::views::{GizmoPart, Hover, Request, TransformGizmo, Transforming, pick};
@@ -17,7 +17,7 @@ use crate::words::en;
 
 /// A turned group with a cone in it that is selected, and a lamp.
 fn with_cone(state: &mut State) {
-    state.document.edit(|figure| {
+    state.model.document.edit(|figure| {
         figure.scene.preset = Preset::Empty;
         figure.scene.objects = vec![
             ObjectSpec::group("group").at(1.0, 0.0, 1.0).turned(0.0, 90.0, 0.0).scaled(2.0, 2.0, 2.0),
@@ -25,7 +25,7 @@ fn with_cone(state: &mut State) {
         ];
         figure.scene.lights = vec![Light::point(DVec3::new(0.0, 3.0, 0.0))];
     });
-    state.tree.select(Some(Selected::Object("cone".to_owned())));
+    state.model.tree.select(Some(Selected::Object("cone".to_owned())));
 }
 
 fn gizmo(does: Transforming, origin: DVec3, axes: [DVec3; 3]) -> TransformGizmo {
@@ -52,11 +52,11 @@ fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2
 #[test]
 fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     let mut h = stage(with_cone);
-    h.state_mut().state.document.commit();
-    let undoable = h.state().state.document.can_undo();
+    h.state_mut().state.model.document.commit();
+    let undoable = h.state().state.model.document.can_undo();
     // The group's x is the world's −z, its z the world's x.
     let arrows = gizmo(Transforming::Move, DVec3::new(1.5, 1.0, 0.0), [DVec3::NEG_Z, DVec3::Y, DVec3::X]);
-    let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].translate;
+    let cone = |h: &Harness<Stage>| h.state().state.model.document.figure().scene.objects[1].translate;
     let before = cone(&h);
     let from = on_axis(&h, arrows, 1);
     drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
@@ -64,10 +64,10 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
     // Tidy: no more digits than pixels.
     assert_eq!(after.y, (after.y * 1000.0).round() / 1000.0);
-    assert!(h.state().state.document.can_undo());
-    h.state_mut().state.document.undo();
+    assert!(h.state().state.model.document.can_undo());
+    h.state_mut().state.model.document.undo();
     h.run();
-    assert_eq!((cone(&h), h.state().state.document.can_undo()), (before, undoable));
+    assert_eq!((cone(&h), h.state().state.model.document.can_undo()), (before, undoable));
 
     h.hover_at(from);
     h.run();
@@ -77,23 +77,25 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
 #[test]
 fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     let mut h = stage(with_cone);
-    h.state_mut().state.document.commit();
+    h.state_mut().state.model.document.commit();
     let drawn = h.state().canvas.drawn();
-    h.state_mut().state.tree.select(Some(Selected::Light(0)));
+    h.state_mut().state.model.tree.select(Some(Selected::Light(0)));
     h.run();
     assert!(h.state().canvas.drawn().iter().zip(drawn).all(|(now, before)| *now == before + 1), "all three, once");
     let arrows = gizmo(Transforming::Move, DVec3::Y * 3.0, DVec3::AXES);
     let from = on_axis(&h, arrows, 0);
     drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
-    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.document.figure().scene.lights[0] else {
+    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.document.figure().scene.lights[0]
+    else {
         panic!("a lamp")
     };
     assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
     // Selecting is no change of the figure.
-    h.state_mut().state.document.undo();
-    h.state_mut().state.tree.select(None);
+    h.state_mut().state.model.document.undo();
+    h.state_mut().state.model.tree.select(None);
     h.run();
-    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.document.figure().scene.lights[0] else {
+    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.document.figure().scene.lights[0]
+    else {
         panic!("a lamp")
     };
     assert_eq!(lamp, DVec3::Y * 3.0);
@@ -102,7 +104,7 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
 #[test]
 fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
     let mut h = stage(with_cone);
-    h.state_mut().state.tree.select(None);
+    h.state_mut().state.model.tree.select(None);
     h.run();
     // The cone is at (1.5, 1 … 5, 0) and 4 wide.
     let rect = place(&h, WORLD);
@@ -119,11 +121,12 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
         drag(h, at, Vec2::ZERO, PointerButton::Primary, Modifiers::NONE);
         h.run();
     };
-    let selected =
-        |h: &Harness<Stage>| h.state().state.tree.selected(&h.state().state.document.figure().scene).cloned();
+    let selected = |h: &Harness<Stage>| {
+        h.state().state.model.tree.selected(&h.state().state.model.document.figure().scene).cloned()
+    };
     click(&mut h);
     assert_eq!(selected(&h), None, "the tree is not open");
-    h.state_mut().state.settings.tab = camera_lab::gui::state::Tab::Scene;
+    h.state_mut().state.model.settings.tab = camera_lab::gui::model::layout::Tab::Scene;
     // Not as a double-click.
     for _ in 0..20 {
         h.step();
@@ -135,8 +138,8 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
 #[test]
 fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps() {
     let mut h = stage(with_cone);
-    h.state_mut().state.document.commit();
-    let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].clone();
+    h.state_mut().state.model.document.commit();
+    let cone = |h: &Harness<Stage>| h.state().state.model.document.figure().scene.objects[1].clone();
     let before = cone(&h);
     let origin = DVec3::new(1.5, 1.0, 0.0);
     let axes = [DVec3::NEG_Z, DVec3::Y, DVec3::X];
@@ -151,7 +154,8 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
     let turned = cone(&h).rotate;
     assert!(turned.y != 0.0 && turned.y % 15.0 == 0.0 && turned.x == 0.0 && turned.z == 0.0, "{turned}");
     assert_eq!((cone(&h).translate, cone(&h).scale), (before.translate, before.scale));
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.run();
     assert_eq!(cone(&h), before, "one step");
 
@@ -173,15 +177,15 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
 fn objects_that_are_selected_together_go_together() {
     let mut h = stage(|state| {
         with_cone(state);
-        state.document.edit(|figure| {
+        state.model.document.edit(|figure| {
             figure.scene.objects.push(ObjectSpec::new("ball", Shape::Sphere).at(-2.0, 0.0, 0.0));
         });
         let also = ["ball".to_owned()].into();
-        state.tree.select_all(Some(Selected::Object("cone".to_owned())), also);
+        state.model.tree.select_all(Some(Selected::Object("cone".to_owned())), also);
     });
-    h.state_mut().state.document.commit();
+    h.state_mut().state.model.document.commit();
     let places = |h: &Harness<Stage>| {
-        let objects = &h.state().state.document.figure().scene.objects;
+        let objects = &h.state().state.model.document.figure().scene.objects;
         (objects[1].translate, objects[2].translate)
     };
     let before = places(&h);
@@ -191,23 +195,28 @@ fn objects_that_are_selected_together_go_together() {
     // The cone's group makes everything twice as large.
     let (cone, ball) = (after.0 - before.0, after.1 - before.1);
     assert!(cone.y > 0.0 && (ball - cone * 2.0).length() < 1e-9, "{cone} {ball}");
-    h.state_mut().state.undo();
+    let state = &mut h.state_mut().state;
+    state.learn.undo(&mut state.model);
     h.run();
     assert_eq!(places(&h), before);
-    assert_eq!(h.state().state.tree.names(&h.state().state.document.figure().scene).len(), 2, "still selected");
+    assert_eq!(
+        h.state().state.model.tree.names(&h.state().state.model.document.figure().scene).len(),
+        2,
+        "still selected"
+    );
 }
 
 #[test]
 fn parallel_light_is_turned_by_rings() {
     let mut h = stage(|state| {
         with_cone(state);
-        state.document.edit(|figure| figure.scene.lights = vec![Light::directional(DVec3::new(0.0, -1.0, 0.0))]);
-        state.tree.select(Some(Selected::Light(0)));
+        state.model.document.edit(|figure| figure.scene.lights = vec![Light::directional(DVec3::new(0.0, -1.0, 0.0))]);
+        state.model.tree.select(Some(Selected::Light(0)));
     });
-    let middle = h.state().state.scene_cache.scene().bounds().unwrap().center();
+    let middle = h.state().state.model.scene_cache.scene().bounds().unwrap().center();
     let from = on_axis(&h, gizmo(Transforming::Turn, middle, DVec3::AXES), 0);
     drag(&mut h, from, vec2(30.0, 20.0), PointerButton::Primary, Modifiers::COMMAND);
-    let Light { kind: LightKind::Directional, vector: d, .. } = h.state().state.document.figure().scene.lights[0]
+    let Light { kind: LightKind::Directional, vector: d, .. } = h.state().state.model.document.figure().scene.lights[0]
     else {
         panic!("parallel")
     };
@@ -219,14 +228,14 @@ fn parallel_light_is_turned_by_rings() {
 #[test]
 fn turns_of_the_view_are_gone_back_through() {
     let mut h = stage(with_cone);
-    let observers = |h: &Harness<Stage>| h.state().state.document.figure().observers;
+    let observers = |h: &Harness<Stage>| h.state().state.model.document.figure().observers;
     let before = observers(&h);
     let rect = place(&h, WORLD);
     let corner = rect.min + vec2(8.0, 30.0);
     drag(&mut h, corner, vec2(40.0, 10.0), PointerButton::Primary, Modifiers::NONE);
     let turned = observers(&h);
     assert_ne!(turned, before);
-    let views = &mut h.state_mut().state.views;
+    let views = &mut h.state_mut().state.model.views;
     views.reset(before);
     assert!(views.can_go_back(turned) && !views.can_go_forward(turned));
     assert_eq!(views.back(turned), Some(before));

@@ -18,7 +18,7 @@ use crate::words::en;
 fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     let mut h = stage(|_| ());
     let rect = place(&h, IMAGE);
-    let window = h.state().state.document.camera().window();
+    let window = h.state().state.model.document.camera().window();
     let frame = image_frame(world(&h, rect).size, window.aspect());
     let share = DVec2::new(0.03, 0.96);
     let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
@@ -32,13 +32,13 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     };
     let text = h.get_by_label_contains("/ 1024 × 768").accesskit_node().value().unwrap();
     assert!(near(&text), "{text} is not near {pixel}");
-    let Some(Probe::Window(point)) = h.state().state.probe else { panic!("{:?}", h.state().state.probe) };
+    let Some(Probe::Window(point)) = h.state().state.model.probe else { panic!("{:?}", h.state().state.model.probe) };
     assert!((point.x - (window.left + share.x * window.width())).abs() < 0.01 * window.width());
     assert!((point.y - (window.top - share.y * window.height())).abs() < 0.01 * window.height());
 
     h.remove_cursor();
     h.run();
-    assert_eq!(h.state().state.probe, None);
+    assert_eq!(h.state().state.model.probe, None);
     h.hover_at(at);
     h.run();
     h.drag_at(at);
@@ -46,19 +46,19 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     h.run();
     h.remove_cursor();
     h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Window(point)), "a click pins it");
+    assert_eq!(h.state().state.model.probe, Some(Probe::Window(point)), "a click pins it");
     h.key_press(Key::Escape);
     h.run();
-    assert_eq!(h.state().state.probe, None, "Esc releases it");
+    assert_eq!(h.state().state.model.probe, None, "Esc releases it");
 }
 
 #[test]
 fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
     let observer = Observer { azimuth: 40.0, distance: 12.0, ..observer() };
-    let mut h = stage(|state| state.document.observers_mut().world = Some(observer));
+    let mut h = stage(|state| state.model.document.observers_mut().world = Some(observer));
     let [_, _, back] = observer.axes();
     let eye = observer.target + back * observer.distance;
-    let scene = h.state().state.scene_cache.scene().clone();
+    let scene = h.state().state.model.scene_cache.scene().clone();
     let object = &scene.objects[0];
     let corners = object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p));
     let corner = corners.min_by(|a, b| a.distance(eye).total_cmp(&b.distance(eye))).unwrap();
@@ -73,12 +73,12 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
     let drawn = h.state().canvas.drawn();
     h.hover_at(at + vec2(2.0, -1.0));
     h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Point(corner)));
+    assert_eq!(h.state().state.model.probe, Some(Probe::Point(corner)));
     for (after, before) in h.state().canvas.drawn().iter().zip(drawn) {
         assert_eq!(*after, before + 1);
     }
     let text = h.get_by_label_contains("NDC").accesskit_node().value().unwrap();
-    let ndc = h.state().state.document.camera().clip_point(corner);
+    let ndc = h.state().state.model.document.camera().clip_point(corner);
     let x = format!("{:.4}", ndc.x / ndc.w);
     assert!(text.contains(&x), "{text} has no {x}");
 }
@@ -88,11 +88,11 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
 #[test]
 fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let mut h = stage(|state| {
-        state.document.edit(|figure| {
+        state.model.document.edit(|figure| {
             figure.scene.preset = Preset::Empty;
             figure.scene.objects = vec![ObjectSpec::new("P", Shape::Points(vec![DVec3::new(1.0, 1.0, 0.0)]))];
         });
-        state.document.set_parameters(Parameters {
+        state.model.document.set_parameters(Parameters {
             position: DVec3::new(0.0, 0.0, 5.0),
             projection: Projection::Parallel,
             height: 4.0,
@@ -101,7 +101,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
             far: 20.0,
             ..Parameters::default()
         });
-        state.layout.maximized = Some(View::Image);
+        state.model.layout.maximized = Some(View::Image);
     });
     let rect = place(&h, IMAGE);
     // The largest rectangle of 4 : 3, in the middle.
@@ -110,7 +110,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let at = |[i, j]: [f32; 2]| frame.min + frame.size() * vec2(i / 1024.0, j / 768.0);
     h.hover_at(at([853.33, 192.0]));
     h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))), "its mark stands there");
+    assert_eq!(h.state().state.model.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))), "its mark stands there");
     assert!(
         h.get_all_by_label_contains(en::CANVAS.space_pixel)
             .any(|node| { node.accesskit_node().value().is_some_and(|text| text.contains("(853, 192)")) })
@@ -123,16 +123,16 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     // As the eye would see it: narrower, in the middle, and the switch goes back.
     h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
-    assert!(h.state().state.document.figure().undistorted);
+    assert!(h.state().state.model.document.figure().undistorted);
     let narrow = Rect::from_center_size(rect.center(), vec2((height * 0.75).round(), height));
     h.hover_at(narrow.min + narrow.size() * vec2(2.5 / 3.0, 0.25));
     h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
+    assert_eq!(h.state().state.model.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
     h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
-    assert!(!h.state().state.document.figure().undistorted);
+    assert!(!h.state().state.model.document.figure().undistorted);
     // With square pixels there is nothing to switch.
-    h.state_mut().state.document.set_parameters(Parameters::default());
+    h.state_mut().state.model.document.set_parameters(Parameters::default());
     h.run();
     assert!(h.query_by_label(en::CANVAS.undistorted).is_none());
 }
@@ -140,7 +140,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
 #[test]
 fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
     let mut h = stage(|state| {
-        state.document.edit(|figure| {
+        state.model.document.edit(|figure| {
             figure.scene.preset = Preset::Empty;
             let ends = [[DVec3::ZERO, DVec3::new(0.0, 0.0, 1.0)], [DVec3::new(1.0, 0.5, 0.0), DVec3::X]];
             figure.scene.objects = vec![
@@ -148,11 +148,11 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
                 ObjectSpec::new("edges", Shape::Segments(ends.to_vec())).at(0.0, 2.0, 0.0),
             ];
         });
-        state.layout.maximized = Some(View::Image);
+        state.model.layout.maximized = Some(View::Image);
     });
     let rect = place(&h, IMAGE);
     let at = |h: &Harness<Stage>, p: DVec3| {
-        let camera = h.state().state.document.camera();
+        let camera = h.state().state.model.document.camera();
         let clip = camera.clip_from_world() * p.extend(1.0);
         let ndc = clip.truncate() / clip.w;
         let height = rect.height().min(rect.width() * 0.75).round();
@@ -169,7 +169,7 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
     h.run();
     let status = h.get_by_label_contains("– box").accesskit_node().value().unwrap();
     let number: usize = status.split_whitespace().nth(1).unwrap().parse().unwrap();
-    let mesh = &h.state().state.scene_cache.scene().objects[0].mesh;
+    let mesh = &h.state().state.model.scene_cache.scene().objects[0].mesh;
     assert_eq!(mesh.positions[number - 1], DVec3::ONE, "{status}");
     // A click pins it: the card stays when the pointer has gone, until it is released.
     h.drag_at(corner);
@@ -195,7 +195,7 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
 #[test]
 fn a_card_goes_with_the_window_until_it_is_moved() {
     let open = |size: [f32; 2]| {
-        let mut h = stage(|state| state.document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE)));
+        let mut h = stage(|state| state.model.document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE)));
         h.set_size(size.into());
         h.run();
         h

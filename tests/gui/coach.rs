@@ -5,7 +5,8 @@ use std::time::Duration;
 use camera_lab::camera::{Api, Ndc, Parameters};
 use camera_lab::figure::Explanation;
 use camera_lab::gui::files::file_flow;
-use camera_lab::gui::state::{AfterSave, Dialog};
+use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::model::action::AfterSave;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::coach;
 use camera_lab::scene::Preset;
@@ -19,7 +20,7 @@ use crate::words::en;
 /// A window with a cube, which there is little to draw of.
 fn window(lang: Lang) -> Window {
     let mut window = Window::new(lang);
-    window.app_mut().state.document.edit(|figure| figure.scene.preset = Preset::Cube);
+    window.app_mut().state.model.document.edit(|figure| figure.scene.preset = Preset::Cube);
     settled(&mut window);
     window
 }
@@ -37,9 +38,9 @@ fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
         let mut window = window(lang);
         assert!(window.harness.query_by_label(button).is_none());
         // It turns its back to the scene.
-        let before = window.state().document.figure().camera;
+        let before = window.state().model.document.figure().camera;
         let behind = Parameters { focal_point: 2.0 * before.position, ..before };
-        window.app_mut().state.document.set_parameters(behind);
+        window.app_mut().state.model.document.set_parameters(behind);
         settled(&mut window);
         assert!(window.says(why));
         window.click(button);
@@ -48,7 +49,7 @@ fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
         let advice = window.state().coach.advice().expect("it is known").clone();
         assert!(advice.diagnosis.expect("it can be drawn").visible > 0);
         window.command_key(Key::Z);
-        assert_eq!(window.state().document.figure().camera, behind, "one step back");
+        assert_eq!(window.state().model.document.figure().camera, behind, "one step back");
     }
 }
 
@@ -65,10 +66,10 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     let improve = window.harness.query_all_by_label(en::COACH.improve).next().expect("a repair");
     improve.click();
     settled(&mut window);
-    assert!(window.state().document.figure().camera.near > 0.5);
+    assert!(window.state().model.document.figure().camera.near > 0.5);
     assert!(window.harness.query_by_label("Camera check: good").is_some());
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.figure().camera.near, 1e-5);
+    assert_eq!(window.state().model.document.figure().camera.near, 1e-5);
 }
 
 /// Numbers in the fields that make no camera are a finding with a repair, and the last good image stays.
@@ -77,21 +78,21 @@ fn an_impossible_camera_is_a_finding_and_one_click_repairs_it() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = coach::texts(lang);
         let mut window = window(lang);
-        let good = window.state().document.figure().camera;
+        let good = window.state().model.document.figure().camera;
         window.enter("B", "0,01");
         settled(&mut window);
-        assert_eq!(window.state().document.figure().camera, good);
+        assert_eq!(window.state().model.document.figure().camera, good);
         window.click(&format!("⚠ {}", t.one_finding));
         settled(&mut window);
         let why = if lang == Lang::En { "F must be less than B" } else { "F tem de ser menor que B" };
         assert!(window.says(why), "{lang:?}");
         window.click(t.show_it);
         settled(&mut window);
-        assert!(window.state().document.problem().is_none());
+        assert!(window.state().model.document.problem().is_none());
         // B = 10 F, since with F and B exchanged the cube would be beyond the back plane.
-        assert_eq!(window.state().document.figure().camera, Parameters { far: 10.0 * good.near, ..good });
+        assert_eq!(window.state().model.document.figure().camera, Parameters { far: 10.0 * good.near, ..good });
         window.command_key(Key::Z);
-        assert_eq!(window.state().document.figure().camera, good);
+        assert_eq!(window.state().model.document.figure().camera, good);
     }
 }
 
@@ -110,15 +111,15 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
         window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
         settled(&mut window);
     }
-    assert!(window.state().document.problem().is_some());
-    assert_eq!(window.state().document.draft().position.y, 9.0);
+    assert!(window.state().model.document.problem().is_some());
+    assert_eq!(window.state().model.document.draft().position.y, 9.0);
     window.click(&format!("⚠ {}", t.one_finding));
     settled(&mut window);
     assert!(window.says("VUP × n"));
     window.click(t.show_it);
     settled(&mut window);
-    assert!(window.state().document.problem().is_none());
-    assert_eq!(window.state().document.figure().camera.position.y, 9.0);
+    assert!(window.state().model.document.problem().is_none());
+    assert_eq!(window.state().model.document.figure().camera.position.y, 9.0);
 }
 
 /// While the coach looks at what has changed, a click on its button is the coach's all the same.
@@ -133,15 +134,15 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     };
     window.harness.event(Event::PointerMoved(coach));
     window.harness.step();
-    let before = window.state().document.figure().camera;
-    window.app_mut().state.document.set_parameters(Parameters { near: 1e-5, ..before });
+    let before = window.state().model.document.figure().camera;
+    window.app_mut().state.model.document.set_parameters(Parameters { near: 1e-5, ..before });
     window.harness.step();
     button(&window, true);
     window.harness.step();
     button(&window, false);
     window.harness.step();
     settled(&mut window);
-    assert!(window.state().file_flow.dialog == Some(Dialog::Coach) && !window.state().layout.strip);
+    assert!(window.state().file_flow.dialog == Some(Dialog::Coach) && !window.state().model.layout.strip);
     window.key(Key::Escape);
     assert!(window.harness.query_by_label("⚠ Camera check: poor").is_some());
 }
@@ -190,9 +191,10 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         assert!(picture(&window, apart) && !picture(&window, flicker));
         let field = if lang == Lang::En { "Two planes, this far apart:" } else { "Dois planos, a esta distância:" };
         window.enter(field, "1e-9");
-        assert_eq!(window.state().coach.gap, 1e-9);
+        assert_eq!(window.state().explain.gap, 1e-9);
         assert!(picture(&window, flicker) && !picture(&window, apart));
-        window.app_mut().state.settings.conventions.ndc = Ndc { api: Api::Vulkan, reversed: true, infinite: true };
+        window.app_mut().state.model.settings.conventions.ndc =
+            Ndc { api: Api::Vulkan, reversed: true, infinite: true };
         window.run();
         let (said, missing) = match lang {
             Lang::En => ("In the NDC of Vulkan, reversed, B → ∞, z_n is 1 at F and 0 at B → ∞.", "f32 reversed"),
@@ -208,8 +210,8 @@ fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
     for (lang, comma, point) in [(Lang::PtBr, ',', '.'), (Lang::En, '.', ',')] {
         let mut window = window(lang);
         // Nothing is seen up to here, and F is far too small.
-        let camera = window.state().document.figure().camera;
-        window.app_mut().state.document.set_parameters(Parameters { near: 1e-5, far: 3.7, ..camera });
+        let camera = window.state().model.document.figure().camera;
+        window.app_mut().state.model.document.set_parameters(Parameters { near: 1e-5, far: 3.7, ..camera });
         settled(&mut window);
         window.app_mut().state.file_flow.dialog = Some(Dialog::Coach);
         settled(&mut window);

@@ -5,7 +5,7 @@ use camera_lab::figure::WorldLook;
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::app::command::{Command, MENUS};
-use camera_lab::gui::state::{ObserverChange, Side};
+use camera_lab::gui::model::layout::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::{cameras, compare, photograph, predict, search, texts};
 use camera_lab::views::View;
@@ -43,7 +43,7 @@ impl Window {
 fn turns_after_a_plus_are_undone_one_by_one() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
-    let camera = |window: &Window| *window.state().document.camera().parameters();
+    let camera = |window: &Window| *window.state().model.document.camera().parameters();
     let mut cameras = vec![camera(&window)];
     window.plus_that_comes_up_as_equals();
     cameras.push(camera(&window));
@@ -56,14 +56,14 @@ fn turns_after_a_plus_are_undone_one_by_one() {
         window.command_key(Key::Z);
         assert_eq!(camera(&window), *before, "step {i} is taken back alone");
     }
-    assert!(!window.state().document.can_undo());
+    assert!(!window.state().model.document.can_undo());
 }
 
 #[test]
 fn what_a_held_key_repeats_is_one_step() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
-    let camera = |window: &Window| *window.state().document.camera().parameters();
+    let camera = |window: &Window| *window.state().model.document.camera().parameters();
     let before = camera(&window);
     for _ in 0..10 {
         window.key_event(Key::ArrowRight, true, Modifiers::NONE);
@@ -79,7 +79,7 @@ fn what_a_held_key_repeats_is_one_step() {
     assert_eq!(camera(&window), turned);
     window.command_key(Key::Z);
     assert_eq!(camera(&window), before);
-    assert!(!window.state().document.can_undo());
+    assert!(!window.state().model.document.can_undo());
 }
 
 #[test]
@@ -87,9 +87,9 @@ fn a_key_that_never_comes_up_is_not_held_for_ever() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
     window.key_event(Key::ArrowRight, true, Modifiers::NONE);
-    assert!(!window.state().document.can_undo(), "it may repeat yet");
+    assert!(!window.state().model.document.can_undo(), "it may repeat yet");
     window.harness.run_steps(6);
-    assert!(window.state().document.can_undo());
+    assert!(window.state().model.document.can_undo());
 }
 
 #[test]
@@ -102,7 +102,8 @@ fn every_command_stands_in_a_menu_with_its_keys() {
     for (title, menu) in titles.into_iter().zip(in_bar()) {
         window.harness.get_all_by_label(title).next().expect("a menu").click();
         window.run();
-        for command in menu.groups(window.state()).flatten().filter(|c| c.is_listed(window.state())).collect::<Vec<_>>()
+        for command in
+            menu.groups(&window.state().model).flatten().filter(|c| c.is_listed(window.state())).collect::<Vec<_>>()
         {
             assert!(window.says(command.label(t)), "{command:?}");
             assert!(window.says(&window.harness.ctx.format_shortcut(&command.shortcut())), "{command:?}");
@@ -114,9 +115,9 @@ fn every_command_stands_in_a_menu_with_its_keys() {
 #[test]
 fn presentation_enlarges_everything_and_gives_the_room_to_the_pictures() {
     let mut window = Window::new(Lang::En);
-    assert_eq!(window.state().settings.stroke_scale(), 1.0);
+    assert_eq!(window.state().model.settings.stroke_scale(), 1.0);
     window.key(Key::F11);
-    assert!(window.state().settings.stroke_scale() > 1.0);
+    assert!(window.state().model.settings.stroke_scale() > 1.0);
     assert!(window.harness.ctx.zoom_factor() > 1.5);
     assert!(!window.says(en::WINDOW.elevation_effect));
     window.key(Key::F9);
@@ -170,7 +171,8 @@ fn a_narrow_window_has_room_for_one_panel() {
     let mut window = Window::new(Lang::En);
     window.harness.set_size([800.0, 600.0].into());
     window.run();
-    let shown = |window: &Window| [Side::Left, Side::Right].map(|side| window.state().settings.panels().is_shown(side));
+    let shown =
+        |window: &Window| [Side::Left, Side::Right].map(|side| window.state().model.settings.panels().is_shown(side));
     assert_eq!(shown(&window), [true, false]);
     window.key(Key::F9);
     assert_eq!(shown(&window), [false, true]);
@@ -196,7 +198,7 @@ fn on_a_telephone_the_menus_are_in_one_and_everything_in_the_bar_is_on_the_scree
         assert!(bar.windows(2).all(|pair| pair[0].1.max.x < pair[1].1.min.x), "{bar:?}");
         window.click(t.menus);
         window.menu(t.menu_window, Command::ReduceMotion.label(t));
-        assert!(window.state().settings.reduce_motion);
+        assert!(window.state().model.settings.reduce_motion);
         assert!(!window.says(t.menu_file), "the menus are closed");
     }
 }
@@ -206,10 +208,10 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     let mut window = Window::new(Lang::En);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Light);
     window.command_key(Key::T);
-    assert_eq!(window.state().settings.theme, Theme::Dark);
+    assert_eq!(window.state().model.settings.theme, Theme::Dark);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Dark);
     // It is not the figure that has changed.
-    let document = &window.state().document;
+    let document = &window.state().model.document;
     assert!(!document.is_changed() && !document.can_undo());
     assert_eq!(document.figure().style.theme, Theme::Light);
     // Nor does another figure change it, not even one that was drawn for print.
@@ -218,8 +220,8 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     std::fs::write(&path, "[scene]\npreset = \"empty\"\n[style]\ntheme = \"print\"\n").expect("written");
     window.command_key(Key::O);
     window.choose(&path);
-    assert_eq!(window.state().document.figure().style.theme, Theme::Print);
-    assert_eq!((window.state().settings.theme, window.harness.ctx.theme()), (Theme::Dark, egui::Theme::Dark));
+    assert_eq!(window.state().model.document.figure().style.theme, Theme::Print);
+    assert_eq!((window.state().model.settings.theme, window.harness.ctx.theme()), (Theme::Dark, egui::Theme::Dark));
 }
 
 #[test]
@@ -246,8 +248,8 @@ fn what_is_changed_is_remembered_for_the_next_window() {
     window.key(Key::Enter);
     eframe::App::on_exit(window.app_mut(), None);
     let next = remembering();
-    assert_eq!((next.state().settings.lang, next.state().settings.theme), (Lang::PtBr, Theme::Dark));
-    assert!(next.state().layout.strip && next.says(pt::WINDOW.menu_file));
+    assert_eq!((next.state().model.settings.lang, next.state().model.settings.theme), (Lang::PtBr, Theme::Dark));
+    assert!(next.state().model.layout.strip && next.says(pt::WINDOW.menu_file));
     assert_eq!(next.harness.ctx.theme(), egui::Theme::Dark);
     assert_eq!(next.state().recent.files, [figure]);
 }
@@ -256,16 +258,16 @@ fn what_is_changed_is_remembered_for_the_next_window() {
 fn pictures_are_hidden_and_shown_and_looked_at() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::Num1);
-    assert!(window.state().layout.is_shown(View::World));
+    assert!(window.state().model.layout.is_shown(View::World));
     window.command_key(Key::Num1);
-    assert!(!window.state().layout.is_shown(View::World));
+    assert!(!window.state().model.layout.is_shown(View::World));
     // The last one stays.
     window.command_key(Key::Num3);
-    assert!(window.state().layout.is_shown(View::Image));
+    assert!(window.state().model.layout.is_shown(View::Image));
     window.command_key(Key::Num1);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num2);
     window.run();
-    let observers = window.state().document.figure().observers;
+    let observers = window.state().model.document.figure().observers;
     assert_eq!(
         observers.world.map(|observer| observer.elevation),
         Some(90.0),
@@ -273,7 +275,7 @@ fn pictures_are_hidden_and_shown_and_looked_at() {
         ObserverChange::From(Viewpoint::Top)
     );
     // Looking from somewhere else is no change of the figure.
-    assert!(!window.state().document.is_changed() && !window.state().document.can_undo());
+    assert!(!window.state().model.document.is_changed() && !window.state().model.document.can_undo());
 }
 
 #[test]
@@ -325,13 +327,13 @@ fn in_one_frame(window: &mut Window, keys: &[(Modifiers, Key)]) {
 #[test]
 fn every_key_of_a_frame_acts() {
     let mut window = Window::new(Lang::En);
-    let x = |window: &Window| window.state().document.camera().position().x;
+    let x = |window: &Window| window.state().model.document.camera().position().x;
     let start = x(&window);
     for value in 1..=6 {
         window.enter("C x", &(10 * value).to_string());
     }
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Z); 6]);
-    assert_eq!((x(&window), window.state().document.can_undo()), (start, false));
+    assert_eq!((x(&window), window.state().model.document.can_undo()), (start, false));
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Y); 4]);
     assert_eq!(x(&window), 40.0);
     // In their order: two back, one forward.
@@ -339,21 +341,21 @@ fn every_key_of_a_frame_acts() {
     in_one_frame(&mut window, &[undo, redo, undo, undo, redo]);
     assert_eq!(x(&window), 30.0);
     in_one_frame(&mut window, &[(Modifiers::NONE, Key::F10), (Modifiers::NONE, Key::F8), (Modifiers::NONE, Key::F9)]);
-    let shown = [Side::Left, Side::Right].map(|side| window.state().settings.panels().is_shown(side));
-    assert!(window.state().layout.strip && shown == [false, false]);
-    let before: Vec<bool> = View::ALL.map(|view| window.state().layout.is_shown(view)).into();
+    let shown = [Side::Left, Side::Right].map(|side| window.state().model.settings.panels().is_shown(side));
+    assert!(window.state().model.layout.strip && shown == [false, false]);
+    let before: Vec<bool> = View::ALL.map(|view| window.state().model.layout.is_shown(view)).into();
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Num2), (Modifiers::COMMAND, Key::Num3)]);
-    let after: Vec<bool> = View::ALL.map(|view| window.state().layout.is_shown(view)).into();
+    let after: Vec<bool> = View::ALL.map(|view| window.state().model.layout.is_shown(view)).into();
     assert!(before[1] != after[1], "{before:?} {after:?}");
 }
 
 #[test]
 fn what_follows_the_key_of_a_dialog_is_not_for_the_window() {
     let mut window = Window::new(Lang::En);
-    let theme = window.state().document.figure().style.theme;
+    let theme = window.state().model.document.figure().style.theme;
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::E), (Modifiers::COMMAND, Key::T)]);
     assert!(window.state().file_flow.dialog.is_some());
-    assert_eq!(window.state().document.figure().style.theme, theme);
+    assert_eq!(window.state().model.document.figure().style.theme, theme);
 }
 
 #[test]
@@ -362,11 +364,11 @@ fn the_arc_of_an_operation_goes_with_its_panel() {
     let at = window.harness.get_by_label("Elevation: slider").rect().center();
     window.harness.hover_at(at);
     window.run();
-    assert!(window.state().hover.ghost.is_some());
+    assert!(window.state().model.hover.ghost.is_some());
     window.key(Key::F9);
-    assert!(window.state().hover.ghost.is_none());
+    assert!(window.state().model.hover.ghost.is_none());
     window.key(Key::F9);
-    assert!(window.state().hover.ghost.is_some(), "it is pointed at again");
+    assert!(window.state().model.hover.ghost.is_some(), "it is pointed at again");
 }
 
 #[test]
@@ -382,11 +384,11 @@ fn news_go_when_they_have_been_read_and_errors_stay() {
     pass(&mut window, 5.0);
     assert!(window.says("Copied"));
     pass(&mut window, 6.0);
-    assert!(!window.says("Copied") && window.state().message.is_none());
+    assert!(!window.says("Copied") && window.state().model.message.is_none());
     let error = camera_lab::camera::CameraError::ViewUpZero;
-    window.app_mut().state.say(camera_lab::gui::state::Message::Camera(error));
+    window.app_mut().state.model.say(camera_lab::gui::model::message::Message::Camera(error));
     pass(&mut window, 12.0);
-    assert!(window.state().message.is_some());
+    assert!(window.state().model.message.is_some());
 }
 
 #[test]
@@ -396,11 +398,11 @@ fn a_parameter_that_is_pointed_at_shows_its_length_in_the_world_and_no_other_doe
         let place = window.field(field).rect().center();
         window.harness.hover_at(place);
         window.run();
-        assert_eq!(window.state().hover.measured, [Measured::Dimension(measure)], "{field}");
+        assert_eq!(window.state().model.hover.measured, [Measured::Dimension(measure)], "{field}");
     }
     window.harness.remove_cursor();
     window.run();
-    assert!(window.state().hover.measured.is_empty());
+    assert!(window.state().model.hover.measured.is_empty());
 }
 
 #[test]
@@ -412,19 +414,19 @@ fn section_and_dimensions_are_switched_by_their_commands_and_undone_like_any_edi
     };
     press(&mut window, Modifiers::ALT, Key::Num9);
     press(&mut window, Modifiers::ALT, Key::Num8);
-    let world = window.state().document.figure().world;
+    let world = window.state().model.document.figure().world;
     assert!(world.section && world.dimensions);
     press(&mut window, Modifiers::ALT, Key::Num9);
-    assert!(window.state().document.figure().world.dimensions, "the section has its own: it does nothing");
+    assert!(window.state().model.document.figure().world.dimensions, "the section has its own: it does nothing");
     press(&mut window, Modifiers::COMMAND, Key::Z);
     press(&mut window, Modifiers::ALT, Key::Num9);
-    assert_eq!(window.state().document.figure().world, WorldLook::default());
+    assert_eq!(window.state().model.document.figure().world, WorldLook::default());
 }
 
 /// A window with all three pictures.
 fn whole(lang: Lang) -> Window {
     let mut window = Window::new(lang);
-    window.app_mut().state.layout.maximized = None;
+    window.app_mut().state.model.layout.maximized = None;
     window.run();
     window
 }
@@ -444,7 +446,7 @@ fn from_where_to_look_is_a_menu_in_words_with_the_keys_for_it() {
         let in_menu = window.harness.query_all(By::new().label_contains(entry));
         in_menu.into_iter().find(|node| node.rect().contains(place.center())).expect(entry).click();
         window.run();
-        let seen = window.state().document.figure().observers.world.expect("an observer");
+        let seen = window.state().model.document.figure().observers.world.expect("an observer");
         assert_eq!((seen.azimuth, seen.elevation, seen.parallel), (90.0, 0.0, true));
     }
 }
@@ -455,23 +457,23 @@ fn the_section_is_in_the_menu_of_viewpoints_and_another_side_leaves_it() {
     window.harness.get_all_by_label(en::CANVAS.look_menu).next().expect("the world's").click();
     window.run();
     window.click(en::CANVAS.section);
-    assert!(window.state().document.figure().world.section);
+    assert!(window.state().model.document.figure().world.section);
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num1);
     window.run();
-    let figure = window.state().document.figure();
+    let figure = window.state().model.document.figure();
     assert!(!figure.world.section && figure.observers.world.is_some());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num8);
     window.run();
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num0);
     window.run();
-    assert!(window.state().document.figure().world.section, "fitting is no other side");
+    assert!(window.state().model.document.figure().world.section, "fitting is no other side");
 }
 
 #[test]
 fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_was_turned_stays() {
     let mut window = whole(Lang::En);
-    let seen = |window: &Window| window.state().document.figure().observers.world.expect("an observer");
+    let seen = |window: &Window| window.state().model.document.figure().observers.world.expect("an observer");
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num5);
     window.run();
     let framed = seen(&window);
@@ -480,12 +482,12 @@ fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_w
     let again = seen(&window);
     assert_ne!(framed.distance, again.distance);
     assert_eq!((framed.azimuth, framed.elevation, framed.roll), (again.azimuth, again.elevation, again.roll));
-    assert!(!window.state().document.is_changed());
+    assert!(!window.state().model.document.is_changed());
     window.key(Key::F11);
     window.run();
     assert!((seen(&window).distance / framed.distance - 1.0).abs() < 1e-9, "and back");
     let turned = camera_lab::figure::Observer { azimuth: framed.azimuth + 7.0, ..seen(&window) };
-    window.app_mut().state.document.observers_mut().world = Some(turned);
+    window.app_mut().state.model.document.observers_mut().world = Some(turned);
     window.run();
     window.key(Key::F11);
     window.run();
@@ -499,7 +501,7 @@ fn redo_with_nothing_to_redo_does_not_undo() {
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     window.run();
-    assert_eq!(window.state().document.figure().camera.far, 40.0);
+    assert_eq!(window.state().model.document.figure().camera.far, 40.0);
 }
 
 #[test]
@@ -512,7 +514,7 @@ fn alt_calls_commands_from_a_field_and_option_writes_into_it() {
         window.key_event(Key::M, true, Modifiers::ALT);
         window.harness.event(Event::Text("µ".to_owned()));
         window.run();
-        assert_eq!(window.state().settings.reduce_motion, is_called, "{os:?}");
+        assert_eq!(window.state().model.settings.reduce_motion, is_called, "{os:?}");
     }
 }
 
@@ -521,7 +523,7 @@ fn alt_calls_commands_from_a_field_and_option_writes_into_it() {
 fn controls_are_found_by_their_names() {
     let mut window = Window::new(Lang::En);
     for (lang, place) in [(Lang::En, 0), (Lang::PtBr, 1)] {
-        window.app_mut().state.settings.lang = lang;
+        window.app_mut().state.model.settings.lang = lang;
         window.run();
         let (t, compare, of_predict) = (texts(lang), compare::texts(lang), predict::texts(lang));
         let of_cameras = cameras::texts(lang);

@@ -3,7 +3,7 @@
 use camera_lab::appearance::{DepthFormat, Shading, Visibility};
 use camera_lab::camera::Projection;
 use camera_lab::figure::Comparison;
-use camera_lab::gui::state::Dialog;
+use camera_lab::gui::files::questions::Dialog;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::View;
@@ -22,13 +22,13 @@ fn house(lang: Lang) -> Window {
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
     state.file_flow.native = false;
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     Window::with_state(state, [1280.0, 800.0])
 }
 
 impl Window {
     fn compared(&self) -> Option<&Comparison> {
-        self.state().document.figure().compare.as_ref()
+        self.state().model.document.figure().compare.as_ref()
     }
 
     fn compare(&mut self) {
@@ -53,7 +53,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
     // Without the card, which would end the comparison if it were closed.
     window.app_mut().state.file_flow.dialog = None;
     window.run();
-    let (place, from) = (window.state().picture_sizes[View::Image.index()], window.wiper().center());
+    let (place, from) = (window.state().model.picture_sizes[View::Image.index()], window.wiper().center());
     window.drag(from, vec2(-100.0, 0.0), |_| {});
     let wiper = window.compared().expect("a comparison").wiper;
     assert!((wiper - (0.5 - 100.0 / f64::from(place[0]))).abs() < 0.01, "{wiper}");
@@ -68,7 +68,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
         window.command_key(Key::Z);
         assert_eq!(window.compared().map(|comparison| comparison.wiper), expected);
     }
-    while window.state().document.can_undo() {
+    while window.state().model.document.can_undo() {
         window.command_key(Key::Z);
     }
     assert_eq!(window.compared(), None);
@@ -88,22 +88,22 @@ fn each_ready_pair_compares_and_is_swapped() {
     ] {
         window.click(pair);
         assert_eq!(window.compared().expect("a comparison").with[0].0, key, "{pair}");
-        assert!(window.state().compared().is_some(), "{pair}");
+        assert!(window.state().model.compared().is_some(), "{pair}");
     }
     window.click(en::COMPARE.swap);
-    assert_eq!(window.state().document.figure().style.depth_format, DepthFormat::Fixed16);
+    assert_eq!(window.state().model.document.figure().style.depth_format, DepthFormat::Fixed16);
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32-reversed\"");
     window.click(en::COMPARE.swap);
     window.click(en::COMPARE.projection);
     window.click(en::COMPARE.swap);
-    assert_eq!(window.state().document.figure().camera.projection, Projection::Parallel);
+    assert_eq!(window.state().model.document.figure().camera.projection, Projection::Parallel);
     window.click(en::COMPARE.operation);
     assert_eq!(window.compared().expect("a comparison").ops.len(), 1);
     window.click(en::COMPARE.beside);
     assert!(window.compared().expect("a comparison").beside);
     window.click(en::COMPARE.nothing);
     assert_eq!(window.compared(), None);
-    let style = window.state().document.figure().style;
+    let style = window.state().model.document.figure().style;
     assert_eq!((style.shading, style.visibility), (Shading::Flat, Visibility::DepthBuffer));
 }
 
@@ -127,7 +127,7 @@ fn any_key_is_compared_and_a_wrong_one_is_explained() {
     assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "512".to_owned())]);
     window.click(pt::COMPARE.swap);
     assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "1024".to_owned())]);
-    assert_eq!(window.state().document.figure().image.width, 512);
+    assert_eq!(window.state().model.document.figure().image.width, 512);
     type_key(&mut window, "camera.near = 0");
     assert!(window.says("near é 0"));
     assert_eq!(window.compared().expect("the comparison before").with[0].0, "image.width");
@@ -146,13 +146,13 @@ fn the_numbers_at_the_pointer_are_those_of_its_side() {
     let figure = camera_lab::figure::read::parse(text).expect("a figure");
     let mut state = State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None })
         .expect("a possible camera");
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1280.0, 800.0]);
     let wiper = window.wiper().center();
     for (offset, pixel) in [(-60.0, "Pixel (3"), (60.0, "Pixel (4")] {
         window.harness.hover_at(wiper + vec2(offset, 0.0));
         window.run();
-        let said = window.state().probe;
+        let said = window.state().model.probe;
         assert!(window.says(pixel), "{offset}: {said:?}");
     }
     window.harness.hover_at(wiper + vec2(60.0, 0.0));
@@ -166,7 +166,7 @@ fn the_convention_of_the_window_is_the_side_that_is_swapped() {
     window.compare();
     window.click(en::COMPARE.convention);
     window.click(en::COMPARE.swap);
-    assert_eq!(window.state().settings.conventions.ndc.name(), "direct3d");
+    assert_eq!(window.state().model.settings.conventions.ndc.name(), "direct3d");
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"opengl\"");
 }
 
@@ -174,32 +174,32 @@ fn the_convention_of_the_window_is_the_side_that_is_swapped() {
 fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
     let folder = Folder::new("compare");
     let mut window = house(Lang::En);
-    let first = window.state().document.figure().camera;
-    let framed = window.state().document.figure().observers;
+    let first = window.state().model.document.figure().camera;
+    let framed = window.state().model.document.figure().observers;
     window.key(Key::F4);
     assert!(window.says(en::COMPARE.no_sides) && window.compared().is_none());
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::F4);
     window.run();
     window.enter("C x", "-3");
-    let second = window.state().document.figure().camera;
+    let second = window.state().model.document.figure().camera;
     // Now, and A: swapped, and back.
     window.key(Key::F4);
-    assert_eq!(window.state().compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
     window.key(Key::F4);
-    assert_eq!(window.state().document.figure().camera, first);
+    assert_eq!(window.state().model.document.figure().camera, first);
     window.key(Key::F4);
-    assert_eq!(window.state().document.figure().camera, second);
+    assert_eq!(window.state().model.document.figure().camera, second);
     // A stays as it was while the camera goes on.
     window.enter("C y", "1.5");
-    assert_eq!(window.state().compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
     window.compare();
     window.click(en::WINDOW.close);
     assert_eq!(window.compared(), None);
-    assert_eq!(window.state().document.figure().observers, framed);
+    assert_eq!(window.state().model.document.figure().observers, framed);
     // As it was opened, and another file.
     window.compare();
     window.click(en::COMPARE.with_saved);
-    assert_eq!(window.state().compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
     let path = folder.file("other.toml");
     let other =
         "[camera]\nprojection = \"parallel\"\nheight = 7\n[scene]\npreset = \"house\"\n[style]\nshading = \"flat\"\n";
@@ -207,6 +207,6 @@ fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
     window.click(en::COMPARE.with_file);
     window.choose(&path);
     window.run();
-    let side = window.state().compared().expect("a side").camera.clone().expect("another camera");
+    let side = window.state().model.compared().expect("a side").camera.clone().expect("another camera");
     assert_eq!((side.parameters().projection, side.parameters().height), (Projection::Parallel, 7.0));
 }

@@ -4,7 +4,8 @@ use std::fs;
 
 use camera_lab::camera::{Api, Ndc, Projection};
 use camera_lab::figure::Explanation;
-use camera_lab::gui::state::{Conventions, Dialog};
+use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::model::conventions::Conventions;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::{Probe, View, Views};
@@ -33,14 +34,14 @@ fn choose(window: &mut Window, list: &str, entry: &str) {
 }
 
 fn shown(window: &Window) -> Conventions {
-    window.state().settings.conventions
+    window.state().model.settings.conventions
 }
 
 #[test]
 fn the_numbers_are_in_the_convention_that_is_chosen() {
     let mut window = window(Lang::En);
     // The first digits of the entry of y, with a minus.
-    let y = window.state().document.camera().clip_from_view().y_axis.y;
+    let y = window.state().model.document.camera().clip_from_view().y_axis.y;
     let downwards = format!("−{}", &format!("{y:.6}")[..4]);
     assert!(window.says("projection matrix (5.14)") && !window.says(&downwards));
     choose(&mut window, "NDC of", "Vulkan");
@@ -53,7 +54,7 @@ fn the_numbers_are_in_the_convention_that_is_chosen() {
     assert!(window.says("projection matrix · Vulkan, reversed, B → ∞"));
     // The figure is as it was.
     window.key(Key::Escape);
-    assert!(!window.state().document.is_changed());
+    assert!(!window.state().model.document.is_changed());
 }
 
 #[test]
@@ -81,7 +82,7 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
     window.click("NDC de: B → ∞");
     assert!(!window.says("o mesmo z"));
     window.click(pt::WINDOW.parallel);
-    assert_eq!(window.state().document.camera().projection(), Projection::Parallel);
+    assert_eq!(window.state().model.document.camera().projection(), Projection::Parallel);
     assert!(window.says("B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: OpenGL aparece"));
     assert!(window.says("matriz de projeção (5.16)"), "as with a far plane");
 }
@@ -103,8 +104,8 @@ fn canonical(ndc: Ndc) -> Window {
         Start { figure: camera_lab::gui::fresh(), file: None, lang: Lang::En, allow_files: false, lesson: None };
     let mut state = State::new(start).expect("a possible camera");
     state.file_flow.native = false;
-    state.layout.maximized = Some(View::Canonical);
-    state.settings.conventions.ndc = ndc;
+    state.model.layout.maximized = Some(View::Canonical);
+    state.model.settings.conventions.ndc = ndc;
     Window::with_state(state, [900.0, 560.0])
 }
 
@@ -119,7 +120,7 @@ fn the_probe_and_a_presentation_are_in_the_convention() {
     for presenting in [false, true] {
         if presenting {
             window.key(Key::F11);
-            assert!(window.state().settings.presentation && shown(&window).ndc == VULKAN);
+            assert!(window.state().model.settings.presentation && shown(&window).ndc == VULKAN);
         }
         let picture = window.harness.get_by(|node| {
             node.role() == Role::Image && node.label().is_some_and(|label| label.starts_with("Canonical volume"))
@@ -130,11 +131,11 @@ fn the_probe_and_a_presentation_are_in_the_convention() {
         let vertex = places.into_iter().find_map(|at| {
             window.harness.hover_at(at);
             window.run();
-            window.state().probe.and_then(|probe| if let Probe::Point(p) = probe { Some(p) } else { None })
+            window.state().model.probe.and_then(|probe| if let Probe::Point(p) = probe { Some(p) } else { None })
         });
         let p = vertex.expect("a vertex");
-        let clip = window.state().document.camera().clip_space(VULKAN).expect("in perspective").clip_from_view()
-            * window.state().document.camera().view_point(p).extend(1.0);
+        let clip = window.state().model.document.camera().clip_space(VULKAN).expect("in perspective").clip_from_view()
+            * window.state().model.document.camera().view_point(p).extend(1.0);
         let text = read_out(&window);
         let z = format!("{:.6}", clip.z / clip.w)[..4].to_owned();
         assert!(text.contains(&z) && clip.z > 0.0, "{text} has no {z}");
@@ -149,12 +150,12 @@ fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
     let export = |name: &str, ndc: Ndc| {
         let mut window = canonical(ndc);
         let path = folder.file(name);
-        let [width, height] = window.state().picture_sizes[View::Canonical.index()];
+        let [width, height] = window.state().model.picture_sizes[View::Canonical.index()];
         let on_screen = window.pixels([width as usize, height as usize]);
         window.command_key(Key::E);
         let Some(Dialog::Export(mut export)) = window.state().file_flow.dialog.clone() else { panic!("no dialog") };
-        let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
-        let theme = window.state().settings.theme;
+        let (sizes, unit) = (window.state().model.picture_sizes, window.state().model.screen_scale);
+        let theme = window.state().model.settings.theme;
         (export.what, export.times, export.theme) = (Views::One(View::Canonical), Some(1), theme);
         export.fit_screen(sizes, unit);
         window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));

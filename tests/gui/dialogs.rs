@@ -4,7 +4,7 @@ use std::fs;
 
 use camera_lab::appearance::Theme;
 use camera_lab::export::format::PictureFormat;
-use camera_lab::gui::state::{Dialog, Purpose};
+use camera_lab::gui::files::questions::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::views::{View, Views};
 use eframe::egui::accesskit::Role;
@@ -151,13 +151,13 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
     window.choose(&folder.file("broken.toml"));
     assert!(window.harness.get_by_role_and_label(Role::TextInput, "file").is_focused());
     assert!(window.says("near < far"));
-    assert!(window.state().message.is_none(), "it is said once");
+    assert!(window.state().model.message.is_none(), "it is said once");
     // What is typed goes on where it was.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.harness.event(Event::Text(folder.file("good.toml").display().to_string()));
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().document.name().as_deref(), Some("good.toml"));
+    assert_eq!(window.state().model.document.name().as_deref(), Some("good.toml"));
     // The next dialog knows nothing of it.
     window.command_key(Key::O);
     assert!(!window.says("near < far"));
@@ -167,9 +167,9 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
 fn what_is_wrong_elsewhere_is_not_said_in_the_dialog_of_files() {
     let mut window = Window::new(Lang::En);
     let error = camera_lab::camera::CameraError::ViewUpZero;
-    window.app_mut().state.say(camera_lab::gui::state::Message::Camera(error));
+    window.app_mut().state.model.say(camera_lab::gui::model::message::Message::Camera(error));
     window.run();
-    let said = window.state().message.as_ref().expect("a message").text(Lang::En);
+    let said = window.state().model.message.as_ref().expect("a message").text(Lang::En);
     let times = |window: &Window| window.harness.query_all_by_label_contains(&said).count();
     assert_eq!(times(&window), 1);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
@@ -398,7 +398,7 @@ fn the_export_dialog_proposes_what_is_shown_and_forgets_a_cancelled_family() {
         what
     };
     assert_eq!(proposed(&mut window), Views::One(View::Image));
-    window.app_mut().state.layout.maximized = None;
+    window.app_mut().state.model.layout.maximized = None;
     assert_eq!(proposed(&mut window), Views::All);
     window.command_key(Key::Num2);
     assert_eq!(proposed(&mut window), Views::Without(View::Canonical));
@@ -444,12 +444,12 @@ fn a_dialog_of_the_system_holds_the_window_back() {
     window.app_mut().state.file_flow.native = true;
     window.command_key(Key::O);
     assert!(window.says(t.choosing_title) && window.state().file_flow.is_asking());
-    let before = window.state().document.figure().clone();
+    let before = window.state().model.document.figure().clone();
     for key in [Key::G, Key::N, Key::PageDown, Key::E] {
         window.command_key(key);
         assert!(window.state().file_flow.dialog.is_none(), "{key:?}");
     }
-    assert_eq!(window.state().document.figure(), &before);
+    assert_eq!(window.state().model.document.figure(), &before);
     window.click(t.cancel);
     assert!(!window.state().file_flow.is_asking());
     window.command_key(Key::G);

@@ -5,7 +5,7 @@
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::Ask;
 use camera_lab::gui::LaunchOptions;
-use camera_lab::gui::state::Chosen;
+use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::{exercise_window, exercises as said};
 use eframe::egui::accesskit::Role;
@@ -39,14 +39,14 @@ fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed
     let call = |window: &mut Window| {
         window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
         window.run();
-        (window.state().shows_exercises(), focused(window))
+        (window.state().model.shows_exercises(), focused(window))
     };
     let search = Some("Search the exercises".to_owned());
     let mut first = keeping(&folder);
     assert_eq!(call(&mut first), (true, search.clone()));
     eframe::App::on_exit(first.app_mut(), None);
     let mut again = keeping(&folder);
-    assert!(again.state().shows_exercises(), "the panel is remembered");
+    assert!(again.state().model.shows_exercises(), "the panel is remembered");
     assert_eq!(call(&mut again), (true, search.clone()));
     again.harness.event(Event::Text("axes of a camera".to_owned()));
     again.run();
@@ -66,7 +66,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
     };
     let ((u, right_u), (n, right_n)) = (name_of("u"), name_of("n"));
     let open = |window: &mut Window| {
-        window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+        window.app_mut().state.learn.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
         window.run();
     };
     let mut first = keeping(&folder);
@@ -80,7 +80,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
 
     let mut again = keeping(&folder);
     open(&mut again);
-    let exercises = &again.state().exercises;
+    let exercises = &again.state().learn.exercises;
     assert_eq!(
         exercises.checked.iter().map(|(ask, c)| (ask.as_str(), c.judged.right)).collect::<Vec<_>>(),
         [("n", true), ("u", false)]
@@ -92,7 +92,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
     eframe::App::on_exit(again.app_mut(), None);
     let mut last = keeping(&folder);
     open(&mut last);
-    assert_eq!(last.state().exercises.checked.keys().collect::<Vec<_>>(), ["n"]);
+    assert_eq!(last.state().learn.exercises.checked.keys().collect::<Vec<_>>(), ["n"]);
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
         fill(window, &name, 1, &texts(v));
         window.click(&format!("Check: {name}"));
         window.click(&format!("Show the camera of your answer: {name}"));
-        window.state().exercises.described.clone().unwrap().camera
+        window.state().learn.exercises.described.clone().unwrap().camera
     };
     let basis = camera.basis();
     // Looking the other way, from the same place.
@@ -122,7 +122,7 @@ fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
     window.run();
     window.harness.event(Event::Text("1".to_owned()));
     window.run();
-    assert!(window.state().exercises.described.is_none(), "another answer is another camera");
+    assert!(window.state().learn.exercises.described.is_none(), "another answer is another camera");
     assert!(answer(&mut window, "u", 2.0 * basis.u).is_err());
     assert!(window.says("your vector has length 2, but an axis of a camera has length 1"));
     assert!(answer(&mut window, "u", basis.n).is_err());
@@ -156,9 +156,9 @@ fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any
 fn a_lecturers_own_message_is_said_of_the_answer_that_was_expected() {
     let lecture = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
     let mut window = window(Lang::En);
-    window.app_mut().state.exercises.look_into(Some(lecture.into()));
+    window.app_mut().state.learn.exercises.look_into(Some(lecture.into()));
     window.click(en::WINDOW.exercises);
-    window.app_mut().state.exercises.work_on(Chosen { id: "house-view".to_owned(), seed: 0 });
+    window.app_mut().state.learn.exercises.work_on(Chosen { id: "house-view".to_owned(), seed: 0 });
     window.run();
     let answer = ["3/13", "4/13", "12/13"].map(str::to_owned);
     fill(&mut window, "n afterwards", 1, &answer);
@@ -181,7 +181,7 @@ fn other_files_of_a_folder_are_one_quiet_line_that_opens() {
         .unwrap();
     std::fs::create_dir(folder.file("d.toml")).unwrap();
     let mut window = window(Lang::En);
-    window.app_mut().state.exercises.look_into(folder.file("good.toml").parent().map(Into::into));
+    window.app_mut().state.learn.exercises.look_into(folder.file("good.toml").parent().map(Into::into));
     window.click(en::WINDOW.exercises);
     assert!(window.says("My own") && !window.says(en::WINDOW.untitled_file));
     window.click("Skipped in the folder: 3");
@@ -199,14 +199,14 @@ fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
     let text = "# mine\n[camera]\nposition = [1, 2, 9] # from here\n";
     std::fs::write(&file, text).unwrap();
     let mut window = Window::opened(&file);
-    let own = window.state().document.figure().clone();
-    window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+    let own = window.state().model.document.figure().clone();
+    window.app_mut().state.learn.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_ne!(window.state().document.figure(), &own);
-    let scene = &window.state().document.figure().scene;
-    assert!(!scene.objects.is_empty() && window.state().tree.names(scene).is_empty(), "nothing is selected");
+    assert_ne!(window.state().model.document.figure(), &own);
+    let scene = &window.state().model.document.figure().scene;
+    assert!(!scene.objects.is_empty() && window.state().model.tree.names(scene).is_empty(), "nothing is selected");
     // Saving asks for a file.
     window.command_key(Key::S);
     assert!(window.harness.query_by_role_and_label(Role::TextInput, "file").is_some());
@@ -221,16 +221,16 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
     let file = folder.file("mine.toml");
     std::fs::write(&file, "# mine\n[camera]\nposition = [1, 2, 9] # from here\n").unwrap();
     let mut window = Window::opened(&file);
-    window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+    window.app_mut().state.learn.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_eq!(window.state().document.path(), None);
+    assert_eq!(window.state().model.document.path(), None);
     window.key(Key::Escape);
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.path(), Some(&file));
-    let parameters = *window.state().document.camera().parameters();
-    window.app_mut().state.document.set_parameters(Parameters { near: 0.5, ..parameters });
+    assert_eq!(window.state().model.document.path(), Some(&file));
+    let parameters = *window.state().model.document.camera().parameters();
+    window.app_mut().state.model.document.set_parameters(Parameters { near: 0.5, ..parameters });
     window.run();
     window.command_key(Key::S);
     let saved = std::fs::read_to_string(&file).unwrap();
@@ -250,12 +250,12 @@ fn enter_goes_on_to_what_is_empty_and_then_checks() {
     window.run();
     for (k, text) in right(ask).into_iter().enumerate() {
         assert_eq!(focused(&window), Some(format!("{name} {}", k + 1)));
-        assert!(window.state().exercises.checked.is_empty());
+        assert!(window.state().learn.exercises.checked.is_empty());
         window.harness.event(Event::Text(text));
         window.run();
         window.key(Key::Enter);
     }
-    assert!(window.state().exercises.checked["u"].judged.right);
+    assert!(window.state().learn.exercises.checked["u"].judged.right);
     assert_eq!(focused(&window), Some(format!("{name} 3")), "the keyboard stays");
 }
 
@@ -284,7 +284,7 @@ fn the_next_help_keeps_the_keyboard_and_comes_into_sight() {
         window.key(Key::Enter);
     }
     assert!(pressed.len() > 3 && helps.iter().all(|help| pressed.contains(help)), "{pressed:?}");
-    assert_eq!(window.state().exercises.opened["u"].steps, ask.steps().len());
+    assert_eq!(window.state().learn.exercises.opened["u"].steps, ask.steps().len());
     assert_eq!(focused(&window), Some(format!("{name} 1")), "after the last step the keyboard is at the answer");
 }
 

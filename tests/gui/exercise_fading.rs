@@ -48,10 +48,10 @@ fn the_last_step_is_typed_once_the_exercise_has_been_solved_before() {
         assert!(window.harness.query_by_role_and_label(Role::TextInput, &field).is_none());
         // Solved once: the last number of the last step is to be typed.
         let mut window = working_on("basis", 1, lang);
-        window.app_mut().state.exercises.progress.was_solved("basis");
+        window.app_mut().state.learn.exercises.progress.was_solved("basis");
         assert_eq!(open_steps(&mut window, &name, lang), all);
-        let last = |window: &Window| window.state().exercises.opened[&ask.name].is_to_do(all - 1);
-        assert!(last(&window) && !window.state().exercises.opened[&ask.name].is_to_do(all - 2));
+        let last = |window: &Window| window.state().learn.exercises.opened[&ask.name].is_to_do(all - 1);
+        assert!(last(&window) && !window.state().learn.exercises.opened[&ask.name].is_to_do(all - 2));
         // The third component of the axis that is asked for, from the camera alone.
         let camera = exercise.subject.figure.camera;
         let n = (camera.position - camera.focal_point).normalize();
@@ -61,7 +61,7 @@ fn the_last_step_is_typed_once_the_exercise_has_been_solved_before() {
         for (text, is_right) in [(format!("{}", axis.z + 0.1), false), (format!("{:.5}", axis.z), true)] {
             window.harness.get_by_role_and_label(Role::TextInput, &field).focus();
             window.run();
-            let typed = window.state().exercises.opened[&ask.name].typed[&(all - 1)].chars().count();
+            let typed = window.state().learn.exercises.opened[&ask.name].typed[&(all - 1)].chars().count();
             for _ in 0..typed {
                 window.key(eframe::egui::Key::Backspace);
             }

@@ -5,7 +5,7 @@
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
 use camera_lab::figure::{Explanation, ShownProbe};
-use camera_lab::gui::state::Chosen;
+use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::{exercise_messages, exercise_window, exercises as said};
@@ -30,7 +30,7 @@ pub(super) fn window_of(lang: Lang, size: [f32; 2]) -> Window {
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, size);
     window.run();
     window
@@ -41,7 +41,7 @@ pub(super) fn working_on(id: &str, seed: u64, lang: Lang) -> Window {
     let mut window = window(lang);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
-    window.app_mut().state.exercises.work_on(Chosen { id: id.to_owned(), seed });
+    window.app_mut().state.learn.exercises.work_on(Chosen { id: id.to_owned(), seed });
     window.run();
     window
 }
@@ -80,10 +80,10 @@ pub(super) fn focused(window: &Window) -> Option<String> {
 #[test]
 fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse() {
     let mut window = window(Lang::En);
-    let own = window.state().document.figure().clone();
-    assert!(!window.state().shows_exercises(), "off at the start");
+    let own = window.state().model.document.figure().clone();
+    assert!(!window.state().model.shows_exercises(), "off at the start");
     window.click(en::WINDOW.exercises);
-    assert_eq!(window.state().explain.shown(), Explanation::Exercises);
+    assert_eq!(window.state().model.explained.shown(), Explanation::Exercises);
     window.click(&format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.untouched));
     let (_, exercise) = made("view-matrix", 0);
     let ask = &exercise.asks[0];
@@ -98,27 +98,30 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     assert!(window.harness.query_by_label_contains("✗").is_none(), "nothing is judged before it is asked for");
     window.click("Check: M_v");
     assert!(window.says("✗ wrong"));
-    let checked = &window.state().exercises.checked["Mv"];
+    let checked = &window.state().learn.exercises.checked["Mv"];
     assert_eq!(checked.judged.diagnosis.as_ref().unwrap().causes[0].mistake.code(), "translation-not-rotated");
     let diagnosis = said::diagnosis(Lang::En, ask, &checked.judged).unwrap();
     let begins: String = diagnosis.chars().take_while(|c| !"*_".contains(*c)).collect();
     assert!(window.says(begins.trim()), "{begins}");
-    assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Begun);
+    assert_eq!(window.state().learn.exercises.stage("view-matrix"), Stage::Begun);
 
     // The camera of the matrix stands beside the right one, until Escape.
     window.click("Show the camera of your answer: M_v");
-    let described = window.state().exercises.described.clone().unwrap().camera.unwrap();
+    let described = window.state().learn.exercises.described.clone().unwrap().camera.unwrap();
     let right_camera = exercise.subject.camera().unwrap();
-    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera, "the right one is set");
+    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera, "the right one is set");
     assert!(described.position().distance(right_camera.position()) > 0.1);
-    window.app_mut().state.document.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
+    window.app_mut().state.model.document.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
     window.run();
     window.key(Key::Escape);
-    assert!(window.state().exercises.described.is_none() && window.state().pinned().is_some(), "one after the other");
+    assert!(
+        window.state().learn.exercises.described.is_none() && window.state().model.pinned().is_some(),
+        "one after the other"
+    );
     window.key(Key::Escape);
-    assert!(window.state().pinned().is_none());
+    assert!(window.state().model.pinned().is_none());
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.figure(), &own, "one step leads back to the own figure");
+    assert_eq!(window.state().model.document.figure(), &own, "one step leads back to the own figure");
 
     window.click("A hint: M_v");
     window.click("A stronger hint: M_v");
@@ -128,10 +131,10 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     fill(&mut window, "M_v", 4, &right(ask));
     window.click("Check: M_v");
     assert!(window.says("✓ right") && window.says(en::EXERCISE_WINDOW.all_right));
-    assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Solved);
+    assert_eq!(window.state().learn.exercises.stage("view-matrix"), Stage::Solved);
 
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
+    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera);
     window.click(en::EXERCISE_WINDOW.back);
     let row = format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.solved);
     assert_eq!(focused(&window).as_deref(), Some(row.as_str()));
@@ -155,7 +158,7 @@ fn the_same_with_the_keyboard_alone() {
     window.harness.event(Event::Text("axes of a camera".to_owned()));
     window.run();
     window.key(Key::Enter);
-    let open = window.state().exercises.open.clone().unwrap();
+    let open = window.state().learn.exercises.open.clone().unwrap();
     let (_, exercise) = made(&open.id, open.seed);
     assert_eq!(open.id, "basis");
     let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
@@ -170,7 +173,7 @@ fn the_same_with_the_keyboard_alone() {
             window.run();
         }
         window.command_key(Key::Enter);
-        let judged = &window.state().exercises.checked["u"].judged;
+        let judged = &window.state().learn.exercises.checked["u"].judged;
         assert_eq!(judged.right, !turn, "{:?}", judged.understood);
         if turn {
             let code = judged.diagnosis.as_ref().unwrap().causes[0].mistake.code();
@@ -183,7 +186,7 @@ fn the_same_with_the_keyboard_alone() {
     }
     tab_to(&mut window, "Show the figure");
     window.key(Key::Space);
-    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
+    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera);
 }
 
 #[test]
@@ -192,25 +195,28 @@ fn what_cannot_be_read_costs_nothing_and_nothing_typed_is_lost() {
     fill(&mut window, "M_v", 4, &["1/sqrt(3".to_owned(), "0,5".to_owned(), "2/3".to_owned()]);
     assert!(window.says("⚠"), "the message is at the field");
     window.command_key(Key::Enter);
-    assert!(window.state().exercises.checked.is_empty());
-    let typed = window.state().exercises.typed.clone();
+    assert!(window.state().learn.exercises.checked.is_empty());
+    let typed = window.state().learn.exercises.typed.clone();
     // Another exercise, another language, hidden, undone, a new figure: it is still there.
     window.click(en::EXERCISE_WINDOW.new_numbers);
-    assert_eq!(window.state().exercises.open.as_ref().unwrap().seed, 3);
+    assert_eq!(window.state().learn.exercises.open.as_ref().unwrap().seed, 3);
     window.click(en::EXERCISE_WINDOW.back);
     window.command_key(Key::L);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
-    assert!(!window.state().shows_exercises());
+    assert!(!window.state().model.shows_exercises());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.command_key(Key::Z);
-    window.app_mut().state.exercises.work_on(Chosen { id: "view-matrix".to_owned(), seed: 2 });
+    window.app_mut().state.learn.exercises.work_on(Chosen { id: "view-matrix".to_owned(), seed: 2 });
     window.run();
-    assert_eq!(window.state().exercises.typed[&Chosen { id: "view-matrix".to_owned(), seed: 2 }].answers["Mv"][..3], {
-        let of = |window: &camera_lab::gui::state::Typed| window.answers["Mv"][..3].to_vec();
-        of(typed.values().next().unwrap())
-    });
+    assert_eq!(
+        window.state().learn.exercises.typed[&Chosen { id: "view-matrix".to_owned(), seed: 2 }].answers["Mv"][..3],
+        {
+            let of = |window: &camera_lab::gui::learn::exercises::state::Typed| window.answers["Mv"][..3].to_vec();
+            of(typed.values().next().unwrap())
+        }
+    );
     let field = window.harness.get_by_role_and_label(Role::TextInput, "M_v linha 1, coluna 2");
     assert_eq!(field.value().as_deref(), Some("0,5"));
 }
@@ -223,7 +229,7 @@ fn a_whole_matrix_may_be_typed_into_the_first_field_and_half_of_one_counts_half(
     let rows: Vec<String> = numbers.chunks(4).map(|row| format!("[{}]", row.join(", "))).collect();
     fill(&mut window, "M_v", 4, &[format!("[{}]", rows.join(", "))]);
     window.command_key(Key::Enter);
-    assert!(window.state().exercises.checked["Mv"].judged.right);
+    assert!(window.state().learn.exercises.checked["Mv"].judged.right);
     let half: Vec<String> = numbers[..8].to_vec();
     let mut window = working_on("view-matrix", 1, Lang::En);
     fill(&mut window, "M_v", 4, &half);
@@ -241,15 +247,15 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     assert!(!window.says(t.other_figure));
     window.click(t.take_camera);
     window.command_key(Key::Enter);
-    assert!(!window.state().exercises.checked["camera"].judged.right, "where one begins");
+    assert!(!window.state().learn.exercises.checked["camera"].judged.right, "where one begins");
     let (_, exercise) = made("match-picture", 3);
     let Expected::Camera(_, model, ..) = exercise.asks[0].expected() else { panic!("a camera") };
     let wanted: Parameters = **model;
-    window.app_mut().state.document.set_parameters(wanted);
+    window.app_mut().state.model.document.set_parameters(wanted);
     window.run();
     window.click(t.take_camera);
     window.command_key(Key::Enter);
-    assert!(window.state().exercises.checked["camera"].judged.right);
+    assert!(window.state().learn.exercises.checked["camera"].judged.right);
     assert!(window.says(&format!("✓ {}", t.right)));
 }
 
@@ -267,7 +273,7 @@ fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
     }
     window.command_key(Key::Enter);
     window.click(t.show_figure);
-    let points = &window.state().document.figure().points;
+    let points = &window.state().model.document.figure().points;
     assert_eq!(points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["P", "Q", "R"]);
     assert_eq!(points[1].position, exercise.subject.points[1]);
 }
@@ -279,7 +285,7 @@ fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
     let t = exercise_window::texts(Lang::En);
     window.click(t.show_figure);
     let names = |window: &Window| -> Vec<String> {
-        window.state().document.figure().points.iter().map(|point| point.name.clone()).collect()
+        window.state().model.document.figure().points.iter().map(|point| point.name.clone()).collect()
     };
     assert!(names(&window).is_empty(), "C + u + v is what is asked for");
     let (_, exercise) = made("0-5.1", 1);
@@ -292,7 +298,7 @@ fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
         );
         window.command_key(Key::Enter);
     }
-    assert_eq!(window.state().exercises.checked.len(), 4);
+    assert_eq!(window.state().learn.exercises.checked.len(), 4);
     window.click(t.show_figure);
     assert_eq!(names(&window), ["O_R"]);
 
@@ -311,10 +317,10 @@ fn all_exercises_are_shown_in_both_languages() {
     window.click(en::WINDOW.exercises);
     for entry in camera_lab::exercises::entries() {
         let seed = u64::from(entry.is_family);
-        window.app_mut().state.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
+        window.app_mut().state.learn.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
         for _ in 0..2 {
             window.command_key(Key::L);
-            let lang = window.state().settings.lang;
+            let lang = window.state().model.settings.lang;
             assert!(window.says(said::title(lang, entry)), "{}", entry.id);
             assert!(window.says(exercise_window::texts(lang).check), "{}", entry.id);
             let written = window.written();
@@ -337,7 +343,7 @@ fn numbers_left_open_are_chosen_and_answers_may_depend_on_them() {
     let name = said::ask(Lang::En, &exercise, ask).replace("**", "");
     fill(&mut window, &name, 4, &right(ask));
     window.command_key(Key::Enter);
-    assert!(window.state().exercises.checked["Mp"].judged.right);
+    assert!(window.state().learn.exercises.checked["Mp"].judged.right);
 }
 
 /// B15: the next exercise, and why it is the next.
@@ -346,7 +352,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let folder = Folder::new("progress");
     let mut window = working_on("view-matrix", 1, Lang::En);
     window.app_mut().state.file_flow.native = false;
-    window.app_mut().state.settings.welcomed = true;
+    window.app_mut().state.model.settings.welcomed = true;
     let ctx = window.harness.ctx.clone();
     window.app_mut().keep_preferences(
         &ctx,
@@ -362,11 +368,11 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     fill(&mut window, "M_v", 4, &wrong);
     window.click("Check: M_v");
     window.click("A hint: M_v");
-    let tried = window.state().exercises.progress.tried("view-matrix").unwrap();
+    let tried = window.state().learn.exercises.progress.tried("view-matrix").unwrap();
     assert_eq!((tried.tries, tried.seed, tried.hints["Mv"]), (1, 1, 1));
     // The same family with new numbers, because of the mistake; and the reason is said.
     window.click(en::EXERCISE_WINDOW.practise_next);
-    assert_eq!(window.state().exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
+    assert_eq!(window.state().learn.exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
     assert!(window.says("It practises a mistake that you made once"));
     window.command_key(Key::L);
     assert!(window.says("Ele exercita um erro que você cometeu uma vez"));
@@ -384,16 +390,16 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     window.click("Delete progress…");
     assert!(window.says("progress.bak"));
     window.click(en::WINDOW.cancel);
-    assert!(!window.state().exercises.progress.is_empty());
+    assert!(!window.state().learn.exercises.progress.is_empty());
     window.click("Delete progress…");
     window.harness.get_by_role_and_label(Role::Button, "Delete progress").click();
     window.run();
     window.run();
-    assert!(window.state().exercises.progress.is_empty() && window.state().exercises.typed.is_empty());
+    assert!(window.state().learn.exercises.progress.is_empty() && window.state().learn.exercises.typed.is_empty());
     assert!(
-        matches!(&window.state().message, Some(camera_lab::gui::state::Message::ProgressDeleted(_))),
+        matches!(&window.state().model.message, Some(camera_lab::gui::model::message::Message::ProgressDeleted(_))),
         "{:?}",
-        window.state().message
+        window.state().model.message
     );
     let kept = std::fs::read_to_string(folder.file("config").join("progress.bak")).unwrap();
     assert!(kept.contains("translation-not-rotated"), "{kept}");
@@ -417,7 +423,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
             LaunchOptions { lang: Some(Lang::En), ..LaunchOptions::default() },
         );
         window.run();
-        if !window.state().shows_exercises() {
+        if !window.state().model.shows_exercises() {
             window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
             window.run();
         }
@@ -431,7 +437,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
     let told: Vec<String> = window.written().into_iter().map(|(text, _)| text).collect();
     let told = told.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains("faulty.toml") && told.contains("line 1: statement is missing"), "{told}");
-    let own = window.state().exercises.entry("house-view").unwrap().clone();
+    let own = window.state().learn.exercises.entry("house-view").unwrap().clone();
     let title = said::title(Lang::En, &own).to_owned();
     window.click(&format!("{title}, {}", en::EXERCISE_WINDOW.untouched));
     let exercise = own.exercise(0, &Free::new());
@@ -442,11 +448,11 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
 
     // Remembered, and gone: said, and nothing else happens.
     let next = remembering();
-    assert!(next.state().exercises.entry("house-view").is_some());
+    assert!(next.state().learn.exercises.entry("house-view").is_some());
     drop(next);
     std::fs::remove_dir_all(&lecture).unwrap();
     let mut gone = remembering();
-    assert!(gone.says("graphics course") && gone.state().exercises.entry("basis").is_some());
+    assert!(gone.says("graphics course") && gone.state().learn.exercises.entry("basis").is_some());
     gone.click(en::EXERCISE_WINDOW.own_close);
-    assert!(gone.state().exercises.own.is_none() && !gone.says("graphics course"));
+    assert!(gone.state().learn.exercises.own.is_none() && !gone.says("graphics course"));
 }

@@ -3,7 +3,9 @@
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::{Explanation, Measure, Measured, NamedPoint};
-use camera_lab::gui::state::{Matrices, Reading, Selected, Side, Tab};
+use camera_lab::gui::model::layout::{Side, Tab};
+use camera_lab::gui::model::matrices::{Matrices, Reading};
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::why::explain::texts;
@@ -30,7 +32,7 @@ fn toggle(window: &mut Window) {
 }
 
 fn with_camera(window: &mut Window, change: impl FnOnce(&mut Parameters)) {
-    let document = &mut window.app_mut().state.document;
+    let document = &mut window.app_mut().state.model.document;
     let mut parameters = *document.draft();
     change(&mut parameters);
     document.set_parameters(parameters);
@@ -63,7 +65,7 @@ fn entry(window: &Window, begins: &str) -> Rect {
 fn alt_e_shows_explanations_in_the_place_of_the_numbers_and_takes_them_away_again() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = Window::new(lang);
-        let shown = |window: &Window, side| window.state().settings.panels().is_shown(side);
+        let shown = |window: &Window, side| window.state().model.settings.panels().is_shown(side);
         assert!(shown(&window, Side::Right) && !shown(&window, Side::Explain), "off at the start");
         toggle(&mut window);
         assert!(!shown(&window, Side::Right) && shown(&window, Side::Explain));
@@ -87,33 +89,33 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
     });
     window.harness.get_by_label_contains("M_p, linha 3, coluna 3").focus();
     window.run();
-    assert_eq!(window.state().explain.matrices.entry, [2, 2]);
+    assert_eq!(window.state().model.explained.matrices.entry, [2, 2]);
     for said in ["M_p_33 = −(B + F)/(B − F)", "= −(4 + 1)/(4 − 1)", "= −5/3 ≈ −1,6667"] {
         assert!(window.harness.query_by_label(said).is_some(), "{said}");
     }
-    let lit = window.state().hover.measured.clone();
+    let lit = window.state().model.hover.measured.clone();
     assert_eq!(lit, [Measured::Dimension(Measure::Far), Measured::Dimension(Measure::Near)]);
     // With the keyboard on to the next entry, and to a symbol that is made of others.
     window.key(Key::Tab);
-    assert_eq!(window.state().explain.matrices.entry, [2, 3]);
+    assert_eq!(window.state().model.explained.matrices.entry, [2, 3]);
     window.key(Key::ArrowDown);
-    assert_eq!(window.state().explain.matrices.entry, [3, 3]);
+    assert_eq!(window.state().model.explained.matrices.entry, [3, 3]);
     // At the border of the matrix the keyboard stays, and each press is one step.
     window.key(Key::ArrowRight);
     window.key(Key::ArrowDown);
-    assert_eq!(window.state().explain.matrices.entry, [3, 3]);
+    assert_eq!(window.state().model.explained.matrices.entry, [3, 3]);
     for (key, entry) in [(Key::ArrowLeft, [3, 2]), (Key::ArrowUp, [2, 2]), (Key::ArrowRight, [2, 3])] {
         window.key(key);
-        assert_eq!(window.state().explain.matrices.entry, entry);
+        assert_eq!(window.state().model.explained.matrices.entry, entry);
     }
     window.harness.get_by_label_contains("M_p, linha 1, coluna 1").focus();
     window.run();
     window.key(Key::ArrowLeft);
-    assert_eq!(window.state().explain.matrices.entry, [0, 0]);
+    assert_eq!(window.state().model.explained.matrices.entry, [0, 0]);
     window.run();
     window.harness.get_by_label("W = 8/3 ≈ 2,6667").focus();
     window.run();
-    assert_eq!(window.state().hover.measured, [Measured::Dimension(Measure::Width)]);
+    assert_eq!(window.state().model.hover.measured, [Measured::Dimension(Measure::Width)]);
     window.key(Key::Enter);
     assert!(window.harness.query_by_label("W = AH").is_some(), "(5.1)");
     window.click("H = 2");
@@ -123,7 +125,7 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
 
 /// The program's matrices, each from the camera itself.
 fn matrix_of(window: &Window, matrix: Matrix) -> DMat4 {
-    let camera: &Camera = window.state().document.camera();
+    let camera: &Camera = window.state().model.document.camera();
     match matrix {
         Matrix::View => camera.view_from_world(),
         Matrix::InverseView => camera.world_from_view(),
@@ -152,7 +154,7 @@ fn every_entry_in_every_projection_answers_with_its_value() {
             for (row, values) in rows.iter().enumerate() {
                 let values = if clean { without_rests(values, 5) } else { values.to_vec() };
                 for (column, value) in values.into_iter().enumerate() {
-                    let shown = &mut window.app_mut().state.explain.matrices;
+                    let shown = &mut window.app_mut().state.model.explained.matrices;
                     shown.inverse = matrix.text().contains('⁻');
                     shown.matrix = if shown.inverse { matrix.inverse() } else { matrix };
                     shown.entry = [row, column];
@@ -178,10 +180,10 @@ fn every_entry_in_every_projection_answers_with_its_value() {
 fn what_a_change_has_touched_glows_and_then_nothing_is_painted_again() {
     let mut window = explaining(Lang::En);
     let [first, last] = ["M_p, row 1, column 1:", "M_p, row 4, column 4:"].map(|begins| entry(&window, begins));
-    window.app_mut().state.explain.matrices.entry = [0, 1];
+    window.app_mut().state.model.explained.matrices.entry = [0, 1];
     window.run();
     let before = [painted(&window, first), painted(&window, last)];
-    let document = &mut window.app_mut().state.document;
+    let document = &mut window.app_mut().state.model.document;
     document.set_parameters(Parameters { view_angle: 50.0, ..*document.draft() });
     window.harness.step();
     window.harness.step();
@@ -230,13 +232,13 @@ fn a_number_in_the_panel_of_numbers_leads_to_its_reason_without_a_mouse_too() {
             window.click(number);
         }
         window.run();
-        assert!(window.state().settings.panels().is_shown(Side::Explain));
-        assert_eq!(window.state().explain.matrices.entry, [2, 2]);
+        assert!(window.state().model.settings.panels().is_shown(Side::Explain));
+        assert_eq!(window.state().model.explained.matrices.entry, [2, 2]);
         assert_eq!(focused(&window).as_deref(), Some("M_p, row 3, column 3: −(B + F)/(B − F)"));
     }
     // Of transposed matrices, the entry that is shown; of u, v, n, the row of M_v.
     let mut window = Window::new(Lang::En);
-    window.app_mut().state.settings.conventions.row_vectors = true;
+    window.app_mut().state.model.settings.conventions.row_vectors = true;
     window.run();
     let label = window.harness.query_all_by_label_contains("M_p, row 4, column 3: ").next().map(|node| node.rect());
     let other = window.harness.query_all_by_label_contains("M_p, row 3, column 4: ").next().map(|node| node.rect());
@@ -278,9 +280,9 @@ fn with_object(lang: Lang) -> Window {
         .turned(0.0, 30.0, 0.0)
         .scaled(1.0, 2.0, 3.0);
     let state = &mut window.app_mut().state;
-    state.document.edit(|figure| figure.scene.objects = vec![object]);
-    state.tree.select(Some(Selected::Object("box".to_owned())));
-    state.settings.tab = Tab::Scene;
+    state.model.document.edit(|figure| figure.scene.objects = vec![object]);
+    state.model.tree.select(Some(Selected::Object("box".to_owned())));
+    state.model.settings.tab = Tab::Scene;
     window.run();
     window.click("M_m");
     window
@@ -296,14 +298,14 @@ fn the_entries_of_m_m_light_up_translation_rotation_and_scale() {
     ] {
         window.harness.get_by_label_contains(&format!("M_m, {place}:")).focus();
         window.run();
-        let mut found = window.state().hover.measured.clone();
+        let mut found = window.state().model.hover.measured.clone();
         found.sort_by_key(|measured| format!("{measured:?}"));
         assert_eq!(found, lit, "{place}");
     }
     // A symbol of an entry lights up alone.
     window.harness.get_by_label("s_x = 1").focus();
     window.run();
-    assert_eq!(window.state().hover.measured, [Measured::Scale(0)]);
+    assert_eq!(window.state().model.hover.measured, [Measured::Scale(0)]);
 }
 
 #[test]
@@ -324,7 +326,7 @@ fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
         window.run();
         let marked = [0, 1, 2, 3].map(|i| count(&window)[i] > before[i]);
         assert_eq!(marked, marks, "{name}");
-        assert_eq!(window.state().hover.measured.first(), Some(&lit));
+        assert_eq!(window.state().model.hover.measured.first(), Some(&lit));
         let at = window.field(&name).rect().center();
         window.harness.get_by_label("M_m").focus();
         window.run();
@@ -350,7 +352,7 @@ fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
     window.run();
     assert_eq!(marked(&window), [true, true, false], "the viewport is the whole image");
     let viewport = Viewport { width: 300, ..Viewport::whole(ImageSize::default()) };
-    window.app_mut().state.document.edit(|figure| figure.viewport = Some(viewport));
+    window.app_mut().state.model.document.edit(|figure| figure.viewport = Some(viewport));
     window.run();
     window.harness.get_by_label("M_vp").focus();
     window.run();
@@ -371,7 +373,7 @@ fn an_entry_says_where_it_is_used_on_the_way_of_a_point() {
     let mut window = explaining(Lang::En);
     assert!(!window.says("it appears in the sum of"), "no point is followed");
     let point = NamedPoint { name: "A".to_owned(), position: DVec3::new(0.5, 1.0, 0.25) };
-    window.app_mut().state.document.edit(|figure| figure.points.push(point));
+    window.app_mut().state.model.document.edit(|figure| figure.points.push(point));
     window.run();
     assert!(window.says("for A it appears in the sum of x_r, in the term"));
 }
@@ -381,9 +383,9 @@ fn a_matrix_without_an_inverse_says_so_in_the_place_of_numbers_that_are_none() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = explaining(lang);
         let viewport = Viewport { depth_near: 0.5, depth_far: 0.5, ..Viewport::whole(ImageSize::default()) };
-        window.app_mut().state.document.edit(|figure| figure.viewport = Some(viewport));
-        window.app_mut().state.explain.matrices.matrix = Matrix::Viewport;
-        window.app_mut().state.explain.matrices.inverse = true;
+        window.app_mut().state.model.document.edit(|figure| figure.viewport = Some(viewport));
+        window.app_mut().state.model.explained.matrices.matrix = Matrix::Viewport;
+        window.app_mut().state.model.explained.matrices.inverse = true;
         window.run();
         assert!(window.says(texts(lang).no_inverse) && !window.says("NaN") && !window.says("inf"));
     }
@@ -407,12 +409,12 @@ fn each_question_opens_where_it_was_left_also_in_the_next_window() {
     }
     eframe::App::on_exit(window.app_mut(), None);
     let mut next = keeping();
-    assert!(next.state().shows_explanation(Explanation::Point), "the one that was open");
+    assert!(next.state().model.shows_explanation(Explanation::Point), "the one that was open");
     for explanation in left {
         let [question, _] = names(Lang::En, explanation);
         let named = next.harness.get_all_by_label(question).filter(|node| node.rect().top() > 26.0);
         named.max_by(|a, b| a.rect().left().total_cmp(&b.rect().left())).expect("a question").click();
         next.run();
-        assert!(next.state().shows_explanation(explanation), "{explanation:?}");
+        assert!(next.state().model.shows_explanation(explanation), "{explanation:?}");
     }
 }

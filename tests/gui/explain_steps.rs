@@ -18,13 +18,13 @@ use super::window::Window;
 
 fn stepping(lang: Lang) -> Window {
     let mut window = Window::new(lang);
-    window.app_mut().state.layout.maximized = Some(View::Canonical);
+    window.app_mut().state.model.layout.maximized = Some(View::Canonical);
     window.explain(Explanation::Steps);
     window
 }
 
 fn time(window: &Window) -> f64 {
-    window.state().normalizing().expect("a way").time
+    window.state().model.normalizing().expect("a way").time
 }
 
 #[test]
@@ -34,12 +34,12 @@ fn the_scrubber_steps_by_keyboard_and_its_end_is_the_canonical_picture() {
         let mut window = stepping(lang);
         assert_eq!(time(&window), 4.0, "the tab opens at the end: T, R, M_p, ÷ w");
         let at_the_end = window.app_mut().canvas.drawn();
-        assert!(!window.state().is_on_the_way());
+        assert!(!window.state().model.is_on_the_way());
         window.harness.get_by_label(t.to_world).focus();
         window.run();
         window.key(Key::Enter);
         assert_eq!(time(&window), 0.0);
-        assert!(window.state().is_on_the_way() && window.says(t.nothing_done));
+        assert!(window.state().model.is_on_the_way() && window.says(t.nothing_done));
         assert!(window.app_mut().canvas.drawn()[View::Canonical.index()] > at_the_end[View::Canonical.index()]);
         for step in 1..=4 {
             window.harness.get_by_label(t.step_forward).focus();
@@ -47,9 +47,9 @@ fn the_scrubber_steps_by_keyboard_and_its_end_is_the_canonical_picture() {
             window.key(Key::Enter);
             assert_eq!(time(&window), f64::from(step));
         }
-        let way = window.state().normalizing().expect("a way");
+        let way = window.state().model.normalizing().expect("a way");
         assert_eq!((way.decomposition, way.time), (Decomposition::Notes, 4.0));
-        assert!(!window.state().is_on_the_way(), "things can be picked again");
+        assert!(!window.state().model.is_on_the_way(), "things can be picked again");
         window.click(t.step_back);
         assert_eq!(time(&window), 3.0);
         // Its own keys move the slider by tenths, and with Ctrl to whole steps.
@@ -79,7 +79,7 @@ fn the_scrubber_steps_by_keyboard_and_its_end_is_the_canonical_picture() {
         // Hidden, it changes no picture.
         window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
         window.run();
-        assert!(window.state().normalizing().is_none() && !window.state().is_on_the_way());
+        assert!(window.state().model.normalizing().is_none() && !window.state().model.is_on_the_way());
     }
 }
 
@@ -88,9 +88,9 @@ fn playing_ends_at_the_canonical_volume_and_then_nothing_moves() {
     let mut window = stepping(Lang::En);
     window.harness.get_by_label(texts(Lang::En).play).click();
     window.harness.step();
-    assert!(window.state().explain.steps.plays());
+    assert!(window.state().model.explained.steps.plays());
     for _ in 0..1000 {
-        if !window.state().explain.steps.plays() {
+        if !window.state().model.explained.steps.plays() {
             break;
         }
         window.harness.step();
@@ -110,15 +110,15 @@ fn the_product_is_compared_and_handedness_announced() {
     // P is over F.
     assert!(window.says("O produto de todos os passos é 1") || window.says("O produto de todos os passos é 0"));
     window.click("[3] M_P N");
-    assert_eq!(window.state().explain.steps.way, Decomposition::Normalised);
+    assert_eq!(window.state().model.explained.steps.way, Decomposition::Normalised);
     assert!(window.says("z_n de 0 a 1"));
     // With a free window, [1] and [3] have no steps: greyed, and the reason where they were.
-    let document = &mut window.app_mut().state.document;
+    let document = &mut window.app_mut().state.model.document;
     let free = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
     document.set_parameters(Parameters { window: free, ..*document.draft() });
     window.run();
     assert!(window.says("só com janela simétrica"));
-    assert!(window.state().normalizing().is_none());
+    assert!(window.state().model.normalizing().is_none());
     assert!(window.harness.get_by_label("[3] M_P N").accesskit_node().is_disabled());
     window.click("[0] M_p M_v, ÷ w");
     assert!(window.says("O produto de todos os passos é M_p M_v"));
@@ -144,7 +144,7 @@ fn the_way_is_played_in_the_largest_picture_under_a_title_of_its_own() {
     for lang in [Lang::En, Lang::PtBr] {
         let words = canvas::texts(lang);
         let mut window = Window::new(lang);
-        window.app_mut().state.layout.maximized = None;
+        window.app_mut().state.model.layout.maximized = None;
         window.run();
         window.explain(Explanation::Steps);
         let places: Vec<_> = window.app_mut().canvas.places().collect();
@@ -164,7 +164,7 @@ fn the_way_is_played_in_the_largest_picture_under_a_title_of_its_own() {
         assert_eq!(title(&window), [true, false], "at the end of the way it is the canonical volume");
         window.harness.get_by_label(texts(lang).play).click();
         window.harness.run_steps(4);
-        assert!(window.state().explain.steps.plays() && window.state().is_on_the_way());
+        assert!(window.state().model.explained.steps.plays() && window.state().model.is_on_the_way());
         assert_eq!(title(&window), [false, true]);
     }
 }

@@ -5,7 +5,8 @@ use std::fs;
 use camera_lab::camera::Decomposition;
 use camera_lab::figure::Explanation;
 use camera_lab::figure::{Measure, Measured, ShownTriangle, TriangleStep};
-use camera_lab::gui::state::{Selected, Side, Tab};
+use camera_lab::gui::model::layout::{Side, Tab};
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::views::{Size, image_frame};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, vec2};
@@ -27,15 +28,15 @@ fn window(name: &str, show: &str) -> Window {
 #[test]
 fn the_triangle_of_an_object_goes_with_it_comes_back_with_it_and_follows_its_name() {
     let mut window = window("explained-triangle", "triangle = { object = \"crate\", index = 3, step = \"cuts\" }");
-    let triangle = |window: &Window| window.state().shown().triangle.clone();
+    let triangle = |window: &Window| window.state().model.shown().triangle.clone();
     let own = ShownTriangle { object: "crate".to_owned(), index: 3, step: TriangleStep::Cuts, pixel: None };
     assert_eq!(triangle(&window), Some(own.clone()));
-    window.app_mut().state.document.edit(|figure| figure.scene.objects.clear());
+    window.app_mut().state.model.document.edit(|figure| figure.scene.objects.clear());
     window.run();
     assert_eq!(triangle(&window), None, "a file that is saved now can be read");
     window.command_key(Key::Z);
     assert_eq!(triangle(&window), Some(own.clone()));
-    window.app_mut().state.document.show_mut().rename_object("crate", "chest");
+    window.app_mut().state.model.document.show_mut().rename_object("crate", "chest");
     assert_eq!(triangle(&window), Some(ShownTriangle { object: "chest".to_owned(), ..own }));
 }
 
@@ -43,7 +44,7 @@ fn the_triangle_of_an_object_goes_with_it_comes_back_with_it_and_follows_its_nam
 fn undo_of_the_camera_leaves_the_step_of_the_triangle_where_it_is() {
     let mut window = window("explained-step", "triangle = { object = \"crate\", index = 3, step = \"view\" }");
     let go_on = |window: &mut Window| {
-        let show = window.app_mut().state.document.show_mut();
+        let show = window.app_mut().state.model.document.show_mut();
         let triangle = show.triangle.as_mut().expect("a triangle");
         (triangle.step, triangle.pixel) = (TriangleStep::Depth, Some([5, 4]));
         window.run();
@@ -51,7 +52,7 @@ fn undo_of_the_camera_leaves_the_step_of_the_triangle_where_it_is() {
     go_on(&mut window);
     window.enter("F", "0.25");
     window.command_key(Key::Z);
-    let triangle = window.state().shown().triangle.clone().expect("still followed");
+    let triangle = window.state().model.shown().triangle.clone().expect("still followed");
     assert_eq!((triangle.step, triangle.pixel), (TriangleStep::Depth, Some([5, 4])));
 }
 
@@ -59,29 +60,29 @@ fn undo_of_the_camera_leaves_the_step_of_the_triangle_where_it_is() {
 fn esc_lets_go_of_what_a_file_brought_and_a_presentation_keeps_it() {
     let mut window = window("explained-esc", "measure = [\"F\"]\npainted = 0.5");
     let near = vec![Measured::Dimension(Measure::Near)];
-    window.app_mut().state.settings.presentation = true;
+    window.app_mut().state.model.settings.presentation = true;
     window.run();
     window.key(Key::Escape);
-    assert_eq!((window.state().settings.presentation, &window.state().shown().measure), (false, &near));
+    assert_eq!((window.state().model.settings.presentation, &window.state().model.shown().measure), (false, &near));
     window.key(Key::Escape);
-    assert!(window.state().shown().measure.is_empty() && window.state().shown().painted.is_none());
+    assert!(window.state().model.shown().measure.is_empty() && window.state().model.shown().painted.is_none());
 }
 
 #[test]
 fn an_open_tab_of_steps_takes_up_the_way_of_a_file() {
     let mut window = window("explained-way", "step = { way = \"box\", at = 1.0 }");
-    window.app_mut().state.settings.panels.wanted[2] = true;
-    window.app_mut().state.explain.show(Explanation::Steps);
+    window.app_mut().state.model.settings.panels.wanted[2] = true;
+    window.app_mut().state.model.explained.show(Explanation::Steps);
     window.run();
-    let step = window.state().shown().step.expect("a step");
+    let step = window.state().model.shown().step.expect("a step");
     assert_eq!((step.way, step.at), (Decomposition::Box, Some(1.0)));
 }
 
 #[test]
 fn the_convention_of_a_file_is_that_of_the_window_and_is_saved_again() {
     let window = window("explained-ndc", "ndc = \"direct3d\"");
-    assert_eq!(window.state().settings.conventions.ndc.name(), "direct3d");
-    assert_eq!(window.state().figure_to_save().show.ndc.map(|ndc| ndc.name()), Some("direct3d"));
+    assert_eq!(window.state().model.settings.conventions.ndc.name(), "direct3d");
+    assert_eq!(window.state().model.figure_to_save().show.ndc.map(|ndc| ndc.name()), Some("direct3d"));
 }
 
 /// An object may be called as the part of another one is: a click knows them apart, and chooses no triangle that its
@@ -98,13 +99,13 @@ fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
     let figure = format!("[scene]\npreset = \"empty\"\n{engine}{block}[style]\nantialias = 1\n");
     fs::write(&path, figure).expect("written");
     let mut window = Window::opened(&path);
-    window.wait(|window| window.state().scene_cache.scene().objects.len() == 3);
-    let named = |name: &str| window.state().scene_cache.scene().objects.iter().filter(|o| o.name == name).count();
+    window.wait(|window| window.state().model.scene_cache.scene().objects.len() == 3);
+    let named = |name: &str| window.state().model.scene_cache.scene().objects.iter().filter(|o| o.name == name).count();
     assert_eq!((named("engine/block"), named("engine/lid")), (2, 1));
     let [part, lid, own] = [[-1.5, 0.0], [-1.5, 1.2], [1.2, 0.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
     let third = DVec3::splat(1.0 / 3.0);
     let click = |window: &mut Window, p: DVec3| {
-        let camera = window.state().document.camera().clone();
+        let camera = window.state().model.document.camera().clone();
         let clip = camera.clip_point(p);
         let place = window.harness.get_by_role(Role::Image).rect();
         let size = Size { width: place.width() as u32, height: place.height() as u32, scale: 1.0 };
@@ -120,19 +121,19 @@ fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
         window.harness.drop_at(at);
         window.run();
     };
-    window.app_mut().state.settings.tab = Tab::Scene;
+    window.app_mut().state.model.settings.tab = Tab::Scene;
     window.run();
     for (place, name) in [(part + third, "engine"), (own, "engine/block"), (lid + third, "engine")] {
         click(&mut window, place);
         let state = window.state();
-        let selected = state.tree.selected(&state.document.figure().scene);
+        let selected = state.model.tree.selected(&state.model.document.figure().scene);
         assert_eq!(selected, Some(&Selected::Object(name.to_owned())), "{place}");
     }
-    window.app_mut().state.settings.panels.show(Side::Explain);
-    window.app_mut().state.explain.show(Explanation::Triangle);
+    window.app_mut().state.model.settings.panels.show(Side::Explain);
+    window.app_mut().state.model.explained.show(Explanation::Triangle);
     window.run();
     for (place, name) in [(part + third, None), (own, Some("engine/block")), (lid + third, Some("engine/lid"))] {
         click(&mut window, place);
-        assert_eq!(window.state().shown().triangle.as_ref().map(|shown| shown.object.as_str()), name, "{place}");
+        assert_eq!(window.state().model.shown().triangle.as_ref().map(|shown| shown.object.as_str()), name, "{place}");
     }
 }

@@ -13,7 +13,8 @@ use camera_lab::explain::Matrix;
 use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
 use camera_lab::figure::ShownStep;
-use camera_lab::gui::state::{Checked, Chosen, Described, Selected, Typed, joined};
+use camera_lab::gui::learn::exercises::state::{Checked, Chosen, Described, Typed, joined};
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
@@ -39,20 +40,20 @@ const ALL: [Shown; 9] = [
         name: "steps",
         view: View::Canonical,
         change: |state| {
-            state.document.show_mut().step = Some(ShownStep { way: Decomposition::Notes, at: Some(2.6) });
+            state.model.document.show_mut().step = Some(ShownStep { way: Decomposition::Notes, at: Some(2.6) });
         },
     },
     Shown {
         tab: Explanation::Homogeneous,
         name: "w",
         view: View::Image,
-        change: |state| state.document.edit(|figure| figure.reveal.vanishing = true),
+        change: |state| state.model.document.edit(|figure| figure.reveal.vanishing = true),
     },
     Shown {
         tab: Explanation::Stages,
         name: "stages",
         view: View::Image,
-        change: |state| state.document.show_mut().painted = Some(0.4),
+        change: |state| state.model.document.show_mut().painted = Some(0.4),
     },
     Shown { tab: Explanation::Dialects, name: "dialects", view: View::World, change: |_| () },
     Shown {
@@ -60,12 +61,12 @@ const ALL: [Shown; 9] = [
         name: "order",
         view: View::World,
         change: |state| {
-            state.document.edit(|figure| {
+            state.model.document.edit(|figure| {
                 figure.scene.preset = Preset::Empty;
                 let tower = ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 50.0, 0.0);
                 figure.scene.objects = vec![tower.scaled(0.5, 1.0, 0.5)];
             });
-            state.tree.select(Some(Selected::Object("box".to_owned())));
+            state.model.tree.select(Some(Selected::Object("box".to_owned())));
         },
     },
     Shown { tab: Explanation::Code, name: "code", view: View::World, change: |_| () },
@@ -91,16 +92,16 @@ fn wrong_view_matrix(state: &mut State) {
     let fields: Vec<String> = numbers.iter().map(|x| format!("{}", (x * 1000.0).round() / 1000.0)).collect();
     let judged = check(entry, &exercise, ask, &joined(ask, &fields)).unwrap();
     let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 1 };
-    state.exercises.work_on(chosen.clone());
+    state.learn.exercises.work_on(chosen.clone());
     let typed = Typed { answers: [(ask.name.clone(), fields.clone())].into(), ..Typed::default() };
-    state.exercises.typed.insert(chosen, typed);
-    state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
+    state.learn.exercises.typed.insert(chosen, typed);
+    state.learn.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
     let matrix = DMat4::from_cols_slice(&numbers).transpose();
     let found = recover(&Reading::of(MatrixKind::View), matrix, &camera).unwrap();
     let described = Box::new(Camera::new(&found.parameters).unwrap());
-    state.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
-    state.document.edit(|figure| figure.points.clear());
-    state.document.replace(exercise.subject.figure.clone()).unwrap();
+    state.learn.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
+    state.model.document.edit(|figure| figure.points.clear());
+    state.model.document.replace(exercise.subject.figure.clone()).unwrap();
 }
 
 /// A window that shows a tab beside one picture.
@@ -108,13 +109,13 @@ fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut St
     let figure = camera_lab::gui::fresh();
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
     state.file_flow.native = false;
-    state.document.edit(|figure| {
+    state.model.document.edit(|figure| {
         let points = [("A", DVec3::new(0.5, 1.2, 1.5)), ("B", DVec3::new(-1.5, 0.0, -1.0))];
         figure.points = points.map(|(name, position)| NamedPoint { name: name.to_owned(), position }).to_vec();
     });
-    state.settings.panels.wanted = [false, false, true];
-    state.explain.show(shown.tab);
-    state.layout.maximized = Some(shown.view);
+    state.model.settings.panels.wanted = [false, false, true];
+    state.model.explained.show(shown.tab);
+    state.model.layout.maximized = Some(shown.view);
     (shown.change)(&mut state);
     change(&mut state);
     Window::with_state(state, size)
@@ -139,11 +140,11 @@ fn of_each_tab() {
         }
         let matrices = Shown { tab: Explanation::Matrices, name: "", view: View::World, change: |_| () };
         let mut window = window(&matrices, lang, [1280.0, 720.0], |state| {
-            state.layout.maximized = None;
-            state.settings.panels.wanted = [true, false, true];
-            state.document.edit(|figure| figure.points.clear());
-            state.explain.matrices.matrix = Matrix::Projection;
-            state.explain.matrices.entry = [2, 2];
+            state.model.layout.maximized = None;
+            state.model.settings.panels.wanted = [true, false, true];
+            state.model.document.edit(|figure| figure.points.clear());
+            state.model.explained.matrices.matrix = Matrix::Projection;
+            state.model.explained.matrices.entry = [2, 2];
         });
         draw(&mut window, &folder.join(format!("explain.{code}.png")));
     }

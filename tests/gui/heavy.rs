@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
 use camera_lab::figure::{ShownTriangle, TriangleStep};
-use camera_lab::gui::state::{Selected, Side, Tab};
+use camera_lab::gui::model::layout::{Side, Tab};
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::why::triangle::texts;
 use camera_lab::i18n::{Lang, pictures};
@@ -31,22 +32,22 @@ fn window(change: impl FnOnce(&mut State)) -> Window {
     (figure.image.width, figure.image.height) = (160, 120);
     let mut state = State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None })
         .expect("a possible camera");
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     change(&mut state);
     let window = Window::with_state(state, [1100.0, 900.0]);
-    let triangles = window.state().scene_cache.scene().objects.iter().map(|object| object.mesh.triangles.len());
+    let triangles = window.state().model.scene_cache.scene().objects.iter().map(|object| object.mesh.triangles.len());
     assert!(triangles.sum::<usize>() > 60_000);
     window
 }
 
 fn with_tree(state: &mut State) {
-    state.settings.tab = Tab::Scene;
-    state.settings.panels.wanted = [true, false, false];
+    state.model.settings.tab = Tab::Scene;
+    state.model.settings.panels.wanted = [true, false, false];
 }
 
 fn with_stages(state: &mut State) {
-    state.settings.panels.show(Side::Explain);
-    state.explain.show(Explanation::Triangle);
+    state.model.settings.panels.show(Side::Explain);
+    state.model.explained.show(Explanation::Triangle);
 }
 
 fn middle(window: &Window) -> Pos2 {
@@ -67,7 +68,7 @@ fn a_click_selects_the_object_in_front_when_it_is_found() {
     let at = middle(&window);
     let selected = |window: &Window| {
         let state = window.state();
-        state.tree.selected(&state.document.figure().scene).cloned()
+        state.model.tree.selected(&state.model.document.figure().scene).cloned()
     };
     click(&mut window, at);
     window.wait(|window| selected(window) == Some(Selected::Object("ball".to_owned())));
@@ -80,12 +81,12 @@ fn a_click_selects_the_object_in_front_when_it_is_found() {
 
 #[test]
 fn a_click_is_pinned_when_its_vertex_is_found_and_the_vertex_is_named() {
-    let mut window = window(|state| state.settings.panels.wanted = [false; 3]);
+    let mut window = window(|state| state.model.settings.panels.wanted = [false; 3]);
     let at = middle(&window);
     click(&mut window, at);
-    window.wait(|window| window.state().pinned().is_some());
-    let Some(Probe::Point(p)) = window.state().pinned() else { panic!("{:?}", window.state().pinned()) };
-    let scene = window.state().scene_cache.scene().clone();
+    window.wait(|window| window.state().model.pinned().is_some());
+    let Some(Probe::Point(p)) = window.state().model.pinned() else { panic!("{:?}", window.state().model.pinned()) };
+    let scene = window.state().model.scene_cache.scene().clone();
     let vertex = scene.vertices().find(|vertex| vertex.p_world == p).expect("a vertex of the ball");
     let name = format!("Vertex {} – ball", vertex.index + 1);
     window.wait(|window| window.says(&name));
@@ -97,7 +98,7 @@ fn esc_gives_up_a_click_whose_vertex_is_not_found_yet() {
     let mut slow = window(with_tree);
     let (at, since) = (middle(&slow), Instant::now());
     click(&mut slow, at);
-    slow.wait(|window| window.state().pinned().is_some());
+    slow.wait(|window| window.state().model.pinned().is_some());
     let needed = since.elapsed();
 
     let mut window = window(with_tree);
@@ -105,12 +106,12 @@ fn esc_gives_up_a_click_whose_vertex_is_not_found_yet() {
     window.harness.remove_cursor();
     window.harness.key_press(Key::Escape);
     window.harness.step();
-    assert_eq!(window.state().pinned(), None, "it is not found yet");
+    assert_eq!(window.state().model.pinned(), None, "it is not found yet");
     let since = Instant::now();
     while since.elapsed() < 2 * needed + Duration::from_millis(100) {
         window.run();
     }
-    assert_eq!(window.state().pinned(), None);
+    assert_eq!(window.state().model.pinned(), None);
 }
 
 #[test]
@@ -119,14 +120,14 @@ fn a_click_chooses_a_triangle_and_at_its_depth_test_a_pixel_of_it() {
     let mut window = window(with_stages);
     let at = middle(&window);
     click(&mut window, at);
-    window.wait(|window| window.state().shown().triangle.is_some());
-    let chosen = window.state().shown().triangle.clone().expect("a triangle");
+    window.wait(|window| window.state().model.shown().triangle.is_some());
+    let chosen = window.state().model.shown().triangle.clone().expect("a triangle");
     assert_eq!((chosen.object.as_str(), chosen.step), ("ball", TriangleStep::View));
-    assert_eq!(window.state().pinned(), None, "it is what was meant");
+    assert_eq!(window.state().model.pinned(), None, "it is what was meant");
     // A larger one, the first side of the box that is seen.
     let own = |index| ShownTriangle { object: "box".to_owned(), index, step: TriangleStep::Depth, pixel: None };
     let seen = |index: &u32| {
-        window.app_mut().state.document.show_mut().triangle = Some(own(*index));
+        window.app_mut().state.model.document.show_mut().triangle = Some(own(*index));
         window.wait(|window| !window.says(t.being_found));
         window.says(t.kept)
     };
@@ -138,13 +139,13 @@ fn a_click_chooses_a_triangle_and_at_its_depth_test_a_pixel_of_it() {
     let [x, y] = [(pixel[0], frame.x, frame.width, 160.0), (pixel[1], frame.y, frame.height, 120.0)]
         .map(|(pixel, from, side, of)| from as f32 + (pixel as f32 + 0.5) / of * side as f32);
     click(&mut window, place.min + vec2(x, y));
-    window.wait(|window| window.state().shown().triangle.as_ref().is_some_and(|shown| shown.pixel.is_some()));
-    assert_eq!(window.state().shown().triangle, Some(ShownTriangle { pixel: Some(pixel), ..own(index) }));
+    window.wait(|window| window.state().model.shown().triangle.as_ref().is_some_and(|shown| shown.pixel.is_some()));
+    assert_eq!(window.state().model.shown().triangle, Some(ShownTriangle { pixel: Some(pixel), ..own(index) }));
 }
 
 /// A pixel in the middle of a triangle of the box.
 fn covered(window: &Window, triangle: u32) -> [u32; 2] {
-    let (document, scene) = (&window.state().document, window.state().scene_cache.scene());
+    let (document, scene) = (&window.state().model.document, window.state().model.scene_cache.scene());
     let size = Size { width: 1, height: 1, scale: 1.0 };
     let request =
         Request::of(document.figure(), View::Image, document.camera(), scene, pictures::labels(Lang::En), size);

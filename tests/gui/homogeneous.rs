@@ -22,7 +22,7 @@ fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
     figure.points =
         points.iter().map(|(name, position)| NamedPoint { name: (*name).to_owned(), position: *position }).collect();
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 1300.0]);
     window.explain(Explanation::Homogeneous);
     window
@@ -57,9 +57,10 @@ fn the_floor_is_drawn_twice_and_vanishing_points_are_a_switch() {
     }
     assert!(window.says("corners of the volume"));
     window.click(en::HOMOGENEOUS.vanishing);
-    assert!(window.state().document.figure().reveal.vanishing);
-    let parallel = Parameters { projection: Projection::Parallel, ..*window.state().document.camera().parameters() };
-    window.app_mut().state.document.set_camera(Camera::new(&parallel).unwrap());
+    assert!(window.state().model.document.figure().reveal.vanishing);
+    let parallel =
+        Parameters { projection: Projection::Parallel, ..*window.state().model.document.camera().parameters() };
+    window.app_mut().state.model.document.set_camera(Camera::new(&parallel).unwrap());
     window.run();
     assert!(window.says("both are the same") && window.says("every w is 1"));
 }

@@ -38,7 +38,7 @@ fn fresh() -> State {
 /// A window with all three pictures.
 fn whole() -> Window {
     let mut window = Window::new(Lang::En);
-    window.app_mut().state.layout.maximized = None;
+    window.app_mut().state.model.layout.maximized = None;
     window.run();
     window
 }
@@ -80,8 +80,8 @@ fn ctrl_tab_goes_from_region_to_region_in_both_directions() {
 fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_they_are_read() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = whole();
-        window.app_mut().state.settings.lang = lang;
-        window.app_mut().state.layout.strip = true;
+        window.app_mut().state.model.settings.lang = lang;
+        window.app_mut().state.model.layout.strip = true;
         window.run();
         let mut seen: Vec<(Role, String, Rect)> = Vec::new();
         // A stop, and the next one with the first as it stands then: reaching a control may scroll.
@@ -198,7 +198,7 @@ fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
     assert_eq!(window.focused_name(), "wireframe");
     window.key(Key::Enter);
     window.run();
-    assert_eq!(window.state().document.figure().style.shading, camera_lab::appearance::Shading::Wireframe);
+    assert_eq!(window.state().model.document.figure().style.shading, camera_lab::appearance::Shading::Wireframe);
     assert_eq!(window.harness.query_all_by_role_and_label(Role::Button, "wireframe").count(), 0, "it is closed");
     let (_, _, rect) = window.focused().expect("the list has the focus again");
     assert_eq!(rect, list(&window));
@@ -208,19 +208,25 @@ fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
 #[test]
 fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     let mut h = stage(|state| {
-        state.document.edit(|figure| {
+        state.model.document.edit(|figure| {
             figure.scene.preset = Preset::Empty;
             figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
         });
-        state.layout.maximized = Some(View::Image);
+        state.model.layout.maximized = Some(View::Image);
     });
     h.get_by_label_contains("Image: ").focus();
     h.run();
-    let probe = |h: &Harness<Stage>| h.state().state.probe;
+    let probe = |h: &Harness<Stage>| h.state().state.model.probe;
     let pixel = |h: &Harness<Stage>| match probe(h) {
         Some(Probe::Window(point)) => {
             let state = &h.state().state;
-            state.document.figure().image.image_from_window(&state.document.camera().window(), point).floor()
+            state
+                .model
+                .document
+                .figure()
+                .image
+                .image_from_window(&state.model.document.camera().window(), point)
+                .floor()
         }
         other => panic!("{other:?}"),
     };
@@ -228,7 +234,7 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
         h.key_press_modifiers(modifiers, key);
         h.run();
     };
-    let before = *h.state().state.document.draft();
+    let before = *h.state().state.model.document.draft();
     press(&mut h, Key::I, Modifiers::NONE);
     assert_eq!(pixel(&h), DVec2::new(512.0, 384.0));
     press(&mut h, Key::ArrowRight, Modifiers::NONE);
@@ -247,7 +253,7 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     // From (3, 4, 5) the corner (1, 1, 1) is nearest to the middle; six others can be seen around it.
     assert_eq!(vertex(&h), DVec3::ONE);
     let place = |h: &Harness<Stage>| {
-        let clip = h.state().state.document.camera().clip_point(vertex(h));
+        let clip = h.state().state.model.document.camera().clip_point(vertex(h));
         clip.truncate().truncate() / clip.w
     };
     let middle = place(&h);
@@ -260,11 +266,11 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     press(&mut h, Key::ArrowUp, Modifiers::NONE);
     assert_eq!(place(&h), top, "nothing is farther up");
     assert_eq!(vertex(&h).y, 1.0);
-    assert_eq!(*h.state().state.document.draft(), before, "the camera stays");
+    assert_eq!(*h.state().state.model.document.draft(), before, "the camera stays");
 
     // Escape ends it, and the arrows turn the camera again.
     press(&mut h, Key::Escape, Modifiers::NONE);
     assert_eq!(probe(&h), None);
     press(&mut h, Key::ArrowUp, Modifiers::NONE);
-    assert_ne!(*h.state().state.document.draft(), before);
+    assert_ne!(*h.state().state.model.document.draft(), before);
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use camera_lab::gui::state::Message;
+use camera_lab::gui::model::message::Message;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use eframe::egui::{Key, Modifiers};
@@ -74,7 +74,7 @@ fn what_was_said_last_is_said_in_the_language_of_now() {
     // Errors carry what went wrong, not the words for it.
     let path = std::path::PathBuf::from("/no such figure.toml");
     let error = camera_lab::files::open_figure(&path).expect_err("it is not there");
-    window.app_mut().state.say(Message::File(path, error));
+    window.app_mut().state.model.say(Message::File(path, error));
     window.run();
     assert!(window.says("there is no such file or directory"));
     window.command_key(Key::L);

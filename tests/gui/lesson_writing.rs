@@ -78,7 +78,7 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
         assert_eq!(field.is_some(), is_written);
     }
     type_into(&mut window, t.step_text_field, "The axis n is {basis.n:2}.");
-    let shown = &window.state().lesson.as_ref().unwrap().lesson.steps[1];
+    let shown = &window.state().learn.lesson.as_ref().unwrap().lesson.steps[1];
     assert_eq!(shown.text.en, "The axis n is {basis.n:2}.");
     // A second without a key.
     for _ in 0..100 {
@@ -89,7 +89,7 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     assert_eq!(lesson.steps[1].text.pt_br, shipped()[1].lesson.steps[1].text.pt_br, "the other language stays");
     window.click(en::WINDOW.undo);
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text, "to the letter");
-    assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+    assert_eq!(window.state().learn.lesson.as_ref().unwrap().step, 1);
     window.click(en::WINDOW.redo);
     assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "The axis n is {basis.n:2}.");
     // A change after the way back leaves nothing to redo; Ctrl+S writes it without a pause.
@@ -97,7 +97,10 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     type_into(&mut window, t.step_text_field, "Another text.");
     window.command_key(Key::S);
     assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "Another text.");
-    assert!(!window.state().can_undo_lesson(false) && window.state().file_flow.dialog.is_none());
+    assert!(
+        !window.state().learn.can_undo_lesson(&window.state().model, false)
+            && window.state().file_flow.dialog.is_none()
+    );
 }
 
 /// Waits a second without a key.
@@ -134,7 +137,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
     pause(&mut window);
     assert!(window.says("minutes") && window.says(t.not_written));
     window.key(Key::PageDown);
-    let playing = window.state().lesson.as_ref().unwrap();
+    let playing = window.state().learn.lesson.as_ref().unwrap();
     assert_eq!((playing.step, playing.writing.as_ref().unwrap().typed.words[5].en.as_str()), (1, "long"));
     assert_eq!(read_lesson(&path).unwrap().1, text);
     type_into(&mut window, t.lesson_minutes_field, "12");
@@ -145,7 +148,10 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
         window.click(en::WINDOW.undo);
     }
     assert_eq!(read_lesson(&path).unwrap().1, shipped.text, "to the letter");
-    assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[3], shipped.lesson.title);
+    assert_eq!(
+        window.state().learn.lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[3],
+        shipped.lesson.title
+    );
 }
 
 #[test]
@@ -154,7 +160,7 @@ fn the_fields_of_a_lesson_are_named_in_portuguese_and_write_portuguese() {
     let path = folder.file("minha.toml");
     std::fs::write(&path, "id = \"x\"\ntitle = \"A new lesson\"\n\n[[step]]\ntitle = \"Um\"\ntext = \"Um\"\n").unwrap();
     let mut window = playing(&path, 0);
-    window.app_mut().state.settings.lang = Lang::PtBr;
+    window.app_mut().state.model.settings.lang = Lang::PtBr;
     window.run();
     write(&mut window);
     window.click("A lição inteira");
@@ -180,7 +186,7 @@ fn a_text_that_is_wrong_is_told_and_not_lost() {
     // Neither another step nor the end of the lesson takes it away.
     for key in [Key::PageDown, Key::PageUp] {
         window.key(key);
-        assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+        assert_eq!(window.state().learn.lesson.as_ref().unwrap().step, 1);
     }
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
@@ -192,7 +198,7 @@ fn a_text_that_is_wrong_is_told_and_not_lost() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
     window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
-    assert!(window.state().lesson.is_none());
+    assert!(window.state().learn.lesson.is_none());
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
 }
 
@@ -206,9 +212,9 @@ fn steps_change_their_places_and_keep_their_pictures() {
     window.click(t.step_later);
     let mut expected = before.clone();
     expected.swap(1, 2);
-    assert_eq!((titles(&path), window.state().lesson.as_ref().unwrap().step), (expected, 2));
+    assert_eq!((titles(&path), window.state().learn.lesson.as_ref().unwrap().step), (expected, 2));
     assert_eq!(
-        window.state().document.figure().camera,
+        window.state().model.document.figure().camera,
         shipped()[1].lesson.steps[1].figure.camera,
         "the step is followed"
     );
@@ -219,17 +225,17 @@ fn steps_change_their_places_and_keep_their_pictures() {
     window.click(en::WINDOW.undo);
     assert_eq!(titles(&path), before);
     // A step with what is on the screen.
-    let mut camera = *window.state().document.camera().parameters();
+    let mut camera = *window.state().model.document.camera().parameters();
     camera.near *= 1.5;
-    window.app_mut().state.document.set_parameters(camera);
+    window.app_mut().state.model.document.set_parameters(camera);
     window.run();
     window.click(t.step_another);
     let (lesson, _) = read_lesson(&path).unwrap();
     assert_eq!(lesson.steps.len(), before.len() + 1);
-    let step = window.state().lesson.as_ref().unwrap().step;
+    let step = window.state().learn.lesson.as_ref().unwrap().step;
     assert_eq!(lesson.steps[step].figure.camera, camera);
     camera.near *= 1.1;
-    window.app_mut().state.document.set_parameters(camera);
+    window.app_mut().state.model.document.set_parameters(camera);
     window.run();
     window.click(t.step_screen);
     assert_eq!(read_lesson(&path).unwrap().0.steps[step].figure.camera, camera);
@@ -302,7 +308,7 @@ fn a_lesson_of_the_program_is_written_in_a_copy() {
     let path = folder.file("copy.toml");
     window.choose(&path);
     window.run();
-    let playing = window.state().lesson.as_ref().unwrap();
+    let playing = window.state().learn.lesson.as_ref().unwrap();
     assert_eq!((playing.path.as_deref(), playing.step), (Some(path.as_path()), 3));
     assert!(playing.writing.is_some());
     assert_eq!(std::fs::read_to_string(&path).unwrap(), shipped()[2].text);
@@ -318,12 +324,12 @@ fn a_link_holds_a_whole_lesson() {
     window.run();
     window.choose(Path::new(&link));
     window.run();
-    let playing = window.state().lesson.as_ref().unwrap();
+    let playing = window.state().learn.lesson.as_ref().unwrap();
     assert_eq!(of(&playing.lesson), ["One", "Two"]);
     // There is no file to be written.
-    assert!(!window.state().plays_own_lesson());
+    assert!(!window.state().learn.plays_own_lesson(&window.state().model));
     window.key(Key::PageDown);
-    assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+    assert_eq!(window.state().learn.lesson.as_ref().unwrap().step, 1);
 }
 
 #[test]
@@ -341,7 +347,7 @@ fn text_of_a_window_that_was_killed_is_in_its_fields_again() {
     window.run();
     window.run();
     assert_eq!(step_text(&window), "See {basis.nonsense}");
-    assert!(window.says(t.not_written) && window.state().lesson.as_ref().unwrap().step == 1);
+    assert!(window.says(t.not_written) && window.state().learn.lesson.as_ref().unwrap().step == 1);
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
     type_into(&mut window, t.step_text_field, "See $n$.");
     pause(&mut window);
@@ -351,7 +357,7 @@ fn text_of_a_window_that_was_killed_is_in_its_fields_again() {
 
 /// The text of the step, as it is typed.
 fn step_text(window: &Window) -> String {
-    window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[1].en.clone()
+    window.state().learn.lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[1].en.clone()
 }
 
 /// A lesson of one step that asks nothing.
@@ -416,7 +422,7 @@ fn writing_begins_a_lesson_with_what_is_on_the_screen() {
     let mut window = Window::new(Lang::En);
     window.menu(en::WINDOW.menu_present, words::texts(Lang::En).write_command);
     window.choose(&path);
-    assert!(window.state().writes_lesson() && window.state().file_flow.dialog.is_none());
+    assert!(window.state().learn.writes_lesson(&window.state().model) && window.state().file_flow.dialog.is_none());
     assert_eq!(read_lesson(&path).unwrap().0.steps.len(), 1);
 }
 
@@ -502,7 +508,7 @@ fn a_task_of_a_window_that_was_killed_is_in_its_fields_again() {
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
-    let writing = window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap();
+    let writing = window.state().learn.lesson.as_ref().unwrap().writing.as_ref().unwrap();
     assert_eq!(writing.typed.task.text.en, "Only half of a goal");
     assert!(writing.fault.is_some());
 }

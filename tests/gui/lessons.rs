@@ -4,7 +4,7 @@
 
 use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::state::Side;
+use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::learn::exercises::choice_of;
 use camera_lab::i18n::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
@@ -31,7 +31,7 @@ pub(crate) fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
 }
 
 fn step(window: &Window) -> usize {
-    window.state().lesson.as_ref().unwrap().step
+    window.state().learn.lesson.as_ref().unwrap().step
 }
 
 #[test]
@@ -62,19 +62,19 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     window.run();
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(en::LESSONS.next).click();
     for _ in 0..200 {
         window.harness.step();
     }
     assert_eq!(step(&window), 1);
-    assert_eq!(window.state().document.figure().camera, lesson.steps[1].figure.camera);
-    assert!(!window.state().document.can_undo(), "the move is no change");
+    assert_eq!(window.state().model.document.figure().camera, lesson.steps[1].figure.camera);
+    assert!(!window.state().model.document.can_undo(), "the move is no change");
     // Back, and the question is still answered.
     window.harness.key_press(Key::PageUp);
     window.run();
     assert_eq!(step(&window), 0);
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
 }
 
 #[test]
@@ -92,9 +92,9 @@ fn a_wrong_answer_is_told_why_in_both_languages() {
         let guess = exercise_window::texts(lang).guess;
         window.harness.get_by_label_contains(guess).click();
         window.run();
-        let checked = &window.state().exercises.checked[&ask.name];
+        let checked = &window.state().learn.exercises.checked[&ask.name];
         assert!(!checked.judged.right);
-        assert!(!window.state().lesson.as_ref().unwrap().is_done());
+        assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
         let said = exercises::diagnosis(lang, ask, &checked.judged).unwrap();
         assert!(said.contains(told(lang, &mistake.message).trim()), "{said}");
     }
@@ -105,19 +105,19 @@ fn a_goal_is_noticed_and_the_way_to_it_is_shown_and_undone() {
     let lesson = &shipped()[0].lesson;
     let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
     let mut window = playing(0, with_goal, Lang::En);
-    assert!(window.state().settings.panels().is_shown(Side::Left), "the camera's numbers are at hand");
-    assert!(!window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().model.settings.panels().is_shown(Side::Left), "the camera's numbers are at hand");
+    assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
     let t = words::texts(Lang::En);
     window.harness.get_by_label(t.show_way).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(t.done);
-    assert_ne!(window.state().document.figure().camera, lesson.steps[with_goal].figure.camera);
+    assert_ne!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
     // Nothing that is tried is lost work, and the step comes back.
-    assert!(window.state().document.is_changed() && !window.state().has_unsaved());
+    assert!(window.state().model.document.is_changed() && !window.state().learn.has_unsaved(&window.state().model));
     window.harness.get_by_label(t.again).click();
     window.run();
-    assert_eq!(window.state().document.figure().camera, lesson.steps[with_goal].figure.camera);
+    assert_eq!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
 }
 
 #[test]
@@ -125,12 +125,14 @@ fn a_presentation_has_keys_for_all_of_it() {
     let mut window = playing(0, 0, Lang::En);
     window.harness.key_press(Key::F11);
     window.run();
-    window.app_mut().state.go_to_step(1);
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, 1);
     window.run();
-    window.app_mut().state.go_to_step(0);
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, 0);
     window.run();
     let lesson = |window: &Window| {
-        let playing = window.state().lesson.as_ref().unwrap();
+        let playing = window.state().learn.lesson.as_ref().unwrap();
         (playing.shows_text, playing.shows_question, playing.shows_notes)
     };
     assert_eq!(lesson(&window), (true, false, false), "the question waits for the lecturer");
@@ -154,19 +156,19 @@ fn a_presentation_has_keys_for_all_of_it() {
 fn whoever_leaves_has_the_figure_and_the_panels_back() {
     let mut window = Window::new(Lang::En);
     window.run();
-    let panels = window.state().settings.panels.wanted;
+    let panels = window.state().model.settings.panels.wanted;
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::L);
     window.run();
     let title = told(Lang::En, &shipped()[1].lesson.title);
     // By its name: where the pointer is, another line may be by now.
     window.harness.get_by_label_contains(title).click_accesskit();
     window.run();
-    assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, shipped()[1].lesson.id);
+    assert_eq!(window.state().learn.lesson.as_ref().unwrap().lesson.id, shipped()[1].lesson.id);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
-    assert!(window.state().lesson.is_none());
-    assert_eq!(window.state().settings.panels.wanted, panels);
-    assert_eq!(window.state().document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
+    assert!(window.state().learn.lesson.is_none());
+    assert_eq!(window.state().model.settings.panels.wanted, panels);
+    assert_eq!(window.state().model.document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
 }
 
 #[test]
@@ -178,10 +180,10 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
         window.run();
         window.app_mut().keep_preferences(&ctx, &folder.file("config"), LaunchOptions::default());
         window.run();
-        let t = words::texts(window.state().settings.lang);
+        let t = words::texts(window.state().model.settings.lang);
         assert_eq!(window.harness.query_by_label(t.new_here).is_some(), first);
         if first {
-            let lang = window.state().settings.lang;
+            let lang = window.state().model.settings.lang;
             window.harness.get_by_label(&words::with_minutes(lang, &shipped()[0].lesson)).click();
             window.run();
             assert_eq!(step(&window), 0);
@@ -205,13 +207,13 @@ fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     window.app_mut().keep_preferences(&ctx, &config, LaunchOptions::default());
     window.run();
     let lesson = &shipped()[2].lesson;
-    assert!(window.state().is_finished(&shipped()[0].lesson) && !window.state().is_finished(lesson));
+    assert!(window.state().learn.is_finished(&shipped()[0].lesson) && !window.state().learn.is_finished(lesson));
     let name = words::go_on(Lang::En, lesson, 9);
     assert!(name.ends_with("step 10"), "{name}");
     window.harness.get_by_label(&name).click();
     window.run();
-    assert_eq!((step(&window), window.state().lesson.as_ref().unwrap().lesson.id.as_str()), (9, "window"));
-    assert!(!window.state().goes_on);
+    assert_eq!((step(&window), window.state().learn.lesson.as_ref().unwrap().lesson.id.as_str()), (9, "window"));
+    assert!(!window.state().learn.goes_on);
 }
 
 /// Passing over everything finishes nothing; a shown way is no answer.
@@ -219,17 +221,19 @@ fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
 fn a_lesson_is_finished_when_its_questions_are() {
     let lesson = &shipped()[0].lesson;
     let mut window = playing(0, lesson.steps.len() - 1, Lang::En);
-    assert!(!window.state().is_finished(lesson));
-    assert_eq!(window.state().done_of(lesson).0, 0);
+    assert!(!window.state().learn.is_finished(lesson));
+    assert_eq!(window.state().learn.done_of(lesson).0, 0);
     let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
-    window.app_mut().state.settings.reduce_motion = true;
-    window.app_mut().state.go_to_step(with_goal);
+    window.app_mut().state.model.settings.reduce_motion = true;
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, with_goal);
     window.run();
     window.harness.get_by_label(words::texts(Lang::En).show_way).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
-    assert_eq!(window.state().done_of(lesson).0, 0, "it was shown");
-    window.app_mut().state.go_to_step(0);
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+    assert_eq!(window.state().learn.done_of(lesson).0, 0, "it was shown");
+    let state = &mut window.app_mut().state;
+    state.learn.go_to_step(&mut state.model, 0);
     window.run();
     let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
     let right = exercise_sheet::answer(Lang::En, &entry.exercise(0, &Default::default()).asks[0]);
@@ -237,7 +241,7 @@ fn a_lesson_is_finished_when_its_questions_are() {
     window.run();
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
-    assert_eq!(window.state().done_of(lesson).0, 1);
+    assert_eq!(window.state().learn.done_of(lesson).0, 1);
 }
 
 /// Everything of a step is in sight without scrolling: in the window, and on a projector with the question hidden.
@@ -252,10 +256,11 @@ fn every_step_has_room_for_its_text() {
                 window.run();
             }
             for lang in [Lang::En, Lang::PtBr] {
-                window.app_mut().state.settings.lang = lang;
+                window.app_mut().state.model.settings.lang = lang;
                 for k in 0..shipped.lesson.steps.len() {
-                    window.app_mut().state.settings.reduce_motion = true;
-                    window.app_mut().state.go_to_step(k);
+                    window.app_mut().state.model.settings.reduce_motion = true;
+                    let state = &mut window.app_mut().state;
+                    state.learn.go_to_step(&mut state.model, k);
                     window.run();
                     // The bar is below the pictures, and not behind them.
                     let below =
@@ -263,7 +268,7 @@ fn every_step_has_room_for_its_text() {
                     let below = below.fold(0.0, f32::max);
                     let bar = window.harness.query_by_label("◀ Back").map_or(f32::INFINITY, |back| back.rect().top());
                     let hidden = bar < below;
-                    let playing = window.state().lesson.as_ref().unwrap();
+                    let playing = window.state().learn.lesson.as_ref().unwrap();
                     if playing.is_cut || hidden {
                         cut.push(format!("{} {} {lang:?} presents: {presents}", shipped.lesson.id, k + 1));
                     }
@@ -299,9 +304,11 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
             }
         }
         window.run();
-        let guesses = window.state().exercises.asks_for_guess(ask);
+        let guesses = window.state().learn.exercises.asks_for_guess(ask);
         says(window, if guesses { t.guess } else { t.check });
-        if let Some(choices) = Some(&ask.kind).filter(|_| !window.state().exercises.checked.contains_key(&ask.name)) {
+        if let Some(choices) =
+            Some(&ask.kind).filter(|_| !window.state().learn.exercises.checked.contains_key(&ask.name))
+        {
             // The picture has moved: what is seen is asked next.
             let Kind::Choice(choices) = choices else { panic!("a place is judged at once") };
             let right = exercise_sheet::answer(Lang::En, ask);
@@ -310,7 +317,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
             window.run();
             says(window, t.check);
         }
-        assert!(!window.state().exercises.checked[&ask.name].judged.right);
+        assert!(!window.state().learn.exercises.checked[&ask.name].judged.right);
     }
 }
 
@@ -321,12 +328,13 @@ fn the_panel_of_a_lesson_keeps_its_height() {
     for size in [[1280.0, 720.0], [1920.0, 1080.0]] {
         for (place, shipped) in shipped().iter().enumerate() {
             let mut window = playing(place, 0, Lang::En);
-            window.app_mut().state.settings.reduce_motion = true;
+            window.app_mut().state.model.settings.reduce_motion = true;
             window.harness.set_size(vec2(size[0], size[1]));
             window.run();
             let mut first = None;
             for (k, step) in shipped.lesson.steps.iter().enumerate() {
-                window.app_mut().state.go_to_step(k);
+                let state = &mut window.app_mut().state;
+                state.learn.go_to_step(&mut state.model, k);
                 window.run();
                 if let Some(Task::Question(entry)) = &step.task {
                     answer_wrongly(&mut window, &entry.exercise(0, &Default::default()));
@@ -354,7 +362,7 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
     let (mut out_of_sight, mut of_pictures) = (Vec::new(), Vec::new());
     for (place, shipped) in shipped().iter().enumerate() {
         let mut window = playing(place, 0, Lang::En);
-        window.app_mut().state.settings.reduce_motion = true;
+        window.app_mut().state.model.settings.reduce_motion = true;
         window.key(Key::F11);
         // The size of the window is in points, which are larger now.
         window.harness.set_size(vec2(1280.0, 720.0) / window.harness.ctx.zoom_factor());
@@ -362,8 +370,9 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
         let asks = |k: &usize| matches!(shipped.lesson.steps[*k].task, Some(Task::Question(_)));
         for k in (0..shipped.lesson.steps.len()).filter(asks) {
             for lang in [Lang::En, Lang::PtBr] {
-                window.app_mut().state.settings.lang = lang;
-                window.app_mut().state.go_to_step(k);
+                window.app_mut().state.model.settings.lang = lang;
+                let state = &mut window.app_mut().state;
+                state.learn.go_to_step(&mut state.model, k);
                 window.run();
                 window.key(Key::Q);
                 window.run();
@@ -401,9 +410,9 @@ fn steps_are_recorded_from_the_screen_and_played() {
     record(&mut window);
     window.choose(&file);
     window.run();
-    let mut second = *window.state().document.camera().parameters();
+    let mut second = *window.state().model.document.camera().parameters();
     second.near = 2.5;
-    window.app_mut().state.document.set_parameters(second);
+    window.app_mut().state.model.document.set_parameters(second);
     window.run();
     // The file is known now.
     record(&mut window);
@@ -415,20 +424,20 @@ fn steps_are_recorded_from_the_screen_and_played() {
     // Its texts are written at once.
     window.harness.key_press_modifiers(Modifiers::ALT, Key::R);
     window.run();
-    assert!(window.state().writes_lesson() && step(&window) == 1);
+    assert!(window.state().learn.writes_lesson(&window.state().model) && step(&window) == 1);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
-    assert!(window.state().lesson.is_none());
+    assert!(window.state().learn.lesson.is_none());
     // It opens as any file does.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
-    if window.state().file_flow.dialog.is_some() && window.state().document.is_changed() {
+    if window.state().file_flow.dialog.is_some() && window.state().model.document.is_changed() {
         window.harness.get_by_label_contains(en::WINDOW.dont_save).click();
         window.run();
     }
     window.choose(&file);
     window.run();
-    assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, "mine");
+    assert_eq!(window.state().learn.lesson.as_ref().unwrap().lesson.id, "mine");
 }
 
 #[test]
@@ -464,35 +473,38 @@ fn links_of_a_text_open_pages_and_no_files() {
 #[test]
 fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     let mut window = playing(0, 0, Lang::En);
-    let camera = *window.state().document.camera().parameters();
+    let camera = *window.state().model.document.camera().parameters();
     let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };
-    window.app_mut().state.document.set_parameters(tried);
+    window.app_mut().state.model.document.set_parameters(tried);
     window.run();
-    assert!(window.state().document.is_changed() && !window.state().has_unsaved());
+    assert!(window.state().model.document.is_changed() && !window.state().learn.has_unsaved(&window.state().model));
     let turn = |window: &mut Window, step: usize| {
-        window.app_mut().state.go_to_step(step);
+        let state = &mut window.app_mut().state;
+        state.learn.go_to_step(&mut state.model, step);
         for _ in 0..200 {
             window.harness.step();
         }
     };
     turn(&mut window, 1);
     turn(&mut window, 0);
-    assert_eq!(window.state().document.draft(), &camera, "it was tried");
-    window.app_mut().state.document.set_parameters(tried);
+    assert_eq!(window.state().model.document.draft(), &camera, "it was tried");
+    window.app_mut().state.model.document.set_parameters(tried);
     let point = NamedPoint { name: "Mine".to_owned(), position: glam::DVec3::ONE };
-    window.app_mut().state.document.edit(|figure| figure.points.push(point));
+    window.app_mut().state.model.document.edit(|figure| figure.points.push(point));
     window.run();
-    assert!(window.state().has_unsaved());
+    assert!(window.state().learn.has_unsaved(&window.state().model));
     turn(&mut window, 1);
-    assert!(!window.state().has_unsaved() && window.state().would_lose_something());
+    assert!(!window.state().learn.has_unsaved(&window.state().model) && window.state().would_lose_something());
     turn(&mut window, 0);
-    assert_eq!(window.state().document.draft(), &tried, "it is work");
+    assert_eq!(window.state().model.document.draft(), &tried, "it is work");
     // The step as it was is one undo step away from the work.
-    window.app_mut().state.step_again();
+    let state = &mut window.app_mut().state;
+    state.learn.step_again(&mut state.model);
     window.run();
-    assert!(!window.state().has_unsaved());
-    window.app_mut().state.undo();
-    assert!(window.state().has_unsaved() && window.state().document.draft() == &tried);
+    assert!(!window.state().learn.has_unsaved(&window.state().model));
+    let state = &mut window.app_mut().state;
+    state.learn.undo(&mut state.model);
+    assert!(window.state().learn.has_unsaved(&window.state().model) && window.state().model.document.draft() == &tried);
 }
 
 /// A class answers by hands: letters count them, and the bars come with the answer.
@@ -504,7 +516,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     window.key(Key::F11);
     // Without the question, letters do what they do elsewhere.
     window.key(Key::C);
-    assert!(!window.state().lesson.as_ref().unwrap().shows_text);
+    assert!(!window.state().learn.lesson.as_ref().unwrap().shows_text);
     window.key(Key::C);
     window.key(Key::Q);
     for key in [Key::A, Key::B, Key::B, Key::C] {
@@ -513,7 +525,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::C);
     window.run();
     assert!(window.says(&format!("{}: 3", t.hands)), "A, B, B");
-    assert!(window.state().lesson.as_ref().unwrap().shows_text, "C is a choice now");
+    assert!(window.state().learn.lesson.as_ref().unwrap().shows_text, "C is a choice now");
     assert!(!window.says("✓"));
     window.key(Key::Q);
     assert!(window.says("✓") && !window.says(t.show_answer));
@@ -521,7 +533,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     window.key(Key::PageDown);
     assert_eq!(step(&window), step_before + 1);
     window.key(Key::PageUp);
-    if !window.state().lesson.as_ref().unwrap().shows_question {
+    if !window.state().learn.lesson.as_ref().unwrap().shows_question {
         window.key(Key::Q);
     }
     assert!(window.says(&format!("{}: 3", t.hands)));

@@ -12,8 +12,9 @@ use std::time::Duration;
 use camera_lab::camera::Parameters;
 use camera_lab::files::{open_figure, read_lesson};
 use camera_lab::gui::app::command::Command;
+use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::gui::model::document::Document;
-use camera_lab::gui::state::{Chosen, Dialog};
 use camera_lab::gui::storage::session::{Sessions, UnsavedText};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::learn::{exercise_window, lessons as words};
@@ -121,11 +122,11 @@ fn first(work: Work, folder: &Folder) -> State {
     };
     let mut state = State::new(Start { lang: Lang::En, ..start }).unwrap();
     state.file_flow.native = false;
-    state.layout.maximized = Some(View::Image);
-    state.settings.panels.wanted = [false; 3];
-    state.settings.reduce_motion = true;
-    state.welcome = true;
-    state.lesson_file = Some(path);
+    state.model.layout.maximized = Some(View::Image);
+    state.model.settings.panels.wanted = [false; 3];
+    state.model.settings.reduce_motion = true;
+    state.learn.welcome = true;
+    state.learn.file = Some(path);
     state
 }
 
@@ -134,22 +135,22 @@ fn begin(work: Work, window: &mut Window, folder: &Folder) {
     window.begin_again(first(work, folder));
     window.app_mut().keep_session(&folder.file("sessions"), false);
     let path = folder.file("lesson.toml");
-    if window.state().lesson.is_none() {
-        let far = Parameters { far: FAR, ..*window.state().document.draft() };
-        window.app_mut().state.document.set_parameters(far);
+    if window.state().learn.lesson.is_none() {
+        let far = Parameters { far: FAR, ..*window.state().model.document.draft() };
+        window.app_mut().state.model.document.set_parameters(far);
         window.run();
     }
     let t = words::texts(Lang::En);
     match work {
         Work::Figure => {}
         Work::BehindExercise => {
-            window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+            window.app_mut().state.learn.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
             press(window, Modifiers::ALT, Key::X);
             window.click(exercise_window::texts(Lang::En).show_figure);
         }
         Work::Left => press(window, Modifiers::COMMAND, Key::PageDown),
         Work::Step => {
-            window.app_mut().state.document.edit(|figure| {
+            window.app_mut().state.model.document.edit(|figure| {
                 let position = glam::DVec3::ONE;
                 figure.points.push(camera_lab::figure::NamedPoint { name: POINT.to_owned(), position });
             });
@@ -202,16 +203,16 @@ impl Work {
     /// The window still has it, shown or not.
     fn is_held(self, state: &State) -> bool {
         if self.is_text() {
-            return self.is_in_text(state.unsaved_text().map(|text| &**text));
+            return self.is_in_text(state.learn.unsaved_text().map(|text| &**text));
         }
-        let (mut back, mut forth) = (state.document.clone(), state.document.clone());
+        let (mut back, mut forth) = (state.model.document.clone(), state.model.document.clone());
         let mut is_near = false;
         for _ in 0..20 {
             is_near |= self.is_in(&back) || self.is_in(&forth);
             back.undo();
             forth.redo();
         }
-        is_near || state.held_documents().into_iter().any(|document| self.is_in(document))
+        is_near || state.learn.held_documents(&state.model).into_iter().any(|document| self.is_in(document))
     }
 
     /// The user has it in a file.
@@ -255,13 +256,14 @@ impl Work {
         };
         let plays = matches!(self, Self::Step | Self::WrongText | Self::TextBeside);
         let is_shown = match self {
-            Self::BehindExercise => state.document.behind().any(|document| self.is_in(document)),
-            Self::Left => state.held_documents().iter().any(|document| self.is_in(document)),
+            Self::BehindExercise => state.model.document.behind().any(|document| self.is_in(document)),
+            Self::Left => state.learn.held_documents(&state.model).iter().any(|document| self.is_in(document)),
             Self::WrongText | Self::TextBeside => true,
-            Self::Figure | Self::Step | Self::Path => self.is_in(&state.document),
+            Self::Figure | Self::Step | Self::Path => self.is_in(&state.model.document),
         };
-        let is_at_rest = !state.settings.presentation && state.settings.lang == Lang::En && state.welcome;
-        is_open && is_shown && is_at_rest && plays == state.lesson.is_some()
+        let is_at_rest =
+            !state.model.settings.presentation && state.model.settings.lang == Lang::En && state.learn.welcome;
+        is_open && is_shown && is_at_rest && plays == state.learn.lesson.is_some()
     }
 }
 
@@ -341,7 +343,7 @@ fn all(folder: &Folder) -> Vec<(String, Vec<Deed>)> {
     row(
         "the figure of an exercise",
         vec![
-            Deed::Change(|state| state.exercises.work_on(Chosen { id: "window".to_owned(), seed: 1 })),
+            Deed::Change(|state| state.learn.exercises.work_on(Chosen { id: "window".to_owned(), seed: 1 })),
             keys(Modifiers::ALT, Key::X),
             Deed::Label(exercise_window::texts(Lang::En).show_figure),
         ],

@@ -2,7 +2,9 @@
 
 use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::state::{Dialog, Selected, Side, Tab};
+use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::model::layout::{Side, Tab};
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::why::explain::texts;
 use camera_lab::i18n::why::notes::note;
@@ -18,7 +20,7 @@ fn reading(lang: Lang) -> Window {
     let mut window = Window::new(lang);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
-    window.app_mut().state.explain.show(Explanation::Notes);
+    window.app_mut().state.model.explained.show(Explanation::Notes);
     window.run();
     window
 }
@@ -30,7 +32,8 @@ fn chosen(window: &Window) -> &'static str {
 /// The note that is shown, with the side of explanations and its tab.
 fn shown(window: &Window) -> Option<&'static str> {
     let state = window.state();
-    let is_shown = state.settings.panels().is_shown(Side::Explain) && state.explain.shown() == Explanation::Notes;
+    let is_shown =
+        state.model.settings.panels().is_shown(Side::Explain) && state.model.explained.shown() == Explanation::Notes;
     is_shown.then_some(state.explain.notes.chosen)
 }
 
@@ -80,8 +83,8 @@ fn a_note_says_its_equation_its_number_here_and_its_errata() {
     for said in ["H = 2F tan(θ/2)", "[0] (5.5)"] {
         assert!(window.harness.query_by_label(said).is_some(), "{said}");
     }
-    let height = window.state().document.camera().window_height();
-    let said = camera_lab::numbers::DecimalMark::Point.number(height, window.state().settings.digits);
+    let height = window.state().model.document.camera().window_height();
+    let said = camera_lab::numbers::DecimalMark::Point.number(height, window.state().model.settings.digits);
     assert!(window.harness.query_all_by_label_contains(&said).next().is_some(), "{said}");
     window.app_mut().state.explain.notes.chosen = "5.11";
     window.run();
@@ -167,7 +170,7 @@ fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
     assert_eq!(shown(&window), Some("yaw"));
     assert!(window.harness.query_by_label("≠ ").is_some() || window.harness.query_by_label("≠").is_some());
 
-    window.app_mut().state.layout.strip = true;
+    window.app_mut().state.model.layout.strip = true;
     window.run();
     let stage = window
         .harness
@@ -180,7 +183,7 @@ fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
     window.harness.get_by_label_contains(camera_lab::stage::Stage::Clip.source());
     point_at(&mut window, Pos2::ZERO);
 
-    window.app_mut().state.explain.show(Explanation::Matrices);
+    window.app_mut().state.model.explained.show(Explanation::Matrices);
     window.run();
     window.harness.get_by_label_contains("M_p, linha 3, coluna 3").focus();
     window.run();
@@ -194,7 +197,7 @@ fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
     let mut ask = |tab, role, label: &str, note: &str| {
-        window.app_mut().state.explain.show(tab);
+        window.app_mut().state.model.explained.show(tab);
         window.run();
         window.harness.get_by_role_and_label(role, label).focus();
         window.run();
@@ -219,9 +222,9 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
     let object = ObjectSpec::new("caixa", Shape::Box);
     let point = NamedPoint { name: "A".to_owned(), position: DVec3::ONE };
     let state = &mut window.app_mut().state;
-    state.document.edit(|figure| (figure.scene.objects, figure.points) = (vec![object], vec![point]));
-    state.tree.select(Some(Selected::Object("caixa".to_owned())));
-    state.settings.tab = Tab::Scene;
+    state.model.document.edit(|figure| (figure.scene.objects, figure.points) = (vec![object], vec![point]));
+    state.model.tree.select(Some(Selected::Object("caixa".to_owned())));
+    state.model.settings.tab = Tab::Scene;
     window.run();
     let t = camera_lab::i18n::window::scenes::texts(Lang::PtBr);
     for (name, note) in [(t.translate, "translation"), (t.rotate, "rotation"), (t.scale, "scale")] {
@@ -230,7 +233,7 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
         window.key(Key::F1);
         assert_eq!(shown(&window), Some(note));
     }
-    window.app_mut().state.explain.show(Explanation::Point);
+    window.app_mut().state.model.explained.show(Explanation::Point);
     window.run();
     window.field("NDC z_n").focus();
     window.run();

@@ -28,9 +28,9 @@ fn window(lang: Lang, selected: Option<&str>) -> Window {
         ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 90.0, 0.0).scaled(1.0, 2.0, 3.0).under("arm"),
     ];
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-    state.layout.maximized = Some(View::World);
-    let selected = selected.map(|name| camera_lab::gui::state::Selected::Object(name.to_owned()));
-    state.tree.select(selected);
+    state.model.layout.maximized = Some(View::World);
+    let selected = selected.map(|name| camera_lab::gui::model::scene_tree::Selected::Object(name.to_owned()));
+    state.model.tree.select(selected);
     // So high that nothing has to be scrolled.
     let mut window = Window::with_state(state, [900.0, 1300.0]);
     window.explain(Explanation::Order);
@@ -52,7 +52,7 @@ fn alt(window: &mut Window, key: Key) {
 
 /// Where the list, and where the other order, puts the object.
 fn placed(window: &Window) -> Vec<DMat4> {
-    window.state().explain.placed.iter().map(|placed| placed.world_from_frame).collect()
+    window.state().model.explained.placed.iter().map(|placed| placed.world_from_frame).collect()
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     let mut window = window(Lang::En, Some("box"));
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
     assert_eq!(calls(&window)[2], Call::RotateY(90.0));
-    let before = window.state().document.figure().clone();
+    let before = window.state().model.document.figure().clone();
     window.harness.get_by_label("Step 3: R_y").focus();
     window.run();
     alt(&mut window, Key::ArrowUp);
@@ -86,7 +86,7 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     assert_eq!(calls(&window).last(), Some(&Call::RotateZ(30.0)));
     window.click("Remove 6");
     assert_eq!(calls(&window).len(), 5);
-    let after = Figure { show: before.show.clone(), ..window.state().document.figure().clone() };
+    let after = Figure { show: before.show.clone(), ..window.state().model.document.figure().clone() };
     assert_eq!(after, before, "nothing of it is in the figure but what is shown");
     window.click(en::ORDER.again);
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
@@ -109,9 +109,9 @@ fn taking_over_is_in_sight_in_a_small_window_also_when_the_list_is_scrolled() {
         let mut figure = camera_lab::gui::fresh();
         figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
         let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-        state.tree.select(Some(camera_lab::gui::state::Selected::Object("box".to_owned())));
-        state.settings.panels.wanted = [false, false, true];
-        state.explain.show(Explanation::Order);
+        state.model.tree.select(Some(camera_lab::gui::model::scene_tree::Selected::Object("box".to_owned())));
+        state.model.settings.panels.wanted = [false, false, true];
+        state.model.explained.show(Explanation::Order);
         let mut window = Window::with_state(state, [1280.0, 720.0]);
         let place = |window: &Window| window.harness.get_by_label(t.take).rect();
         let before = place(&window);
@@ -139,7 +139,7 @@ fn both_readings_end_at_one_matrix_and_the_wrong_order_elsewhere() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
         let mut window = window(lang, Some("box"));
-        let scene = &window.state().document.figure().scene;
+        let scene = &window.state().model.document.figure().scene;
         let own = placements(scene).unwrap()["box"];
         let parent = DMat4::from_translation(DVec3::Y);
         // T and R_y exchanged: turned about the parent's origin, it is at −2 z.
@@ -174,26 +174,26 @@ fn both_readings_end_at_one_matrix_and_the_wrong_order_elsewhere() {
 fn the_object_takes_over_t_r_s_and_it_can_be_undone() {
     let mut window = window(Lang::PtBr, Some("box"));
     let t = texts(Lang::PtBr);
-    let before = window.state().document.figure().scene.clone();
+    let before = window.state().model.document.figure().scene.clone();
     window.enter("R_z", "30");
     window.enter("S x", "0");
     window.click(t.take);
-    assert_eq!(window.state().document.figure().scene, before, "scaled to nothing it is not an object");
-    assert!(window.state().message.is_some());
+    assert_eq!(window.state().model.document.figure().scene, before, "scaled to nothing it is not an object");
+    assert!(window.state().model.message.is_some());
     window.enter("S x", "4");
     assert!(window.says(t.is_form));
     window.click(t.take);
-    let object = &window.state().document.figure().scene.objects[1];
+    let object = &window.state().model.document.figure().scene.objects[1];
     assert_eq!((object.rotate, object.scale.x), (DVec3::new(0.0, 90.0, 30.0), 4.0));
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.figure().scene, before, "one step");
+    assert_eq!(window.state().model.document.figure().scene, before, "one step");
 }
 
 #[test]
 fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
     let mut window = window(Lang::En, Some("box"));
-    let before = window.state().document.figure().scene.clone();
+    let before = window.state().model.document.figure().scene.clone();
     window.harness.get_by_label("Step 5: S").focus();
     window.run();
     for _ in 0..4 {
@@ -203,14 +203,14 @@ fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
     assert!(window.says("Step 2 (T) doesn't fit"));
     let wanted = placed(&window)[0];
     window.click(en::ORDER.take);
-    let scene = &window.state().document.figure().scene;
+    let scene = &window.state().model.document.figure().scene;
     let names: Vec<&str> = scene.objects.iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names, ["arm", "group", "box"]);
     assert!(placements(scene).unwrap()["box"].abs_diff_eq(wanted, 1e-12));
     // The list is that of the object, below its new parent.
     assert!(placed(&window)[0].abs_diff_eq(wanted, 1e-12));
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.figure().scene, before);
+    assert_eq!(window.state().model.document.figure().scene, before);
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(window.says("No object is selected"));
     assert_eq!(symbols(&window), ["T", "R_y", "S"]);
     assert!(window.harness.get_by_label(en::ORDER.take).accesskit_node().is_disabled());
-    assert!(window.state().explain.placed[0].objects.is_empty(), "a cube");
+    assert!(window.state().model.explained.placed[0].objects.is_empty(), "a cube");
     for entry in ["push: save the matrix", "translate", "pop: restore it"] {
         window.click("+ Add");
         window.click(entry);
@@ -228,5 +228,5 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(placed(&window)[0].abs_diff_eq(whole, 1e-12), "what was pushed is back");
     window.click("Remove 4");
     assert!(window.says("Step 5 is a pop, and nothing was pushed before it."));
-    assert!(window.state().explain.placed.is_empty());
+    assert!(window.state().model.explained.placed.is_empty());
 }

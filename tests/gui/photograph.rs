@@ -5,7 +5,7 @@ use std::time::Duration;
 use camera_lab::camera::{Camera, Viewport, WorldAxis};
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, Photograph, read};
-use camera_lab::gui::state::Tab;
+use camera_lab::gui::model::layout::Tab;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::why::photograph as steps;
@@ -28,13 +28,13 @@ fn window(lang: Lang, text: &str) -> Window {
     let figure = read::parse(text).expect("a figure");
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
-    state.layout.maximized = Some(View::Image);
-    state.settings.tab = Tab::Camera;
+    state.model.layout.maximized = Some(View::Image);
+    state.model.settings.tab = Tab::Camera;
     Window::with_state(state, [1280.0, 1500.0])
 }
 
 fn figure(window: &Window) -> &Figure {
-    window.state().document.figure()
+    window.state().model.document.figure()
 }
 
 /// Where the window shows a point of the world, if the right camera took the image.
@@ -84,7 +84,7 @@ fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
         window.app_mut().state.photograph.length = (WorldAxis::X, 4.0);
         window.app_mut().state.photograph.marks.length = Some((WorldAxis::X, DVec2::new(443.5, 360.5), 4.0));
         window.run();
-        let given = *window.state().document.camera().parameters();
+        let given = *window.state().model.document.camera().parameters();
         let found = window.state().photograph.camera(figure(&window).image, &given).expect("a camera");
         for step in steps::steps(lang, &found) {
             assert!(window.says(&step), "{step}");

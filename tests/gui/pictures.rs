@@ -57,7 +57,7 @@ fn first(lang: Lang, theme: Theme, size: [f32; 2]) -> Window {
     figure.scene.preset = Preset::Cube;
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
-    state.settings.theme = theme;
+    state.model.settings.theme = theme;
     state.file_flow.native = false;
     Window::with_state(state, size)
 }

@@ -17,7 +17,7 @@ use crate::words::en;
 
 /// The place on the screen of a point of the image, in pixels of the image.
 fn on_screen(window: &mut Window, [i, j]: [f64; 2]) -> Pos2 {
-    let image = window.state().document.figure().image;
+    let image = window.state().model.document.figure().image;
     let (_, room) = window.app_mut().canvas.places().find(|(view, _)| *view == View::Image).unwrap();
     let aspect = image.width as f32 / image.height as f32;
     let width = room.width().min(room.height() * aspect);
@@ -48,11 +48,11 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         arrive(&mut window);
         // Neither verdict nor reason; the picture is the one of the next step.
         let state = window.state();
-        assert!(state.exercises.checked.is_empty(), "no verdict before the picture");
-        assert_eq!(state.document.figure().camera, lesson.steps[3].figure.camera);
-        assert_eq!(state.lesson.as_ref().unwrap().step, 2);
-        assert!(!state.lesson.as_ref().unwrap().is_done() && !state.has_unsaved());
-        let (id, guess) = state.exercises.progress.guesses().next().unwrap();
+        assert!(state.learn.exercises.checked.is_empty(), "no verdict before the picture");
+        assert_eq!(state.model.document.figure().camera, lesson.steps[3].figure.camera);
+        assert_eq!(state.learn.lesson.as_ref().unwrap().step, 2);
+        assert!(!state.learn.lesson.as_ref().unwrap().is_done() && !state.learn.has_unsaved(&state.model));
+        let (id, guess) = state.learn.exercises.progress.guesses().next().unwrap();
         assert_eq!((id, guess.said.as_str(), guess.right), (&*entry.id, "smaller", false));
         assert!(window.says(t.what_seen));
         let own = ask.own_mistakes.iter().find(|own| told(lang, &own.message).len() > 20).unwrap();
@@ -62,8 +62,8 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         window.run();
         window.harness.get_by_label_contains(t.check).click();
         window.run();
-        assert!(window.state().lesson.as_ref().unwrap().is_done());
-        assert_eq!(window.state().exercises.guess_at(ask), Some(&vec!["smaller".to_owned()]));
+        assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+        assert_eq!(window.state().learn.exercises.guess_at(ask), Some(&vec!["smaller".to_owned()]));
         assert!(window.says(t.you_guessed));
     }
 }
@@ -75,21 +75,22 @@ fn a_lesson_that_is_opened_again_asks_again() {
     window.run();
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
-    let typed = |window: &Window| window.state().exercises.typed.values().filter(|typed| !typed.is_empty()).count();
+    let typed =
+        |window: &Window| window.state().learn.exercises.typed.values().filter(|typed| !typed.is_empty()).count();
     assert_eq!(typed(&window), 1);
     let mut state = State::new(Start::default()).unwrap();
-    state.exercises = window.state().exercises.clone();
+    state.learn.exercises = window.state().learn.exercises.clone();
     let mut again = Window::with_state(state, [1280.0, 720.0]);
     again.run();
     let app = again.app_mut();
-    app.state.exercises.open = None;
+    app.state.learn.exercises.open = None;
     let question = |step: &camera_lab::lessons::Step| match &step.task {
         Some(Task::Question(entry)) => Some(entry.id.clone().into_owned()),
         _ => None,
     };
-    app.state.exercises.ask_again(shipped()[0].lesson.steps.iter().filter_map(question));
+    app.state.learn.exercises.ask_again(shipped()[0].lesson.steps.iter().filter_map(question));
     assert_eq!(typed(&again), 0);
-    assert_eq!(again.state().exercises.progress.guesses().count(), 1, "the guess stays in the progress");
+    assert_eq!(again.state().learn.exercises.progress.guesses().count(), 1, "the guess stays in the progress");
 }
 
 /// The place of a point with C, PF, VUP and θ, by the construction of the notes.
@@ -112,29 +113,32 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
     let vup = axis.cross(right) * cos - right * sin;
     let wanted = projected(DVec3::new(-1.5325, 2.125, -0.25), [c, pf, vup], 38.0, [1024.0, 768.0]);
     let mut window = playing(0, 10, Lang::En);
-    let camera = window.state().document.figure().camera;
+    let camera = window.state().model.document.figure().camera;
     let at = on_screen(&mut window, [512.0, 100.0]);
     window.click_at(at);
-    let mark = |window: &mut Window| window.app_mut().state.placing().unwrap().mark.unwrap();
+    let mark = |window: &mut Window| placing_of(&mut window.app_mut().state).unwrap().mark.unwrap();
     let [x, y] = mark(&mut window);
     assert!((x - 512.0).abs() <= 2.0 && (y - 100.0).abs() <= 2.0, "{x} {y}");
-    assert_eq!(window.state().document.figure().camera, camera, "the camera isn't dragged");
+    assert_eq!(window.state().model.document.figure().camera, camera, "the camera isn't dragged");
     window.key(Key::ArrowLeft);
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
     window.run();
     assert_eq!(mark(&mut window), [x - 1.0, y - 10.0]);
-    assert!(window.app_mut().state.placing().unwrap().right.is_none(), "the place is no secret only after the guess");
+    assert!(
+        placing_of(&mut window.app_mut().state).unwrap().right.is_none(),
+        "the place is no secret only after the guess"
+    );
     let at = on_screen(&mut window, wanted);
     window.click_at(at);
     window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
     arrive(&mut window);
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
-    let placing = window.app_mut().state.placing().unwrap();
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
     let shown = placing.right.unwrap();
     assert!((shown[0] - wanted[0]).abs() < 0.5 && (shown[1] - wanted[1]).abs() < 0.5, "{shown:?} {wanted:?}");
-    assert_ne!(window.state().document.figure().camera, camera, "the image has turned");
-    assert!(window.state().exercises.progress.guesses().all(|(_, guess)| guess.right));
+    assert_ne!(window.state().model.document.figure().camera, camera, "the image has turned");
+    assert!(window.state().learn.exercises.progress.guesses().all(|(_, guess)| guess.right));
 }
 
 #[test]
@@ -147,15 +151,15 @@ fn a_place_that_is_wrong_says_in_which_direction() {
     window.run();
     arrive(&mut window);
     // P is to the left of the axis and above it, half as far from it as before the zoom.
-    assert!(!window.state().lesson.as_ref().unwrap().is_done());
+    assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
     assert!(window.says("mais à esquerda e mais acima"));
-    let right = window.app_mut().state.placing().unwrap().right.unwrap();
+    let right = placing_of(&mut window.app_mut().state).unwrap().right.unwrap();
     let at = on_screen(&mut window, right);
     window.click_at(at);
     window.harness.get_by_label_contains(t.check).click();
     window.run();
-    assert!(window.state().lesson.as_ref().unwrap().is_done());
-    let (_, guess) = window.state().exercises.progress.guesses().next().unwrap();
+    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+    let (_, guess) = window.state().learn.exercises.progress.guesses().next().unwrap();
     assert!(!guess.right, "what was guessed stays guessed");
 }
 
@@ -164,7 +168,7 @@ fn predicting() -> Window {
     let figure = camera_lab::figure::Figure::of_preset(camera_lab::scene::Preset::House);
     let mut state = State::new(Start { figure, lang: Lang::En, ..Start::default() }).unwrap();
     state.file_flow.native = false;
-    state.settings.reduce_motion = true;
+    state.model.settings.reduce_motion = true;
     state.operations.predict.on = true;
     let mut window = Window::with_state(state, [1280.0, 720.0]);
     window.run();
@@ -175,24 +179,24 @@ fn predicting() -> Window {
 fn an_operation_asks_first_where_a_point_goes_and_compares() {
     let mut window = predicting();
     let t = camera_lab::i18n::window::predict::texts(Lang::En);
-    let camera = window.state().document.figure().camera;
+    let camera = window.state().model.document.figure().camera;
     window.harness.get_by_label(&format!("{} +", en::WINDOW.azimuth)).click();
     window.run();
-    assert_eq!(window.state().document.figure().camera, camera, "nothing is done yet");
-    let placing = window.app_mut().state.placing().unwrap();
+    assert_eq!(window.state().model.document.figure().camera, camera, "nothing is done yet");
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
     assert!(placing.is_open && placing.right.is_none() && placing.from.is_some());
     let at = on_screen(&mut window, [300.0, 200.0]);
     window.click_at(at);
     window.harness.get_by_label(t.do_it).click();
     window.run();
-    let after = window.state().document.figure().camera;
+    let after = window.state().model.document.figure().camera;
     assert_ne!(after, camera);
-    let placing = window.app_mut().state.placing().unwrap();
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
     let ([x, y], right) = (placing.guess.unwrap(), placing.right.unwrap());
     assert!((x - 300.0).abs() <= 2.0 && (y - 200.0).abs() <= 2.0, "{x} {y}");
     // The highest vertex before; its place afterwards by the construction of the notes.
     let sides = [1024.0, 768.0];
-    let figure = window.state().document.figure().clone();
+    let figure = window.state().model.document.figure().clone();
     let built = camera_lab::views::scene_of(&figure, &mut camera_lab::scene::no_files, &Default::default()).unwrap();
     let at = |camera: &camera_lab::camera::Parameters, p: DVec3| {
         projected(p, [camera.position, camera.focal_point, camera.view_up], camera.view_angle, sides)
@@ -206,7 +210,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
     // The result belongs to this figure.
     window.command_key(Key::N);
     window.click(en::WINDOW.dont_save);
-    assert!(window.app_mut().state.placing().is_none() && !window.says("pixels off"));
+    assert!(placing_of(&mut window.app_mut().state).is_none() && !window.says("pixels off"));
 }
 
 #[test]
@@ -217,12 +221,16 @@ fn a_zoom_asks_for_sizes_and_says_by_how_much() {
     window.run();
     window.harness.get_by_label(t.smaller).click();
     window.run();
-    let before = window.state().document.camera().window_height();
+    let before = window.state().model.document.camera().window_height();
     window.harness.get_by_label(t.do_it).click();
     window.run();
-    let times = before / window.state().document.camera().window_height();
+    let times = before / window.state().model.document.camera().window_height();
     assert!(times > 1.0);
     let asked = window.state().operations.predict.asked.as_ref().unwrap();
     assert!(asked.is_done && !asked.about.is_right());
     assert!(window.says(&format!("{} times as large", Lang::En.mark().number(times, 3))));
+}
+
+fn placing_of(state: &mut State) -> Option<camera_lab::gui::learn::exercises::state::Placing> {
+    state.learn.placing(&state.model, &state.operations)
 }

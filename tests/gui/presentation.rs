@@ -5,7 +5,7 @@ use std::fs;
 
 use camera_lab::figure::Explanation;
 use camera_lab::gui::app::command::Command;
-use camera_lab::gui::state::Side;
+use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
@@ -28,7 +28,7 @@ fn lecture(folder: &Folder) -> Window {
 }
 
 fn name(window: &Window) -> String {
-    window.state().document.name().unwrap_or_default()
+    window.state().model.document.name().unwrap_or_default()
 }
 
 #[test]
@@ -44,10 +44,13 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
     window.key(Key::F11);
     assert!(window.says("A house") && window.says("By the sea."));
     window.key(Key::PageDown);
-    assert!(!window.says("By the sea.") && window.state().shows_explanation(Explanation::Depth));
+    assert!(!window.says("By the sea.") && window.state().model.shows_explanation(Explanation::Depth));
     window.key(Key::PageDown);
     let state = window.state();
-    assert!(!state.shows_explanation(Explanation::Depth) && state.layout.shown == [true; 3], "the user's own");
+    assert!(
+        !state.model.shows_explanation(Explanation::Depth) && state.model.layout.shown == [true; 3],
+        "the user's own"
+    );
     window.key(Key::PageUp);
     window.key(Key::PageUp);
     window.command_key(Key::L);
@@ -55,7 +58,7 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
     // What a figure wants to be explained stays open where a presentation begins with it.
     let mut window = Window::opened(&folder.file("2.toml"));
     window.key(Key::F11);
-    assert!(window.state().settings.presentation && window.state().shows_explanation(Explanation::Depth));
+    assert!(window.state().model.settings.presentation && window.state().model.shows_explanation(Explanation::Depth));
 }
 
 #[test]
@@ -72,17 +75,17 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert_eq!(name(&window), "aula 10.toml");
     assert!(window.says(en::WINDOW.last_figure));
     window.key(Key::PageUp);
-    assert_eq!((name(&window).as_str(), window.state().document.figure().camera.far), ("aula 2.toml", 77.0));
-    assert!(window.state().document.is_changed() && window.state().document.can_undo());
+    assert_eq!((name(&window).as_str(), window.state().model.document.figure().camera.far), ("aula 2.toml", 77.0));
+    assert!(window.state().model.document.is_changed() && window.state().model.document.can_undo());
     window.key(Key::PageUp);
-    assert_eq!((name(&window).as_str(), window.state().kept.len()), ("aula 1.toml", 1));
+    assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("aula 1.toml", 1));
     // What was gone through is among the files that were used last.
     let recent = ["aula 1.toml", "aula 2.toml", "aula 10.toml"].map(|name| folder.file(name));
     assert_eq!(window.state().recent.files[..3], recent);
     // Opened by its name, it is the one that was left.
     window.command_key(Key::O);
     window.choose(&folder.file("aula 2.toml"));
-    assert_eq!(window.state().document.figure().camera.far, 77.0);
+    assert_eq!(window.state().model.document.figure().camera.far, 77.0);
     window.key(Key::PageUp);
     // Whoever closes the window is asked about it.
     window.command_key(Key::Q);
@@ -132,7 +135,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
         window.enter("B", far);
         window.command_key(Key::PageDown);
     }
-    assert_eq!((name(&window).as_str(), window.state().kept.len()), ("3.toml", 2));
+    assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("3.toml", 2));
     // Esc and the button alike; also in the question that comes in between.
     for cancel in [true, false] {
         window.command_key(Key::Q);
@@ -146,8 +149,8 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
             window.key(Key::Escape);
         }
         window.run();
-        let mut left: Vec<f64> = window.state().kept.iter().map(|(_, kept)| kept.figure().camera.far).collect();
-        left.push(window.state().document.figure().camera.far);
+        let mut left: Vec<f64> = window.state().model.kept.iter().map(|(_, kept)| kept.figure().camera.far).collect();
+        left.push(window.state().model.document.figure().camera.far);
         left.sort_by(f64::total_cmp);
         assert_eq!(left, [61.0, 62.0, 63.0]);
     }
@@ -172,7 +175,7 @@ fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_
     assert_eq!(name(&window), "house.toml");
     window.command_key(Key::PageUp);
     window.command_key(Key::PageUp);
-    assert_eq!((window.state().document.name(), window.state().document.figure().camera.far), (None, 33.0));
+    assert_eq!((window.state().model.document.name(), window.state().model.document.figure().camera.far), (None, 33.0));
 }
 
 #[test]
@@ -180,22 +183,22 @@ fn escape_clears_what_lies_over_the_pictures_and_then_leaves() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F11);
     window.key(Key::P);
-    let before = window.state().document.figure().clone();
+    let before = window.state().model.document.figure().clone();
     let picture = window.harness.get_by_label_contains("Image: what the camera sees").rect();
     window.drag(picture.center(), vec2(60.0, 20.0), |_| {});
     assert_eq!(window.state().annotations.strokes.len(), 1);
     assert!(window.state().annotations.strokes[0].len() > 2);
-    assert_eq!(window.state().document.figure(), &before, "the pen moves nothing");
+    assert_eq!(window.state().model.document.figure(), &before, "the pen moves nothing");
     window.key(Key::S);
     window.key(Key::Period);
     assert!(window.state().annotations.spot && window.state().annotations.blank);
     window.key(Key::Escape);
-    assert!(!window.state().annotations.any() && window.state().settings.presentation);
+    assert!(!window.state().annotations.any() && window.state().model.settings.presentation);
     window.key(Key::Escape);
-    assert!(!window.state().settings.presentation);
+    assert!(!window.state().model.settings.presentation);
     // Esc does not begin one.
     window.key(Key::Escape);
-    assert!(!window.state().settings.presentation);
+    assert!(!window.state().model.settings.presentation);
 }
 
 #[test]
@@ -215,7 +218,7 @@ fn frozen_pictures_stay_while_one_edits() {
 fn the_keys_stand_under_the_pictures_for_a_while_and_cover_nothing() {
     for (lang, first) in [(Lang::En, "Esc: leave"), (Lang::PtBr, "Esc: sair")] {
         let mut window = Window::new(lang);
-        window.app_mut().state.layout.maximized = None;
+        window.app_mut().state.model.layout.maximized = None;
         window.key(Key::F11);
         let said = window.written().into_iter().find(|(text, _)| text.contains(first)).expect("the keys");
         let shown = window.harness.query_all(By::new().role(Role::Image));
@@ -249,7 +252,7 @@ fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
     figure.style.antialias = 1;
     let mut state =
         State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None }).expect("a camera");
-    state.settings.reduce_motion = true;
+    state.model.settings.reduce_motion = true;
     let mut window = Window::with_state(state, [1280.0, 720.0]);
     let shown = |window: &mut Window| -> Vec<View> { window.app_mut().canvas.places().map(|(view, _)| view).collect() };
     window.key(Key::F11);
@@ -258,8 +261,8 @@ fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
         [(Explanation::Matrices, View::World), (Explanation::Steps, View::Canonical), (Explanation::Depth, View::Image)]
     {
         let state = &mut window.app_mut().state;
-        state.settings.panels_mut().show(Side::Explain);
-        state.explain.show(explanation);
+        state.model.settings.panels_mut().show(Side::Explain);
+        state.model.explained.show(explanation);
         window.run();
         assert_eq!(shown(&mut window), [expected], "{explanation:?}");
         let place = window.app_mut().canvas.places().map(|(_, place)| place).next().expect("one");

@@ -10,7 +10,8 @@ use camera_lab::files::open_figure;
 use camera_lab::geometry::Angle;
 use camera_lab::gui::export::Export;
 use camera_lab::gui::files::file_flow::text_as_shown;
-use camera_lab::gui::state::{Dialog, Panels};
+use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::model::layout::Panels;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::share;
@@ -58,14 +59,14 @@ impl Opened {
             State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false, lesson: None })
                 .expect("a possible camera");
         state.file_flow.native = false;
-        state.layout.maximized = Some(view);
-        state.settings.panels = Panels::default();
+        state.model.layout.maximized = Some(view);
+        state.model.settings.panels = Panels::default();
         let window = Window::at_scale(state, [480.0, 400.0], scale);
         Self { window, folder, path, scale }
     }
 
     fn on_screen(&self, view: View) -> ([usize; 2], Vec<u8>) {
-        let size = self.window.state().picture_sizes[view.index()].map(|side| side as usize);
+        let size = self.window.state().model.picture_sizes[view.index()].map(|side| side as usize);
         (size, self.window.pixels(size))
     }
 
@@ -73,9 +74,9 @@ impl Opened {
     fn exported(&mut self, view: View) -> Vec<u8> {
         let Self { window, folder, .. } = self;
         let path = folder.file(&format!("exported-{}.png", view.name()));
-        let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
+        let (sizes, unit) = (window.state().model.picture_sizes, window.state().model.screen_scale);
         let mut export = Export::new(sizes, unit);
-        (export.what, export.times, export.theme) = (Views::One(view), Some(1), window.state().settings.theme);
+        (export.what, export.times, export.theme) = (Views::One(view), Some(1), window.state().model.settings.theme);
         export.fit_screen(sizes, unit);
         window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
         window.run();
@@ -109,7 +110,7 @@ impl Opened {
         let (size, on_screen) = self.on_screen(view);
         let exported = pixels(&self.exported(view));
         // What the window shows now is in no file but the picture that it exports, and in its link.
-        let text = text_as_shown(self.window.state());
+        let text = text_as_shown(&self.window.state().model);
         fs::write(&self.path, &text).expect("written");
         let (rendered_size, rendered) = pixels(&self.rendered(&self.path.display().to_string(), view));
         assert_eq!(rendered_size, size, "{what}");
@@ -176,9 +177,9 @@ fn they_agree_on_a_comparison() {
     // Also of what no file says: the convention of the window, and what is shown.
     let convention: Act = |window| {
         let state = &mut window.app_mut().state;
-        state.settings.conventions.ndc =
+        state.model.settings.conventions.ndc =
             camera_lab::camera::Ndc::ALL.into_iter().find(|ndc| ndc.name() == "direct3d").expect("a convention");
-        state.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
+        state.model.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
         window.run();
     };
     assert_same_after(View::Canonical, &format!("{FIGURE}{angle}"), convention);
@@ -192,7 +193,7 @@ fn turn(window: &mut Window) {
     for k in 0..100 {
         let turn = Angle::from_degrees(if k < 50 { 1.3 } else { -0.7 });
         let operation = if k % 2 == 0 { Operation::Azimuth(turn) } else { Operation::Elevation(turn) };
-        window.app_mut().state.document.operate(operation, Convention::default()).expect("a camera");
+        window.app_mut().state.model.document.operate(operation, Convention::default()).expect("a camera");
     }
     window.run();
 }
@@ -207,37 +208,37 @@ fn after_a_hundred_operations_they_agree_too_from_where_the_window_shows_it() {
 #[test]
 fn they_agree_on_every_kind_of_explanation() {
     let stage: Act = |window| {
-        window.app_mut().state.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
+        window.app_mut().state.model.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
         window.run();
     };
     let step: Act = |window| {
         let way = camera_lab::camera::Decomposition::Notes;
-        window.app_mut().state.document.show_mut().step = Some(ShownStep { way, at: Some(1.6) });
+        window.app_mut().state.model.document.show_mut().step = Some(ShownStep { way, at: Some(1.6) });
         window.run();
     };
     let triangle: Act = |window| {
         let object = "walls".to_owned();
         let triangle = ShownTriangle { object, index: 2, step: TriangleStep::Pixels, pixel: None };
-        window.app_mut().state.document.show_mut().triangle = Some(triangle);
+        window.app_mut().state.model.document.show_mut().triangle = Some(triangle);
         window.run();
     };
     let probe: Act = |window| {
-        let show = window.app_mut().state.document.show_mut();
+        let show = window.app_mut().state.model.document.show_mut();
         (show.probe, show.painted) = (Some(ShownProbe::Pixel([500, 300])), Some(0.5));
         window.run();
     };
     let convention: Act = |window| {
-        window.app_mut().state.settings.conventions.ndc =
+        window.app_mut().state.model.settings.conventions.ndc =
             camera_lab::camera::Ndc::ALL.into_iter().find(|ndc| ndc.name() == "direct3d").expect("a convention");
         window.run();
     };
     let measures: Act = |window| {
-        window.app_mut().state.document.show_mut().measure =
+        window.app_mut().state.model.document.show_mut().measure =
             vec![Measured::Dimension(Measure::Near), Measured::Dimension(Measure::HalfAngle)];
         window.run();
     };
     let stage_over_depths: Act = |window| {
-        let document = &mut window.app_mut().state.document;
+        let document = &mut window.app_mut().state.model.document;
         document.edit(|figure| figure.reveal.depth = camera_lab::figure::Depth::Linear);
         document.show_mut().stage = Some(camera_lab::stage::Stage::Antialias);
         window.run();
@@ -266,18 +267,18 @@ proptest! {
     #[test]
     fn they_agree_on_every_shot(show in shows(), observers in observers(), operations in operations()) {
         let mut opened = Opened::new(View::World, 1.0, &FIGURE.replace("antialias = 4", "antialias = 1"));
-        let document = &mut opened.window.app_mut().state.document;
+        let document = &mut opened.window.app_mut().state.model.document;
         (*document.observers_mut(), *document.show_mut()) = (observers, show);
         let half = operations.len() / 2;
         for operations in [&operations[..half], &operations[half..]] {
             for operation in operations {
                 // One that has no result changes nothing.
-                let _ = opened.window.app_mut().state.document.operate(*operation, Convention::default());
+                let _ = opened.window.app_mut().state.model.document.operate(*operation, Convention::default());
             }
             opened.window.run();
         }
         for view in View::ALL {
-            opened.window.app_mut().state.layout.maximized = Some(view);
+            opened.window.app_mut().state.model.layout.maximized = Some(view);
             opened.assert_same(view);
         }
     }

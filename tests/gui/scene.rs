@@ -3,7 +3,7 @@
 use camera_lab::appearance::{Filter, TextureReveal, Wrap};
 use camera_lab::figure::ShadowReveal;
 use camera_lab::figure::read::parse;
-use camera_lab::gui::state::Selected;
+use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shadows, Shape, TextureSource};
 use eframe::egui::accesskit::Role;
@@ -24,7 +24,7 @@ impl Window {
     }
 
     fn objects(&self) -> &[ObjectSpec] {
-        &self.state().document.figure().scene.objects
+        &self.state().model.document.figure().scene.objects
     }
 
     fn names(&self) -> Vec<&str> {
@@ -75,7 +75,7 @@ impl Window {
 fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
     let mut window = Window::scene(Lang::En);
     let object = |i| ObjectSpec::group(format!("object {i}"));
-    window.app_mut().state.document.edit(|figure| figure.scene.objects = (0..1000).map(object).collect());
+    window.app_mut().state.model.document.edit(|figure| figure.scene.objects = (0..1000).map(object).collect());
     window.run();
     let rows = |window: &Window| window.harness.query_all_by_role(Role::TreeItem).count();
     assert!((20..400).contains(&rows(&window)), "{}", rows(&window));
@@ -91,8 +91,8 @@ fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
     window.harness.run_steps(60);
     assert!(window.row("object 999").rect().bottom() < 800.0);
     window.select("object 999");
-    let scene = &window.state().document.figure().scene;
-    assert_eq!(window.state().tree.selected(scene), Some(&Selected::Object("object 999".to_owned())));
+    let scene = &window.state().model.document.figure().scene;
+    assert_eq!(window.state().model.tree.selected(scene), Some(&Selected::Object("object 999".to_owned())));
     // The keyboard goes on from there.
     window.key(Key::ArrowUp);
     assert!(window.row("object 998").is_focused());
@@ -152,7 +152,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     assert_eq!(window.names(), ["box", "sphere"]);
     window.command_key(Key::Z);
     window.command_key(Key::Z);
-    assert!(window.names().is_empty() && !window.state().document.can_undo());
+    assert!(window.names().is_empty() && !window.state().model.document.can_undo());
     for _ in 0..8 {
         window.command_key(Key::Y);
     }
@@ -177,7 +177,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     let saved = std::fs::read_to_string(&path).expect("saved");
     assert!(saved.starts_with("# The arm.\n[scene]\npreset = \"empty\" # nothing else\n\n# It stands.\n"), "{saved}");
     let figure = parse(&saved).expect("a figure");
-    assert_eq!(&figure, window.state().document.figure());
+    assert_eq!(&figure, window.state().model.document.figure());
     assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
     assert_eq!(figure.scene.objects[1].translate.y, 1.5);
     assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector, .. }] if vector.y == 4.0));
@@ -187,7 +187,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
 fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "directional light");
-    let shadows = |window: &Window| window.state().document.figure().scene.lights[0].shadows;
+    let shadows = |window: &Window| window.state().model.document.figure().scene.lights[0].shadows;
     assert!(!shadows(&window).cast && !window.says(en::SCENES.shadow_map));
     window.click(en::SCENES.shadows);
     assert_eq!(shadows(&window), Shadows::CAST);
@@ -201,7 +201,7 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     window.key(Key::Escape);
     let t = camera_lab::i18n::window::scenes::texts(Lang::En);
     window.pick(t.shadow_reveal, t.shadow_of_light);
-    assert_eq!(window.state().document.figure().reveal.shadows, Some(ShadowReveal::Map));
+    assert_eq!(window.state().model.document.figure().reveal.shadows, Some(ShadowReveal::Map));
     window.click(en::SCENES.shadows);
     assert!(!shadows(&window).cast && shadows(&window).map == 256, "the numbers stay");
 }
@@ -246,7 +246,7 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
     assert!(window.says("the direction must not be 0"));
     window.enter("direction y", "-1");
     assert!(
-        matches!(window.state().document.figure().scene.lights[..], [light] if light == Light::directional(-DVec3::Y))
+        matches!(window.state().model.document.figure().scene.lights[..], [light] if light == Light::directional(-DVec3::Y))
     );
 }
 
@@ -360,8 +360,8 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
     window.command_key(Key::Z);
     window.run();
     assert_eq!(window.names().len(), before);
-    let scene = &window.state().document.figure().scene;
-    assert_eq!(window.state().tree.names(scene), ["group".to_owned()].into(), "what came back is selected");
+    let scene = &window.state().model.document.figure().scene;
+    assert_eq!(window.state().model.tree.names(scene), ["group".to_owned()].into(), "what came back is selected");
 }
 
 #[test]
@@ -381,11 +381,11 @@ fn what_cannot_be_selected_together_says_why() {
     beside(&mut window, "roof");
     assert!(window.says(why));
     // Nor does an object of the figure join it.
-    window.app_mut().state.message = None;
+    window.app_mut().state.model.message = None;
     beside(&mut window, "box");
     assert!(window.says(why));
     // What is selected alone has nothing to complain about.
-    window.app_mut().state.message = None;
+    window.app_mut().state.model.message = None;
     window.select("roof");
     assert!(!window.says(why));
 }
@@ -398,16 +398,16 @@ fn a_new_object_is_in_sight_and_touches_nothing() {
     let mut window = Window::opened(&path);
     window.key(Key::F6);
     window.run();
-    let others: Vec<_> = window.state().scene_cache.scene().objects.iter().filter_map(|o| o.bounds()).collect();
+    let others: Vec<_> = window.state().model.scene_cache.scene().objects.iter().filter_map(|o| o.bounds()).collect();
     assert!(others.len() > 4);
     window.add("Add", "box");
     window.run();
-    let scene = window.state().scene_cache.scene();
+    let scene = window.state().model.scene_cache.scene();
     let new = scene.objects.last().expect("the box").bounds().expect("it has corners");
     for other in &others {
         assert!((new.max.cmplt(other.min) | new.min.cmpgt(other.max)).any(), "{new:?} {other:?}");
     }
-    let camera = window.state().document.camera();
+    let camera = window.state().model.document.camera();
     for corner in new.corners() {
         let clip = camera.clip_point(corner);
         assert!(clip.truncate().abs().max_element() <= clip.w, "{corner}");
@@ -421,13 +421,13 @@ fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
     window.run();
     window.click(pt::SCENES.edit_copy);
     window.run();
-    let scene = window.state().document.figure().scene.clone();
+    let scene = window.state().model.document.figure().scene.clone();
     assert_eq!((scene.preset, scene.objects.len()), (Preset::Empty, 1));
     assert_eq!(scene.objects[0].name, "cubo", "the names are in the language of the window");
-    let said = window.state().message.as_ref().expect("a message").text(Lang::PtBr);
+    let said = window.state().model.message.as_ref().expect("a message").text(Lang::PtBr);
     assert!(said.contains("os números nelas"), "{said}");
     window.command_key(Key::Z);
-    assert_eq!(window.state().document.figure().scene.preset, Preset::Cube);
+    assert_eq!(window.state().model.document.figure().scene.preset, Preset::Cube);
 }
 
 #[test]
@@ -470,7 +470,7 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     window.run();
     assert_eq!(window.names(), ["tent"]);
     assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: "tent.obj".to_owned() }));
-    assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
+    assert_eq!(window.state().model.scene_cache.scene().objects.len(), 1);
 
     window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(folder.file("torn.obj"))));
     window.run();
@@ -480,13 +480,13 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     // The rest of the scene is there, and can be changed.
     window.select("tent");
     window.enter("translation z", "1");
-    let scene = window.state().scene_cache.scene();
+    let scene = window.state().model.scene_cache.scene();
     assert_eq!((scene.objects.len(), scene.objects[0].world_from_object.w_axis.z), (1, 1.0));
     std::fs::write(folder.file("torn.obj"), format!("{triangle}f 1 2\n")).expect("written");
     window.select("torn");
     window.click(en::SCENES.read_again);
     window.run();
-    assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
+    assert_eq!(window.state().model.scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
     // What was left out of a mesh is said at its object.
     assert!(window.says("line 5: a face with 2 corners; it is left out"));
@@ -518,11 +518,11 @@ fn what_a_mesh_names_outside_of_its_folder_is_read_once_the_user_lets_it() {
     assert!(window.says("without the colours of its materials"));
     window.select("tent.gltf");
     assert!(window.says("points.bin"));
-    assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
+    assert_eq!(window.state().model.scene_cache.scene().objects.len(), 1);
     window.click(en::SCENES.allow_files);
     window.run();
     window.run();
-    assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
+    assert_eq!(window.state().model.scene_cache.scene().objects.len(), 2);
     assert!(!window.says("points.bin") && !window.says(en::SCENES.allow_files));
     window.select("tent.obj");
     assert!(!window.says("red.mtl"));
@@ -543,7 +543,7 @@ fn a_figure_that_is_saved_elsewhere_takes_the_way_to_its_meshes_along() {
     window.run();
     let whole = folder.file("tent.obj").display().to_string();
     assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: whole }));
-    assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
+    assert_eq!(window.state().model.scene_cache.scene().objects.len(), 1);
 }
 
 #[test]
@@ -554,11 +554,11 @@ fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
     let before = width(&window);
     let long = ["a", "b"].map(|letter| letter.repeat(5_000));
     let state = &mut window.app_mut().state;
-    state.document.edit(|figure| {
+    state.model.document.edit(|figure| {
         let of = |name: &str| ObjectSpec::new(name, Shape::Box);
         figure.scene.objects = vec![of(&long[0]), of(&long[1]).under(&long[0])];
     });
-    state.tree.select(Some(Selected::Object(long[1].clone())));
+    state.model.tree.select(Some(Selected::Object(long[1].clone())));
     window.harness.run_steps(4);
     assert!(window.says("aaaaaaaaaa…"));
     assert_eq!(width(&window), before);
@@ -570,7 +570,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = camera_lab::i18n::window::scenes::texts(lang);
         let mut window = Window::scene(lang);
-        window.app_mut().state.document.edit(|figure| {
+        window.app_mut().state.model.document.edit(|figure| {
             figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];
         });
         window.run();
@@ -579,7 +579,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
         window.pick(t.texture, t.texture_chequer);
         window.run();
         assert_eq!(window.objects()[0].texture, Some(TextureSource::Chequer));
-        let paint = |window: &Window| window.state().scene_cache.scene().objects[0].paint.clone();
+        let paint = |window: &Window| window.state().model.scene_cache.scene().objects[0].paint.clone();
         assert!(matches!(paint(&window), ObjectPaint::Texture(_)));
         for (combo, entry) in [(t.wrap, t.wrap_mirror), (t.filter, t.filter_nearest)] {
             window.harness.get_by_role_and_label(Role::ComboBox, combo).scroll_to_me();
@@ -590,7 +590,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
         window.harness.get_by_role_and_label(Role::ComboBox, t.texture_reveal).scroll_to_me();
         window.run();
         window.pick(t.texture_reveal, t.texture_texels);
-        assert_eq!(window.state().document.figure().reveal.texture, Some(TextureReveal::Texels));
+        assert_eq!(window.state().model.document.figure().reveal.texture, Some(TextureReveal::Texels));
         // A file that is not there: the object's colour, and a notice with its name.
         window.harness.get_by_role_and_label(Role::ComboBox, t.texture).scroll_to_me();
         window.run();

@@ -10,7 +10,8 @@ use camera_lab::files::FileError;
 use camera_lab::geometry::Angle;
 use camera_lab::gui;
 use camera_lab::gui::files::file_flow;
-use camera_lab::gui::state::{AfterSave, Message};
+use camera_lab::gui::model::action::AfterSave;
+use camera_lab::gui::model::message::Message;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
@@ -63,16 +64,16 @@ fn a_crashed_session_is_back_at_the_next_start() {
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.0, true);
     window.run();
-    assert_eq!(window.state().document.draft().position.x, 1.25);
+    assert_eq!(window.state().model.document.draft().position.x, 1.25);
     assert!(window.says("The last session, which had not been saved"));
-    assert!(window.state().document.is_changed());
+    assert!(window.state().model.document.is_changed());
 }
 
 /// A window with a figure file, and the world in it.
 fn world(folder: &Folder, restore: bool) -> Window {
     fs::write(folder.file("mine.toml"), MINE).expect("written");
     let mut window = Window::opened(&folder.file("mine.toml"));
-    window.app_mut().state.layout.maximized = Some(View::World);
+    window.app_mut().state.model.layout.maximized = Some(View::World);
     window.app_mut().keep_session(&folder.file("sessions"), restore);
     window.run();
     window
@@ -83,14 +84,14 @@ fn what_was_explained_is_back_although_the_figure_has_not_changed() {
     let folder = Folder::new("explained");
     let mut window = world(&folder, false);
     let near = vec![Measured::Dimension(Measure::Near)];
-    window.app_mut().state.document.show_mut().measure = near.clone();
+    window.app_mut().state.model.document.show_mut().measure = near.clone();
     window.run();
-    assert!(!window.state().document.is_changed());
+    assert!(!window.state().model.document.is_changed());
     window.crash(&folder.file("sessions"), "measure");
     let window = world(&folder, true);
     assert!(window.says("The last session, which had not been saved"));
-    assert_eq!(window.state().shown().measure, near);
-    assert!(!window.state().document.is_changed(), "nothing else is");
+    assert_eq!(window.state().model.shown().measure, near);
+    assert!(!window.state().model.document.is_changed(), "nothing else is");
 }
 
 #[test]
@@ -99,14 +100,14 @@ fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture(
     let mut window = world(&folder, false);
     // The picture stays where it is while the camera turns.
     let operation = Operation::Azimuth(Angle::from_degrees(6.0));
-    window.app_mut().state.document.operate(operation, Convention::default()).expect("a camera");
+    window.app_mut().state.model.document.operate(operation, Convention::default()).expect("a camera");
     window.run();
-    let seen = window.state().seen.world.expect("it is shown");
-    assert_eq!(window.state().document.figure().observers.world, None);
+    let seen = window.state().model.seen.world.expect("it is shown");
+    assert_eq!(window.state().model.document.figure().observers.world, None);
     window.crash(&folder.file("sessions"), &seen.distance.to_string());
     let window = world(&folder, true);
-    assert_ne!(window.state().document.draft().position, Parameters::default().position);
-    assert_eq!(window.state().seen.world, Some(seen));
+    assert_ne!(window.state().model.document.draft().position, Parameters::default().position);
+    assert_eq!(window.state().model.seen.world, Some(seen));
 }
 
 #[test]
@@ -128,7 +129,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.wait(|window| window.state().file_flow.theirs.is_some());
-    assert_eq!(window.state().document.figure().camera.far, 75.0);
+    assert_eq!(window.state().model.document.figure().camera.far, 75.0);
     assert!(window.says("a.toml was changed by another program, and you have changes in this window too."));
     window.command_key(Key::S);
     assert!(window.says(en::WINDOW.changed_title));
@@ -147,7 +148,7 @@ fn a_start_with_a_file_lists_what_was_left() {
         leave(&folder, "a.toml", "75.0");
         leave(&folder, "b.toml", "76.0");
         let mut window = Window::opened(&folder.file("b.toml"));
-        window.app_mut().state.settings.lang = lang;
+        window.app_mut().state.model.settings.lang = lang;
         window.app_mut().keep_session(&folder.file("sessions"), false);
         window.run();
         let [title, restore, discard, unsaved, without] = match lang {
@@ -167,9 +168,9 @@ fn a_start_with_a_file_lists_what_was_left() {
         press(&mut window, restore);
         assert!(window.says(unsaved));
         window.click(without);
-        window.wait(|window| window.state().document.figure().camera.far == 75.0);
-        assert_eq!(window.state().document.name().as_deref(), Some("a.toml"));
-        assert!(window.state().document.is_changed() && window.says(title));
+        window.wait(|window| window.state().model.document.figure().camera.far == 75.0);
+        assert_eq!(window.state().model.document.name().as_deref(), Some("a.toml"));
+        assert!(window.state().model.document.is_changed() && window.says(title));
         press(&mut window, discard);
         assert!(!window.says(title));
         assert!(!written(&folder.file("sessions")).contains("76.0"));
@@ -182,16 +183,16 @@ fn a_figure_that_did_not_survive_is_offered_and_not_restored() {
     leave(&folder, "a.toml", "75.0");
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
-    assert_eq!(window.state().document.figure().camera.far, 75.0);
+    assert_eq!(window.state().model.document.figure().camera.far, 75.0);
     // The program ends at once.
     drop(window);
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
-    assert_ne!(window.state().document.figure().camera.far, 75.0);
+    assert_ne!(window.state().model.document.figure().camera.far, 75.0);
     assert!(window.says(en::WINDOW.did_not_survive));
     window.click(en::WINDOW.restore);
-    window.wait(|window| window.state().document.figure().camera.far == 75.0);
+    window.wait(|window| window.state().model.document.figure().camera.far == 75.0);
 }
 
 #[test]
@@ -235,7 +236,7 @@ fn lines_at_the_top_take_a_row_each_however_often_they_are_shown() {
         let mut window = Window::new(Lang::En);
         window.harness.set_size(vec2(width, 720.0));
         window.run();
-        let picture = |window: &Window| window.state().picture_sizes[View::Image.index()][1] as f32;
+        let picture = |window: &Window| window.state().model.picture_sizes[View::Image.index()][1] as f32;
         let whole = picture(&window);
         window.app_mut().keep_session(&sessions, false);
         window.run();
@@ -288,8 +289,8 @@ fn the_first_window_shows_on_a_small_screen_what_is_said_at_its_bottom() {
     // What title bars and task bars take of a screen of 720 lines, generously.
     const BARS: f32 = 76.0;
     let mut state = State::new(Start::default()).expect("a camera");
-    state.layout.maximized = Some(View::Image);
-    state.say(Message::File("a.toml".into(), FileError::ReadOnly));
+    state.model.layout.maximized = Some(View::Image);
+    state.model.say(Message::File("a.toml".into(), FileError::ReadOnly));
     let window = Window::with_state(state, gui::DEFAULT_SIZE);
     let error = window.harness.get_by_label_contains("a.toml is read-only").rect();
     assert!(error.bottom() <= 720.0 - BARS && error.right() <= 1280.0, "{error}");
@@ -307,7 +308,7 @@ fn a_lesson_of_a_link_takes_the_place_of_a_restored_figure_after_a_question() {
     file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::Lesson(open));
     window.run();
     let t = texts(Lang::En);
-    assert!(window.says(t.unsaved_title) && window.says("a.toml") && window.state().lesson.is_none());
+    assert!(window.says(t.unsaved_title) && window.says("a.toml") && window.state().learn.lesson.is_none());
     window.click(t.dont_save);
-    assert_eq!(window.state().lesson.as_ref().map(|playing| playing.lesson.id.as_str()), Some("basis"));
+    assert_eq!(window.state().learn.lesson.as_ref().map(|playing| playing.lesson.id.as_str()), Some("basis"));
 }

@@ -19,7 +19,7 @@ fn staged(lang: Lang) -> Window {
     figure.scene.preset = Preset::Cube;
     figure.style.antialias = 1;
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 900.0]);
     window.explain(Explanation::HiddenSurfaces);
     window
@@ -30,27 +30,27 @@ fn the_image_is_painted_triangle_by_triangle_while_the_tab_is_shown() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
         let mut window = staged(lang);
-        assert_eq!(window.state().painted_share(), None, "at first all is painted");
+        assert_eq!(window.state().model.painted_share(), None, "at first all is painted");
         window.click(t.nothing);
-        assert_eq!(window.state().painted_share(), Some(0.0));
+        assert_eq!(window.state().model.painted_share(), Some(0.0));
         let drawn = window.app_mut().canvas.drawn()[View::Image.index()];
         window.click(t.more);
-        assert!(window.state().painted_share().unwrap() > 0.0);
+        assert!(window.state().model.painted_share().unwrap() > 0.0);
         assert!(window.app_mut().canvas.drawn()[View::Image.index()] > drawn, "the picture follows");
         // The slider has keys of its own.
-        let before = window.state().painted_share().unwrap();
+        let before = window.state().model.painted_share().unwrap();
         window.harness.get_by_label(t.scrubber).focus();
         window.run();
         window.key(Key::ArrowRight);
-        assert!(window.state().painted_share().unwrap() > before);
+        assert!(window.state().model.painted_share().unwrap() > before);
         window.click(t.all);
-        assert_eq!(window.state().painted_share(), None);
+        assert_eq!(window.state().model.painted_share(), None);
         window.click(t.fewer);
-        assert!(window.state().painted_share().is_some());
+        assert!(window.state().model.painted_share().is_some());
         // Hidden, it changes no picture.
         window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
         window.run();
-        assert_eq!(window.state().painted_share(), None);
+        assert_eq!(window.state().model.painted_share(), None);
     }
 }
 
@@ -64,9 +64,9 @@ fn the_ways_to_hide_are_the_figures_and_say_their_order() {
         (t.depth_buffer, Visibility::DepthBuffer, t.depth_buffer_said),
     ] {
         window.click(name);
-        assert_eq!(window.state().document.figure().style.visibility, visibility);
+        assert_eq!(window.state().model.document.figure().style.visibility, visibility);
         assert!(window.says(said));
     }
     window.click(t.depth);
-    assert_eq!(window.state().document.figure().reveal.depth, camera_lab::figure::Depth::Stored);
+    assert_eq!(window.state().model.document.figure().reveal.depth, camera_lab::figure::Depth::Stored);
 }

@@ -56,7 +56,7 @@ fn nothing_in_the_strip_lies_over_another_text() {
         figure.style.antialias = 1;
         let mut state =
             State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a camera");
-        state.layout.strip = true;
+        state.model.layout.strip = true;
         let mut window = Window::with_state(state, [1280.0, 720.0]);
         window.run();
         let cells: Vec<_> = window.harness.query_all_by_role(Role::ListItem).map(|cell| cell.rect()).collect();
@@ -82,18 +82,18 @@ fn nothing_in_the_strip_lies_over_another_text() {
 fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
     let mut window = Window::new(Lang::PtBr);
     window.click(pt::WINDOW.pipeline);
-    assert!(window.state().layout.strip);
+    assert!(window.state().model.layout.strip);
     assert!(window.stage("escrita"));
     let drawn = window.app_mut().canvas.drawn();
     window.harness.get_by_role_and_label(Role::ComboBox, pt::CANVAS.strip_of).click();
     window.run();
     window.harness.get_by_role_and_label(Role::Button, "Mundo").click();
     window.run();
-    assert_eq!(window.state().layout.strip_of, View::World);
+    assert_eq!(window.state().model.layout.strip_of, View::World);
     assert!(window.says(pt::CANVAS.strip_hidden) && !window.stage("escrita"));
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
     window.click(pt::CANVAS.strip_close);
-    assert!(!window.state().layout.strip);
+    assert!(!window.state().model.layout.strip);
 }
 
 #[test]
@@ -133,38 +133,38 @@ fn with_house(lang: Lang) -> Window {
     figure.scene.preset = Preset::House;
     (figure.style.antialias, figure.camera.near) = (1, 2.0);
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a camera");
-    state.layout.strip = true;
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.strip = true;
+    state.model.layout.maximized = Some(View::Image);
     Window::with_state(state, [1280.0, 800.0])
 }
 
 #[test]
 fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes_it_away() {
     let mut window = with_house(Lang::En);
-    let figure = window.state().document.figure().clone();
+    let figure = window.state().model.document.figure().clone();
     let drawn = |window: &mut Window| window.app_mut().canvas.drawn()[View::Image.index()];
     for (name, stage) in [("back faces", Stage::CullFaces), ("divide by w", Stage::Divide), ("fill", Stage::Fill)] {
         let before = drawn(&mut window);
         click(&mut window, name);
-        assert_eq!(window.state().shown_stage(), Some(stage));
+        assert_eq!(window.state().model.shown_stage(), Some(stage));
         assert!(drawn(&mut window) > before, "{name}: the picture shows it");
         let toggled = cell(&window, name).accesskit_node().toggled();
         assert_eq!(toggled, Some(eframe::egui::accesskit::Toggled::True), "{name} is marked");
     }
     click(&mut window, "fill");
-    assert_eq!(window.state().shown_stage(), None, "a second click");
+    assert_eq!(window.state().model.shown_stage(), None, "a second click");
     click(&mut window, "fill");
     window.key(Key::Escape);
-    assert_eq!(window.state().shown_stage(), None, "Esc");
+    assert_eq!(window.state().model.shown_stage(), None, "Esc");
     // One that was skipped says why, and is shown as skipped.
     click(&mut window, "texture");
-    assert_eq!(window.state().shown_stage(), Some(Stage::Texture));
+    assert_eq!(window.state().model.shown_stage(), Some(Stage::Texture));
     window.harness.remove_cursor();
     window.run();
     assert!(window.says("texture: skipped – no object has a texture"));
     window.key(Key::F10);
-    assert_eq!(window.state().shown_stage(), None, "hidden, it is not shown");
-    assert_eq!(*window.state().document.figure(), figure, "the figure stays as it is");
+    assert_eq!(window.state().model.shown_stage(), None, "hidden, it is not shown");
+    assert_eq!(*window.state().model.document.figure(), figure, "the figure stays as it is");
 }
 
 #[test]
@@ -199,14 +199,14 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
         window.run();
         assert!(cell(&window, name).is_focused());
         window.key(Key::Enter);
-        assert_eq!(window.state().shown_stage(), Some(Stage::Clip), "Enter");
+        assert_eq!(window.state().model.shown_stage(), Some(Stage::Clip), "Enter");
         window.key(Key::Space);
-        assert_eq!(window.state().shown_stage(), None, "Space");
+        assert_eq!(window.state().model.shown_stage(), None, "Space");
         // Tab goes on to the next stage.
         window.key(Key::Tab);
         assert!(cell(&window, camera_lab::i18n::why::pipeline::stage(lang, Stage::Oblique)).is_focused());
         window.key(Key::F1);
-        assert_eq!(window.state().explain.shown(), Explanation::Notes);
+        assert_eq!(window.state().model.explained.shown(), Explanation::Notes);
         assert_eq!(window.state().explain.notes.chosen, camera_lab::i18n::why::notes::of_stage(Stage::Oblique));
     }
 }
@@ -214,8 +214,8 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
 #[test]
 fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
     let mut window = with_house(Lang::En);
-    window.app_mut().state.layout.maximized = Some(View::World);
-    window.app_mut().state.layout.strip = true;
+    window.app_mut().state.model.layout.maximized = Some(View::World);
+    window.app_mut().state.model.layout.strip = true;
     window.run();
     let before = window.app_mut().canvas.drawn()[View::World.index()];
     window.explain(Explanation::Stages);
@@ -223,9 +223,9 @@ fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
     assert!(drawn >= before);
     let clipping = format!("7. {}", camera_lab::i18n::why::pipeline::stage(Lang::En, Stage::Clip));
     window.click(&clipping);
-    assert_eq!(window.state().shown_stage(), Some(Stage::Clip));
+    assert_eq!(window.state().model.shown_stage(), Some(Stage::Clip));
     assert!(window.app_mut().canvas.drawn()[View::World.index()] > drawn, "cuts are marked there");
     assert!(window.says(&format!("{}: clipping", en::STAGES.shown)), "and named in the tab");
     window.click(&clipping);
-    assert_eq!(window.state().shown_stage(), None);
+    assert_eq!(window.state().model.shown_stage(), None);
 }

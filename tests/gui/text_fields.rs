@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::state::{Dialog, Purpose};
+use camera_lab::gui::files::questions::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::limits::{MAX_EXPRESSION, MAX_TYPED, MAX_TYPED_NAME};
 use eframe::egui::accesskit::Role;
@@ -33,7 +33,7 @@ impl Window {
 #[test]
 fn a_long_text_in_a_number_field_is_cut_and_refused() {
     let mut window = Window::new(Lang::En);
-    let before = window.state().document.draft().position.x;
+    let before = window.state().model.document.draft().position.x;
     window.field("C x").click();
     window.run();
     window.harness.event(Event::Paste("1+".repeat(5 << 20)));
@@ -43,7 +43,7 @@ fn a_long_text_in_a_number_field_is_cut_and_refused() {
     assert!(longest <= Some(MAX_EXPRESSION.0 + 1), "{longest:?}");
     window.key(Key::Enter);
     assert!(window.says("the expression is too long"));
-    assert_eq!(window.state().document.draft().position.x, before);
+    assert_eq!(window.state().model.document.draft().position.x, before);
     window.key(Key::Escape);
     assert!(!window.says("the expression is too long"));
 }
@@ -62,7 +62,7 @@ fn a_long_text_in_any_other_field_is_cut_and_that_is_said() {
 
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
-    window.app_mut().state.explain.show(Explanation::Notes);
+    window.app_mut().state.model.explained.show(Explanation::Notes);
     window.run();
     assert_eq!(window.paste_a_file_into("Search the reference pages").chars().count(), MAX_TYPED_NAME);
     assert!(window.says(&format!("at most {MAX_TYPED_NAME} characters")));

@@ -28,7 +28,7 @@ fn a_field_that_is_greyed_says_why() {
         assert!(window.place_of(why).is_none());
         window.rest_at(window.field("A").rect());
         assert!(window.place_of(why).is_some(), "{why}");
-        window.app_mut().state.settings.aspect_follows_image = false;
+        window.app_mut().state.model.settings.aspect_follows_image = false;
         window.harness.run_steps(6);
         assert!(window.place_of(why).is_none());
         assert!(window.place_of("A = W / H").is_some(), "what it is");

@@ -22,7 +22,7 @@ fn staged(lang: Lang) -> Window {
     figure.style.antialias = 1;
     (figure.image.width, figure.image.height) = (160, 120);
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
-    state.layout.maximized = Some(View::Image);
+    state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1100.0, 1000.0]);
     window.explain(Explanation::Triangle);
     window
@@ -33,14 +33,14 @@ fn overlay(window: &Window) -> TriangleOverlay {
     let state = window.state();
     let size = Size { width: 640, height: 480, scale: 1.0 };
     let labels = camera_lab::i18n::pictures::labels(Lang::En);
-    let (figure, camera) = (state.document.figure(), state.document.camera());
-    let request = Request::of(figure, View::Image, camera, state.scene_cache.scene(), labels, size);
+    let (figure, camera) = (state.model.document.figure(), state.model.document.camera());
+    let request = Request::of(figure, View::Image, camera, state.model.scene_cache.scene(), labels, size);
     at_once(FollowedTriangle::default().overlay(&request)).unwrap().as_ref().clone()
 }
 
 /// The object and the index of the triangle that is followed.
 fn chosen(window: &Window) -> Option<(String, u32)> {
-    window.state().shown().triangle.as_ref().map(|shown| (shown.object.clone(), shown.index))
+    window.state().model.shown().triangle.as_ref().map(|shown| (shown.object.clone(), shown.index))
 }
 
 fn click_image(window: &mut Window) {
@@ -57,12 +57,12 @@ fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
         let mut window = staged(lang);
-        assert!(window.state().shown().triangle.is_none());
+        assert!(window.state().model.shown().triangle.is_none());
         click_image(&mut window);
         let shown = overlay(&window);
         assert_eq!(shown.step, TriangleStep::View);
         // What is there can be seen: its middle faces the eye.
-        let camera = window.state().document.camera().clone();
+        let camera = window.state().model.document.camera().clone();
         let [a, b, c] = shown.corners;
         assert!((b - a).cross(c - a).dot(camera.position() - a) > 0.0);
         for one in &TriangleStep::ALL[1..] {
@@ -75,13 +75,13 @@ fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
         }
         assert!(window.says(t.kept), "nothing is before it");
         // A click on one of its pixels chooses that pixel, not a triangle.
-        let before = window.state().shown().triangle.clone().unwrap();
+        let before = window.state().model.shown().triangle.clone().unwrap();
         click_image(&mut window);
-        let after = window.state().shown().triangle.clone().unwrap();
+        let after = window.state().model.shown().triangle.clone().unwrap();
         assert_eq!((&after.object, after.index), (&before.object, before.index));
         assert!(before.pixel.is_none() && after.pixel.is_some());
         window.key(Key::Escape);
-        assert!(window.state().shown().triangle.is_none());
+        assert!(window.state().model.shown().triangle.is_none());
     }
 }
 
@@ -93,7 +93,7 @@ fn a_triangle_is_chosen_and_stepped_by_keyboard_and_f1_opens_the_note() {
     window.harness.get_by_role_and_label(Role::ComboBox, t.object).focus();
     window.run();
     window.key(Key::Enter);
-    let name = window.app_mut().state.scene_cache.scene().objects[0].name.clone();
+    let name = window.app_mut().state.model.scene_cache.scene().objects[0].name.clone();
     window.harness.get_by_role_and_label(Role::Button, &name).focus();
     window.run();
     window.key(Key::Enter);
@@ -105,12 +105,12 @@ fn a_triangle_is_chosen_and_stepped_by_keyboard_and_f1_opens_the_note() {
     window.harness.get_by_label(step(t, TriangleStep::Outcodes)).focus();
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().shown().triangle.as_ref().unwrap().step, TriangleStep::Outcodes);
+    assert_eq!(window.state().model.shown().triangle.as_ref().unwrap().step, TriangleStep::Outcodes);
     assert!(window.says("w + x = ") && window.says(t.inside));
     window.key(Key::F1);
-    assert_eq!(window.state().explain.shown(), Explanation::Notes);
+    assert_eq!(window.state().model.explained.shown(), Explanation::Notes);
     assert_eq!(window.state().explain.notes.chosen, "stage-clip");
-    assert!(window.state().shown().triangle.is_none(), "hidden, nothing of it is shown");
+    assert!(window.state().model.shown().triangle.is_none(), "hidden, nothing of it is shown");
 }
 
 #[test]

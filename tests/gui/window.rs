@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
 use camera_lab::gui::kit::theme;
-use camera_lab::gui::state::Side;
+use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{App, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
@@ -49,18 +49,18 @@ pub(crate) fn names(lang: Lang, explanation: Explanation) -> [&'static str; 2] {
 impl Window {
     /// Opens the side of explanations, a question and one of its answers, as a user does.
     pub(crate) fn explain(&mut self, explanation: Explanation) {
-        if !self.state().settings.panels().is_shown(Side::Explain) {
+        if !self.state().model.settings.panels().is_shown(Side::Explain) {
             self.harness.key_press_modifiers(Modifiers::ALT, Key::E);
             self.run();
         }
-        for name in names(self.state().settings.lang, explanation) {
+        for name in names(self.state().model.settings.lang, explanation) {
             // The bar and the line under the pictures have switches of the same names.
             let named = self.harness.get_all_by_label(name).filter(|node| node.rect().top() > 26.0);
             let at_right = named.max_by(|a, b| a.rect().left().total_cmp(&b.rect().left()));
             at_right.expect("a question and its answer").click();
             self.run();
         }
-        assert!(self.state().shows_explanation(explanation));
+        assert!(self.state().model.shows_explanation(explanation));
     }
 
     /// A window of the usual size with the camera that it begins with. There is little to draw in it, because pictures
@@ -72,7 +72,7 @@ impl Window {
         let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None })
             .expect("a possible camera");
         state.file_flow.native = false;
-        state.layout.maximized = Some(View::Image);
+        state.model.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
     }
 
@@ -84,7 +84,7 @@ impl Window {
             State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false, lesson: None })
                 .expect("a possible camera");
         state.file_flow.native = false;
-        state.layout.maximized = Some(View::Image);
+        state.model.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
     }
 
@@ -97,7 +97,7 @@ impl Window {
     pub(crate) fn at_scale(state: State, size: [f32; 2], pixels_per_point: f32) -> Self {
         let mut state = state;
         // At the first start they're folded.
-        state.settings.numbers_open = true;
+        state.model.settings.numbers_open = true;
         let mut start = Some(state);
         let painter = Painter::default();
         let textures = painter.textures();
@@ -175,7 +175,7 @@ impl Window {
             if let Some(value) = get(self) {
                 return value;
             }
-            assert!(since.elapsed() < Duration::from_secs(300), "{:?}", self.state().message);
+            assert!(since.elapsed() < Duration::from_secs(300), "{:?}", self.state().model.message);
             std::thread::sleep(Duration::from_millis(5));
             self.harness.step();
         }
@@ -202,7 +202,7 @@ impl Window {
 
     /// Unfolds what is behind *More*, by its name.
     pub(crate) fn more(&mut self, what: &str) {
-        let more = camera_lab::i18n::window::texts(self.state().settings.lang).more;
+        let more = camera_lab::i18n::window::texts(self.state().model.settings.lang).more;
         self.click(&format!("{more}: {what}"));
     }
 

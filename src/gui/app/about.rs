@@ -3,15 +3,15 @@
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
+use crate::gui::files::questions::{Dialog, FileFlow};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
-use crate::gui::state::{Dialog, State};
 use crate::i18n::window::Texts;
 
 /// Names and licences of all libraries, and the texts of the licences; `.ci/third-party` writes it.
 const THIRD_PARTY: &str = include_str!("../../../THIRD-PARTY.md");
 
 /// Shows the dialog; `first`: it has just been opened.
-pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
+pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, first: bool) {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
     ui.label(t.about_text);
@@ -30,6 +30,6 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: boo
     });
     ui.add_space(8.0);
     if matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing) {
-        state.file_flow.dialog = Some(Dialog::About);
+        file_flow.dialog = Some(Dialog::About);
     }
 }

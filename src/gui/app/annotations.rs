@@ -2,7 +2,7 @@
 
 use eframe::egui::Pos2;
 
-use crate::gui::gallery::Source;
+use crate::gui::model::source::Source;
 
 /// The annotations over the pictures.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,7 +4,9 @@ mod table;
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
-use crate::gui::state::{ObserverChange, State, Tab};
+use crate::gui::app::state::State;
+use crate::gui::model::Model;
+use crate::gui::model::layout::{ObserverChange, Tab};
 use crate::i18n::window::Texts;
 use crate::views::{Arrangement, View};
 pub use table::MENUS;
@@ -45,9 +47,9 @@ pub struct Menu {
 
 impl Menu {
     /// Its commands in groups, as far as a window of this kind has them.
-    pub fn groups(&self, state: &State) -> impl Iterator<Item = impl Iterator<Item = Command>> {
+    pub fn groups(&self, model: &Model) -> impl Iterator<Item = impl Iterator<Item = Command>> {
         let commands = |group: &'static [Row]| group.iter().map(|row| row.command);
-        self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(state)))
+        self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(model)))
     }
 }
 
@@ -130,9 +132,9 @@ impl Command {
     }
 
     /// The keys that call it in this window. A page in a browser has to leave some to the browser.
-    pub fn keys(self, state: &State) -> impl Iterator<Item = KeyboardShortcut> + use<> {
+    pub fn keys(self, model: &Model) -> impl Iterator<Item = KeyboardShortcut> + use<> {
         let row = self.row();
-        let are_there = !state.in_browser || row.in_browser == InBrowser::All;
+        let are_there = !model.in_browser || row.in_browser == InBrowser::All;
         row.all_keys().filter(move |_| are_there)
     }
 
@@ -145,8 +147,8 @@ impl Command {
 
     /// True if a window of this kind has it.
     #[must_use]
-    pub fn is_there(self, state: &State) -> bool {
-        !(state.in_browser && self.row().in_browser == InBrowser::Nothing)
+    pub fn is_there(self, model: &Model) -> bool {
+        !(model.in_browser && self.row().in_browser == InBrowser::Nothing)
     }
 
     /// Whether it would do something.

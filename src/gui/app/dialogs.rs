@@ -10,25 +10,27 @@ use super::about;
 use super::command::{Command, MENUS};
 use super::menu;
 use super::search;
+use crate::gui::app::state::State;
 use crate::gui::export::{export_dialog, handout_dialog};
 use crate::gui::files::comparison::{Comparison, LineOrigin};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
-use crate::gui::files::link_dialog;
-use crate::gui::files::qr;
+use crate::gui::files::questions::{Agreed, Changed, Dialog, FileFlow, Purpose};
 use crate::gui::files::title_dialog::{self, Answer};
-use crate::gui::gallery::{self, Chosen, Source};
-use crate::gui::inspector::coach;
-use crate::gui::inspector::compare_dialog;
-use crate::gui::inspector::{complaint, scene};
+use crate::gui::files::{link_dialog, qr};
+use crate::gui::gallery::{self, Chosen};
+use crate::gui::inspector::{coach, compare_dialog, scene};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
+use crate::gui::model::Model;
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::source::Source;
 use crate::gui::platform::native::Wanted;
-use crate::gui::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use crate::i18n::learn::{exercise_window, lessons};
 use crate::i18n::window::gallery as gallery_words;
 use crate::i18n::window::{self, Texts};
@@ -40,7 +42,7 @@ use crate::scene::edit::Children;
 /// Shows the question that is open, if any, and acts on the answer. Gives a command that is to be done.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if state.file_flow.waits_for_system() {
-        wait_for_system(ctx, state);
+        wait_for_system(ctx, &state.model, &mut state.file_flow);
         return None;
     }
     let shown = Id::unique("dialog shown");
@@ -53,7 +55,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let kind = Some(discriminant(&dialog));
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
-    let t = window::texts(state.settings.lang);
+    let t = window::texts(state.model.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
     if dialog == Dialog::Qr {
@@ -61,7 +63,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         return None;
     }
     if let Dialog::Compare(form) = dialog {
-        compare_dialog::show(ctx, t, state, form);
+        let draws = state.annotations.any();
+        let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
+        // A command may have opened another one meanwhile.
+        if state.file_flow.dialog.is_none() {
+            state.file_flow.dialog = stays.map(Dialog::Compare);
+        }
         return None;
     }
     let modal = Modal::new(id).frame(frame).show(ctx, |ui| {
@@ -87,7 +94,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
             Dialog::Unsaved(next) => {
-                let name = state.figure_name();
+                let name = state.model.figure_name();
                 text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
                 match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
                     Pressed::Action(1) => file_flow::save(ctx, state, Some(next)),
@@ -130,30 +137,34 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Handout(form) => handout_dialog::show(ui, state, form, first),
             // It has no frame.
             Dialog::Qr => {}
-            Dialog::Lessons => lesson::list(ui, state),
+            Dialog::Lessons => {
+                if lesson::list(ui, &mut state.model, &state.learn) {
+                    state.file_flow.dialog = Some(Dialog::Lessons);
+                }
+            }
             Dialog::Closing => {
                 text(ui, t.closing_title, t.closing_text);
                 match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {
-                    Pressed::Action(_) => file_flow::close(ctx, state),
+                    Pressed::Action(_) => file_flow::close(ctx, &mut state.file_flow),
                     Pressed::Cancel => {}
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
                 }
             }
-            Dialog::Help => help(ui, t, state, first),
-            Dialog::About => about::show(ui, t, state, first),
+            Dialog::Help => help(ui, t, &state.model, &mut state.file_flow, first),
+            Dialog::About => about::show(ui, t, &mut state.file_flow, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
-            Dialog::Coach => coach::show(ui, t, state, first),
+            Dialog::Coach => coach::show(ui, t, &mut state.model, &mut state.file_flow, &state.coach, first),
             // It has a window of its own.
             Dialog::Compare(_) => {}
             Dialog::Search => wanted = search::show(ui, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
-                    let beside = state.document.folder().map(Path::to_owned);
-                    let here = Source::of(&state.document);
+                    let beside = state.model.document.folder().map(Path::to_owned);
+                    let here = Source::of(&state.model.document);
                     state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
                 }
-                let style = (state.settings.theme, state.settings.lang);
+                let style = (state.model.settings.theme, state.model.settings.lang);
                 let next = match gallery::show(ui, &mut state.gallery, style, first) {
                     None => return,
                     Some(Chosen::Nothing) => {
@@ -168,13 +179,15 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 state.gallery.end();
                 file_flow::begin(ctx, state, next);
             }
-            Dialog::Delete { names, below } => ask_delete(ui, t, state, (names, below), first),
+            Dialog::Delete { names, below } => {
+                ask_delete(ui, t, &mut state.model, &mut state.file_flow, (names, below), first);
+            }
             Dialog::DeleteProgress => {
-                let words = exercise_window::texts(state.settings.lang);
+                let words = exercise_window::texts(state.model.settings.lang);
                 text(ui, words.delete_progress, words.delete_progress_text);
                 match buttons(ui, t.cancel, &[words.delete_progress], first.then_some(CANCEL)) {
-                    Pressed::Action(_) if state.exercises.file.is_some() => state.exercises.forgets = true,
-                    Pressed::Action(_) => state.exercises.forget(),
+                    Pressed::Action(_) if state.learn.exercises.file.is_some() => state.learn.exercises.forgets = true,
+                    Pressed::Action(_) => state.learn.exercises.forget(),
                     Pressed::Cancel => {}
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::DeleteProgress),
                 }
@@ -198,14 +211,14 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
 }
 
 /// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
-fn wait_for_system(ctx: &egui::Context, state: &mut State) {
-    let t = window::texts(state.settings.lang);
+fn wait_for_system(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
+    let t = window::texts(model.settings.lang);
     Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
         ui.set_width(380.0);
         text(ui, t.choosing_title, t.choosing_text);
         // A system that does not answer must not keep the window for ever.
         if matches!(buttons(ui, t.cancel, &[], None), Pressed::Cancel) {
-            state.file_flow.asking = None;
+            file_flow.asking = None;
         }
     });
 }
@@ -219,17 +232,17 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
 
 /// Asks about text of a lesson that cannot be saved in its file.
 fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: AfterSave, first: bool) {
-    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.settings.lang));
+    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.model.settings.lang));
     text(ui, words.unsaved_text_title, words.unsaved_text);
     if let Some(why) = &state.file_flow.refused {
-        complaint(ui, &why.text(state.settings.lang));
+        complaint(ui, &why.text(state.model.settings.lang));
         ui.add_space(10.0);
     }
-    let actions: &[&str] = if state.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
+    let actions: &[&str] = if state.learn.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
     match buttons(ui, t.cancel, actions, first.then_some(CANCEL)) {
         Pressed::Action(1) => file_flow::ask(&ctx, state, Purpose::LessonText(next)),
         Pressed::Action(_) => {
-            state.forget_text();
+            state.learn.forget_text();
             file_flow::begin(&ctx, state, next);
         }
         Pressed::Cancel => {}
@@ -241,11 +254,12 @@ fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: After
 fn ask_delete(
     ui: &mut egui::Ui,
     t: &'static Texts,
-    state: &mut State,
+    model: &mut Model,
+    file_flow: &mut FileFlow,
     (names, below): (BTreeSet<String>, usize),
     first: bool,
 ) {
-    let words = scenes::texts(state.settings.lang);
+    let words = scenes::texts(model.settings.lang);
     let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
     text(
         ui,
@@ -257,16 +271,16 @@ fn ask_delete(
         Pressed::Action(_) => Children::Removed,
         Pressed::Cancel => return,
         Pressed::Nothing => {
-            state.file_flow.dialog = Some(Dialog::Delete { names, below });
+            file_flow.dialog = Some(Dialog::Delete { names, below });
             return;
         }
     };
-    scene::remove(state, &names, children);
+    scene::remove(model, &names, children);
 }
 
 /// Asks about a file changed by another program: the choice that loses nothing is the default.
 fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
-    let name = state.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
+    let name = state.model.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
     text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
     if let Some(comparison) = &changed.comparison {
         compared(ui, t, comparison);
@@ -281,12 +295,12 @@ fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut chan
     match buttons(ui, t.cancel, &actions, first.then_some(CANCEL)) {
         Pressed::Action(pressed) if comparable && pressed == 0 => {
             let theirs = String::from_utf8_lossy(theirs.as_deref().unwrap_or_default()).into_owned();
-            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(state)));
+            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(&state.model)));
             state.file_flow.dialog = Some(Dialog::Changed(changed));
         }
         Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),
         Pressed::Action(_) => {
-            if let Some(path) = state.document.path().cloned() {
+            if let Some(path) = state.model.document.path().cloned() {
                 let agreed = Agreed { theirs: Some(theirs), ..Agreed::default() };
                 file_flow::confirmed(&ctx, state, Purpose::Save(then), &path, agreed);
             }
@@ -329,23 +343,23 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     let kind = FileKind::of(state, &purpose);
     ui.heading(kind.title);
     ui.add_space(6.0);
-    let words = sharing::texts(state.settings.lang);
-    let (which, hint) = match (kind.wanted == Wanted::Folder, state.in_browser) {
-        (true, _) => (gallery_words::texts(state.settings.lang).which_folder, t.path_hint),
+    let words = sharing::texts(state.model.settings.lang);
+    let (which, hint) = match (kind.wanted == Wanted::Folder, state.model.in_browser) {
+        (true, _) => (gallery_words::texts(state.model.settings.lang).which_folder, t.path_hint),
         (false, true) => (words.name_text, words.name_hint),
         (false, false) => (t.path_text, t.path_hint),
     };
     ui.label(which);
     let field = TextField::line(&mut path, MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint));
-    let response = field.show(ui, state.settings.lang).accessible_name(t.path_name);
+    let response = field.show(ui, state.model.settings.lang).accessible_name(t.path_name);
     if first {
         response.request_focus();
         select_stem(ui, &response, &path);
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if let Some(error) = &state.file_flow.refused {
-        complaint(ui, &error.text(state.settings.lang));
+        complaint(ui, &error.text(state.model.settings.lang));
     }
     ui.add_space(10.0);
     let pressed = buttons(ui, t.cancel, &[kind.action], None);
@@ -365,10 +379,10 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
 
 /// Goes on with a typed path. Errors are shown below the path, and there alone.
 fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: String) {
-    (state.message, state.file_flow.refused) = (None, None);
+    (state.model.message, state.file_flow.refused) = (None, None);
     file_flow::chosen(ctx, state, purpose.clone(), PathBuf::from(path.trim()));
-    if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error()) {
-        state.file_flow.refused = state.message.take();
+    if state.file_flow.dialog.is_none() && state.model.message.as_ref().is_some_and(|message| message.is_error()) {
+        state.file_flow.refused = state.model.message.take();
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
     }
 }
@@ -381,8 +395,8 @@ fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     text_field::select(ui.ctx(), response.id, begin..end);
 }
 
-fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
-    let pictures = canvas::texts(state.settings.lang);
+fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, file_flow: &mut FileFlow, first: bool) {
+    let pictures = canvas::texts(model.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),
         (t.show_canonical, pictures.keys_in_canonical),
@@ -404,8 +418,8 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         for (name, text) in keys {
             ui.label(format!("{name}: {text}"));
         }
-        if state.in_browser {
-            let words = sharing::texts(state.settings.lang);
+        if model.in_browser {
+            let words = sharing::texts(model.settings.lang);
             title(ui, words.help_touch);
             ui.label(words.help_touch_text);
         }
@@ -415,16 +429,16 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         title(ui, t.help_numbers);
         ui.label(t.help_numbers_text);
         title(ui, t.help_commands);
-        if state.in_browser {
-            ui.label(sharing::texts(state.settings.lang).keys_of_browser);
+        if model.in_browser {
+            ui.label(sharing::texts(model.settings.lang).keys_of_browser);
         }
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
-            for command in MENUS.iter().flat_map(|menu| menu.groups(state)).flatten() {
+            for command in MENUS.iter().flat_map(|menu| menu.groups(model)).flatten() {
                 ui.monospace(
                     command
-                        .keys(state)
-                        .map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+                        .keys(model)
+                        .map(|keys| written(ui.ctx(), &keys, model.settings.lang))
                         .collect::<Vec<_>>()
                         .join(", "),
                 );
@@ -435,7 +449,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
     });
     ui.add_space(8.0);
     match buttons(ui, t.close, &[], first.then_some(CANCEL)) {
-        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Help),
+        Pressed::Nothing => file_flow.dialog = Some(Dialog::Help),
         Pressed::Action(_) | Pressed::Cancel => {}
     }
 }

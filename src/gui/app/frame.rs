@@ -9,19 +9,24 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::focus::{self, Region};
-use super::{App, dialogs, menu, presentation, status};
+use super::{App, actions, dialogs, menu, presentation, status};
 use crate::gui::app::command::Command;
+use crate::gui::app::state::State;
 use crate::gui::files::{changed_file, file_flow};
 use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::context_help;
+use crate::gui::kit::focus::{self, Region};
 use crate::gui::kit::{text_field, tooltip};
-use crate::gui::learn::lesson;
+use crate::gui::learn::{exercises, lesson};
+use crate::gui::model::Model;
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::layout::Side;
+use crate::gui::model::shown::PanelHover;
 use crate::gui::pictures::motion;
-use crate::gui::state::{AfterSave, PanelHover, Side, State};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session::Kept;
 use crate::gui::storage::session_news;
-use crate::gui::why::{self, context_help};
+use crate::gui::why;
 use crate::i18n::window::{self, Texts};
 
 /// Below this width, in points, there is room for one panel beside the pictures.
@@ -53,16 +58,19 @@ impl App {
             text_field::drop_letters_with_alt(&mut input.events, os);
         });
         self.caret.follow(ctx);
-        motion::advance(ctx, &mut self.state);
-        lesson::advance(ctx, &mut self.state);
+        motion::advance(ctx, &mut self.state.model);
+        lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, &self.state.file_flow);
+        self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
-            self.state.document.commit();
+            self.state.model.document.commit();
         }
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
-        self.canvas.listen_for_cancel(ctx, &mut self.state);
-        if !self.canvas.holds_something(&self.state)
-            && let Some(command) = presentation::escape(ctx, &mut self.state)
+        self.act(ctx);
+        self.canvas.listen_for_cancel(ctx, &mut self.state.model, &self.state.file_flow);
+        if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
+            && let Some(command) =
+                presentation::escape(ctx, &self.state.model, &self.state.file_flow, &self.state.annotations)
         {
             self.perform(ctx, command);
         }
@@ -71,25 +79,30 @@ impl App {
             && let Some(command) = self.keyboard(ctx)
         {
             match context_help::asked(ctx).filter(|_| command == Command::Help) {
-                Some(note) => self.state.explain_by_note(note),
+                Some(note) => self.state.explain.explain_by_note(&mut self.state.model, note),
                 None => self.perform(ctx, command),
             }
         }
         context_help::begin(ctx);
         // The panels of this frame set the hover.
-        self.state.hover = PanelHover::default();
-        self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
-        if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
+        self.state.model.hover = PanelHover::default();
+        self.state.model.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
+        if let Some(left) = self.state.model.forget_old_news(ctx.input(|input| input.time)) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
+    }
+
+    /// Does what features have asked of each other.
+    pub(super) fn act(&mut self, ctx: &egui::Context) {
+        actions::perform(ctx, &mut self.state);
     }
 
     /// Bars and panels around the pictures.
     fn panels(&mut self, ui: &mut egui::Ui) -> Called {
         let ctx = ui.ctx().clone();
-        let t = window::texts(self.state.settings.lang);
-        let presenting = self.state.settings.presentation;
-        let of_bar = (!self.state.settings.bare && !presenting).then(|| {
+        let t = window::texts(self.state.model.settings.lang);
+        let presenting = self.state.model.settings.presentation;
+        let of_bar = (!self.state.model.settings.bare && !presenting).then(|| {
             egui::Panel::top("menu").show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
                 menu::bar(ui, &self.state)
@@ -100,39 +113,43 @@ impl App {
         if !presenting {
             self.notices(ui);
         }
-        status::error(ui, &mut self.state);
+        status::error(ui, &mut self.state.model);
         if presenting {
-            presentation::caption(ui, &self.state);
+            presentation::caption(ui, &self.state.model);
         }
-        let of_lesson = lesson::panel(ui, &mut self.state);
+        let of_lesson = lesson::panel(ui, &mut self.state.model, &mut self.state.learn);
+        self.act(&ctx);
         self.side_panels(ui, t);
         tooltip::beside_nothing(&ctx);
         if let Some(note) = context_help::called(&ctx) {
-            self.state.explain_by_note(note);
+            self.state.explain.explain_by_note(&mut self.state.model, note);
         }
-        motion::show_done(&ctx, &mut self.state);
-        self.state.follow_panels();
+        motion::show_done(&ctx, &mut self.state.model, &mut self.state.operations);
+        self.act(&ctx);
+        self.state.model.follow_panels();
+        self.state.model.answered = self.state.learn.exercises.answered_camera();
         Called { of_bar, of_lesson }
     }
 
     /// News and offers, each in a line of its own.
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
-        session_news::bar(ui, &mut self.state);
+        session_news::bar(ui, &mut self.state.model, &mut self.state.file_flow);
         changed_file::bar(ui, &mut self.state);
-        if let Some(command) = lesson::welcome(ui, &mut self.state) {
+        if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
         }
-        lesson::go_on(ui, &mut self.state);
+        lesson::go_on(ui, &mut self.state.model, &mut self.state.learn);
+        self.act(ui.ctx());
     }
 
     /// The panels that are open: studies below, parameters at the left, operations and explanations at the right.
     fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts) {
-        let sides = *self.state.settings.panels();
+        let sides = *self.state.model.settings.panels();
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
-                numerics::ui(ui, &mut self.state);
+                numerics::ui(ui, &mut self.state.model, &mut self.state.numerics);
             });
             name_handle(ui, "numerics", t.panel_width);
         }
@@ -140,7 +157,7 @@ impl App {
             egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
-                parameters::ui(ui, &mut self.state);
+                parameters::ui(ui, &mut self.state.model, &mut self.state.photograph, &mut self.state.cameras);
             });
             name_handle(ui, "parameters", t.panel_width);
         }
@@ -153,14 +170,18 @@ impl App {
             name_handle(ui, "numbers", t.panel_width);
         }
         if sides.is_shown(Side::Explain) {
-            let presenting = self.state.settings.presentation;
+            let presenting = self.state.model.settings.presentation;
             // In a presentation the pictures keep more than half of the width.
             let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
             let most = (share * ui.ctx().content_rect().width()).clamp(320.0, 620.0);
             egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                why::ui(ui, &mut self.state);
+                let State { model, explain, learn, .. } = &mut self.state;
+                why::ui(ui, model, explain, &mut |ui, model, part| match part {
+                    why::Part::Head => exercises::head(ui, model, learn),
+                    why::Part::Content => exercises::ui(ui, model, learn),
+                });
             });
             name_handle(ui, id, t.panel_width);
         }
@@ -168,15 +189,15 @@ impl App {
 
     /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
     fn right(&mut self, ui: &mut egui::Ui) {
-        let share = if self.state.settings.numbers_open { 0.56 } else { 0.8 };
+        let share = if self.state.model.settings.numbers_open { 0.56 } else { 0.8 };
         let half = ui.available_height() * share;
         egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
-            operations::ui(ui, &mut self.state);
+            operations::ui(ui, &mut self.state.model, &mut self.state.operations);
             focus::keep_in_sight(ui);
         });
         ui.add_space(4.0);
         egui::ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
-            values::ui(ui, &mut self.state);
+            values::ui(ui, &mut self.state.model);
             focus::keep_in_sight(ui);
         });
     }
@@ -188,14 +209,15 @@ impl App {
         if let Some(command) = self.canvas.take_wanted() {
             self.perform(&ctx, command);
         }
-        self.state.check_camera(&ctx);
-        presentation::show(&ctx, &mut self.state, pictures.response.rect);
-        let presenting = self.state.settings.presentation;
+        self.act(&ctx);
+        self.state.coach.check_camera(&self.state.model, &ctx);
+        presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
+        let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
         if let Some(command) = of_bar {
             self.perform(&ctx, command);
         }
-        let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
+        let of_speaker = lesson::speaker_window(&ctx, &self.state.model, &self.state.learn);
         // Its window does not know of questions in this one.
         let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = called.of_lesson.or(of_speaker) {
@@ -209,8 +231,9 @@ impl App {
             self.perform(ctx, command);
             ctx.request_repaint();
         }
-        drop_hint(ctx, &self.state);
-        self.resting.show(ctx, self.state.settings.presentation);
+        self.act(ctx);
+        drop_hint(ctx, &self.state.model);
+        self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
     }
 
@@ -219,23 +242,24 @@ impl App {
         self.apply_settings(ctx);
         self.refuse_links(ctx);
         self.update_title(ctx);
-        let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
-        let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
+        let moves = self.state.learn.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
+        let moving = self.state.model.motion.is_some() || moves || self.state.model.explained.steps.plays();
         if moving || ctx.input(|input| input.pointer.any_down()) || self.held_key.is_held(ctx) {
             return;
         }
-        self.state.document.commit();
+        self.state.model.document.commit();
         let now = ctx.input(|input| input.time);
-        if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {
+        if let Some(left) = self.state.model.views.follow(self.state.model.document.figure().observers, now) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
         if let Some(sessions) = &mut self.sessions {
-            let seen = self.state.as_seen();
+            let seen = self.state.model.as_seen();
             let state = &self.state;
-            let explains = state.lesson.is_none() && state.document.explains_other(&seen.show);
-            let is_work = state.has_unsaved() || explains;
-            let shown = Kept { document: &state.document, seen: &seen, is_work, text: state.unsaved_text() };
-            sessions.keep(ctx, shown, &state.held_documents());
+            let explains = state.learn.lesson.is_none() && state.model.document.explains_other(&seen.show);
+            let is_work = state.learn.has_unsaved(&state.model) || explains;
+            let shown =
+                Kept { document: &state.model.document, seen: &seen, is_work, text: state.learn.unsaved_text() };
+            sessions.keep(ctx, shown, &state.learn.held_documents(&state.model));
         }
         if let Some(preferences) = &mut self.preferences {
             preferences.keep(ctx, &mut self.state);
@@ -245,7 +269,7 @@ impl App {
     /// The list of left sessions, and the user's decision.
     fn recovery(&mut self, ui: &mut egui::Ui) {
         let Some(sessions) = &mut self.sessions else { return };
-        let decision = recovery::list(ui, self.state.settings.lang, sessions.left());
+        let decision = recovery::list(ui, self.state.model.settings.lang, sessions.left());
         match decision {
             Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
             Some(Decision::Discard(slot)) => sessions.discard(slot),
@@ -266,14 +290,14 @@ fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
 }
 
 /// Tells the effect of dropping a file that is held over the window.
-fn drop_hint(ctx: &egui::Context, state: &State) {
+fn drop_hint(ctx: &egui::Context, model: &Model) {
     if ctx.input(|input| input.raw.hovered_files.is_empty()) {
         return;
     }
     let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
     let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
     painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
-    let text = window::texts(state.settings.lang).drop_here;
+    let text = window::texts(model.settings.lang).drop_here;
     let font = egui::FontId::proportional(24.0);
     painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
 }

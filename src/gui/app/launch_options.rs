@@ -6,7 +6,7 @@ use percent_encoding::percent_decode_str;
 
 use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};
@@ -60,17 +60,17 @@ impl LaunchOptions {
     }
 
     /// Sets a window up so, but for the lesson.
-    pub fn apply(self, state: &mut State) {
-        let settings = &mut state.settings;
+    pub fn apply(self, model: &mut Model) {
+        let settings = &mut model.settings;
         settings.lang = self.lang.unwrap_or(settings.lang);
         settings.theme = self.theme.unwrap_or(settings.theme);
         if self.bare {
             settings.bare = true;
             settings.panels.wanted = [false; 3];
-            state.layout.strip = false;
+            model.layout.strip = false;
         }
         if let Some(views) = self.views {
-            state.layout.shown = View::ALL.map(|view| views.contains(view));
+            model.layout.shown = View::ALL.map(|view| views.contains(view));
         }
     }
 
@@ -97,6 +97,7 @@ mod tests {
 
     use super::*;
     use crate::gui::Start;
+    use crate::gui::State;
 
     #[test]
     fn an_address_says_what_is_shown_and_what_it_does_not_know_is_told() {
@@ -111,9 +112,12 @@ mod tests {
         };
         assert_eq!(asked, all);
         let mut state = State::new(Start::default()).unwrap();
-        asked.apply(&mut state);
-        assert_eq!((state.layout.shown, state.settings.panels.wanted), ([false, false, true], [false; 3]));
-        assert_eq!((state.settings.lang, state.settings.theme, state.settings.bare), (Lang::PtBr, Theme::Dark, true));
+        asked.apply(&mut state.model);
+        assert_eq!((state.model.layout.shown, state.model.settings.panels.wanted), ([false, false, true], [false; 3]));
+        assert_eq!(
+            (state.model.settings.lang, state.model.settings.theme, state.model.settings.bare),
+            (Lang::PtBr, Theme::Dark, true)
+        );
 
         let (asked, unknown) =
             LaunchOptions::of_query("view=side&panels=some&lang=%70t-BR&theme=&utm_source=x&view=all");

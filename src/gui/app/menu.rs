@@ -3,12 +3,14 @@
 use eframe::egui::{self, Button, RichText, TextStyle};
 
 use super::command::{Command, MENUS};
-use super::focus::with_room_before;
+use crate::gui::app::state::State;
 use crate::gui::app::status;
 use crate::gui::kit::elide;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
 
@@ -68,7 +70,7 @@ const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "
 
 /// Shows the bar. The chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
-    let t = window::texts(state.settings.lang);
+    let t = window::texts(state.model.settings.lang);
     let mut chosen = None;
     egui::MenuBar::new().ui(ui, |ui| {
         let is_phone = ui.available_width() < PHONE;
@@ -88,9 +90,9 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         let middle = |ui: &mut egui::Ui| {
             // News get the little space that there is on a telephone.
             if !is_phone {
-                title(ui, t, state, &mut of_title);
+                title(ui, t, &state.model, &state.learn, &mut of_title);
             }
-            status::news(ui, state);
+            status::news(ui, &state.model);
         };
         let switched = with_room_before(ui, middle, |ui| {
             let mut switched = None;
@@ -118,8 +120,8 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
         ui.menu_button((menu.title)(t), |ui| {
             ui.set_min_width(220.0);
             let mut is_first = true;
-            let has_marks = menu.groups(state).flatten().any(|command| command.is_on(state).is_some());
-            for group in menu.groups(state) {
+            let has_marks = menu.groups(&state.model).flatten().any(|command| command.is_on(state).is_some());
+            for group in menu.groups(&state.model) {
                 for (place, command) in group.filter(|command| command.is_listed(state)).enumerate() {
                     if place == 0 && !std::mem::take(&mut is_first) {
                         ui.separator();
@@ -137,7 +139,7 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
 
 /// `has_marks`: of the entries of its menu, some can be on.
 fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Command, bool)) -> bool {
-    let keys = keys(ui, state, command);
+    let keys = keys(ui, &state.model, command);
     let mark = match command.is_on(state) {
         Some(true) => "✔ ",
         Some(false) => "    ",
@@ -152,12 +154,12 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Comm
 }
 
 /// The keys of a command as they are written, if it has any here.
-fn keys(ui: &egui::Ui, state: &State, command: Command) -> Option<String> {
-    command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+fn keys(ui: &egui::Ui, model: &Model, command: Command) -> Option<String> {
+    command.keys(model).next().map(|keys| written(ui.ctx(), &keys, model.settings.lang))
 }
 
 fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
-    let keys = keys(ui, state, command).map(|keys| format!(" ({keys})"));
+    let keys = keys(ui, &state.model, command).map(|keys| format!(" ({keys})"));
     let hint = format!("{}{}\n{}", command.label(t), keys.unwrap_or_default(), command.hint(t));
     let button = Button::selectable(command.is_on(state).unwrap_or(false), sign);
     ui.add_enabled(command.is_enabled(state), button)
@@ -167,12 +169,12 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
         .clicked()
 }
 
-fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
-    let name = escaped(&state.figure_name());
-    let is_changed = state.document.is_changed() && !state.moves_to_step();
+fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Option<Command>) {
+    let name = escaped(&model.figure_name());
+    let is_changed = model.document.is_changed() && !learn.moves_to_step();
     let text = if is_changed { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {
-        let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
+        let keys = keys(ui, model, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
         let name = command.label(t).trim_end_matches('…');
         let font = TextStyle::Body.resolve(ui.style());
         if elide::width(ui, &font, name) > ui.available_width() {

@@ -1,10 +1,10 @@
 //! The program of the window: its frames, commands, menus, search and settings.
 
 pub(super) mod about;
+mod actions;
 pub(super) mod annotations;
 pub mod command;
 pub mod dialogs;
-pub(super) mod focus;
 mod frame;
 pub(super) mod key_repeat;
 pub mod launch_options;
@@ -12,6 +12,7 @@ pub mod menu;
 pub(super) mod presentation;
 pub(super) mod search;
 pub(super) mod search_state;
+pub mod state;
 pub mod status;
 pub(super) mod tab_order;
 
@@ -20,17 +21,17 @@ use std::path::Path;
 use eframe::egui::os::OperatingSystem;
 use eframe::egui::{self, KeyboardShortcut, Vec2, ViewportCommand};
 
-use super::state::{Message, State};
 use crate::appearance::Theme;
 use crate::gui::app::command::{Command, Run};
-use crate::gui::app::focus::Focus;
 use crate::gui::app::key_repeat::HeldKey;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::presentation::RestingPointer;
+use crate::gui::app::state::State;
 use crate::gui::app::tab_order::KeyOrder;
-use crate::gui::files::file_flow;
-use crate::gui::files::sequence;
+use crate::gui::files::{file_flow, sequence};
+use crate::gui::kit::focus::Focus;
 use crate::gui::kit::{text_field, theme};
+use crate::gui::model::message::Message;
 use crate::gui::pictures::Canvas;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
@@ -94,8 +95,8 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub(in crate::gui) fn follow_system(&mut self, theme: Theme, reduce_motion: bool) {
         if let Some(preferences) = &mut self.preferences {
-            preferences.follow(&mut self.state, "theme", |state| state.settings.theme = theme);
-            let reduce = |state: &mut State| state.settings.reduce_motion = reduce_motion;
+            preferences.follow(&mut self.state, "theme", |state| state.model.settings.theme = theme);
+            let reduce = |state: &mut State| state.model.settings.reduce_motion = reduce_motion;
             preferences.follow(&mut self.state, "reduce_motion", reduce);
         }
     }
@@ -118,9 +119,9 @@ impl App {
     fn go_on_with(&mut self, left: Option<Restored>) {
         if let Some(Restored { document, text, .. }) = left {
             let figure = document.figure().clone();
-            self.state.take_over(document);
+            self.state.learn.take_over(&mut self.state.model, document);
             if let Some(text) = text {
-                self.state.resume_text(text, figure);
+                self.state.learn.resume_text(&mut self.state.model, text, figure);
             }
             // Another program may have gone on with the file.
             self.state.file_flow.look = true;
@@ -152,15 +153,15 @@ impl App {
         };
         let mut shortcuts: Vec<_> = Command::all()
             .filter(|command| !(typing && command.is_for_text_too()))
-            .flat_map(|command| command.keys(&self.state).map(move |keys| (keys, command)))
+            .flat_map(|command| command.keys(&self.state.model).map(move |keys| (keys, command)))
             .collect();
-        if self.state.settings.presentation && !typing && !ctx.any_popup_open() {
+        if self.state.model.settings.presentation && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::KEYS);
             if ctx.memory(|memory| memory.focused().is_none()) {
                 shortcuts.extend(presentation::ARROWS);
             }
         }
-        if self.state.lesson.is_some() && !typing && !ctx.any_popup_open() {
+        if self.state.learn.lesson.is_some() && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::PAGES);
         }
         shortcuts.retain(|(keys, _)| !writes(keys));
@@ -189,13 +190,14 @@ impl App {
             Run::Step { forwards } => {
                 // A frozen picture would be under another title.
                 self.state.annotations.frozen = false;
-                if self.state.lesson.is_some() {
-                    self.state.step_lesson(forwards);
+                if self.state.learn.lesson.is_some() {
+                    self.state.learn.step_lesson(&mut self.state.model, forwards);
                 } else {
                     sequence::step(&mut self.state, forwards);
                 }
             }
         }
+        self.act(ctx);
     }
 
     /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
@@ -212,16 +214,17 @@ impl App {
             });
         });
         if let Some(link) = refused {
-            self.state.say(Message::LinkRefused(link));
+            self.state.model.say(Message::LinkRefused(link));
             ctx.request_repaint();
         }
     }
 
     /// The name of the figure in the title of the window.
     fn update_title(&mut self, ctx: &egui::Context) {
-        let name = self.state.figure_name();
+        let name = self.state.model.figure_name();
         // It means that closing the window asks.
-        let is_unsaved = !self.state.moves_to_step() && self.state.has_unsaved() || self.state.unsaved_text().is_some();
+        let is_unsaved = !self.state.learn.moves_to_step() && self.state.learn.has_unsaved(&self.state.model)
+            || self.state.learn.unsaved_text().is_some();
         let mark = if is_unsaved { " •" } else { "" };
         let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
         if title != self.title {
@@ -239,9 +242,9 @@ impl App {
 
     /// The zoom of the interface, with that of a presentation in a window of this size without any zoom.
     fn zoom(&self, window: Vec2) -> f32 {
-        let zoom = self.state.settings.zoom;
+        let zoom = self.state.model.settings.zoom;
         // If everything is large already, a presentation needs nothing larger.
-        if self.state.settings.presentation { presentation::zoom(window).max(zoom) } else { zoom }
+        if self.state.model.settings.presentation { presentation::zoom(window).max(zoom) } else { zoom }
     }
 
     /// Theme and zoom, as the settings say.
@@ -255,7 +258,7 @@ impl App {
     }
 
     fn apply_theme(&self, ctx: &egui::Context) {
-        let theme = match self.state.settings.theme {
+        let theme = match self.state.model.settings.theme {
             Theme::Dark => egui::Theme::Dark,
             Theme::Light | Theme::Print => egui::Theme::Light,
         };
@@ -286,18 +289,18 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         #[cfg(not(target_arch = "wasm32"))]
         {
-            let window = &mut self.state.settings.window;
+            let window = &mut self.state.model.settings.window;
             self.opening.go_on(ui.ctx(), *window);
             *window = self.whereabouts.settled(ui.ctx(), *window).or(*window);
-            let wants_notes = self.state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
+            let wants_notes = self.state.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
             if !wants_notes {
-                self.state.other_screen = None;
-            } else if self.state.other_screen.is_none() {
-                self.state.other_screen = Some(other_screen(frame));
+                self.state.learn.other_screen = None;
+            } else if self.state.learn.other_screen.is_none() {
+                self.state.learn.other_screen = Some(other_screen(frame));
             }
         }
         self.show(ui);
-        file_flow::open_dialog(ui.ctx(), &mut self.state, frame);
+        file_flow::open_dialog(ui.ctx(), &mut self.state.file_flow, frame);
     }
 
     /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.
@@ -311,15 +314,15 @@ impl eframe::App for App {
         }
         let held = ctx.input(|input| input.pointer.any_down());
         let asks = self.state.file_flow.is_asking() || ctx.any_popup_open();
-        let is_free = self.state.settings.presentation && !held && !asks;
+        let is_free = self.state.model.settings.presentation && !held && !asks;
         let now = input.time.unwrap_or_else(|| ctx.input(|input| input.time));
         self.resting.follow(input, now, is_free);
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
-        self.state.save_text();
+        self.state.learn.save_text(&mut self.state.model);
         // Once, whatever came of it.
-        self.state.settings.welcomed = true;
+        self.state.model.settings.welcomed = true;
         if let Some(preferences) = &mut self.preferences {
             preferences.finish(&mut self.state);
         }

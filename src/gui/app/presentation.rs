@@ -9,8 +9,12 @@ use eframe::egui::{
 
 use super::command::Command;
 use super::menu;
+use crate::gui::app::annotations::Annotations;
+use crate::gui::app::state::State;
+use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::theme;
-use crate::gui::state::State;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::learn::lessons;
 use crate::i18n::{told, window};
 
@@ -57,13 +61,18 @@ pub(in crate::gui) const ARROWS: [(KeyboardShortcut, Command); 2] = [
 
 /// Handles Esc, where it means nothing else: it clears annotations; without any it leaves the presentation. Returns the
 /// command.
-pub(in crate::gui) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
-    let shown = state.settings.presentation || state.annotations.any();
-    let busy = ctx.text_edit_focused() || ctx.any_popup_open() || state.file_flow.dialog.is_some();
+pub(in crate::gui) fn escape(
+    ctx: &Context,
+    model: &Model,
+    file_flow: &FileFlow,
+    annotations: &Annotations,
+) -> Option<Command> {
+    let shown = model.settings.presentation || annotations.any();
+    let busy = ctx.text_edit_focused() || ctx.any_popup_open() || file_flow.dialog.is_some();
     if !shown || busy || !ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
         return None;
     }
-    Some(if state.annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
+    Some(if annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
 }
 
 /// Seconds after which a pointer that rests is as good as gone.
@@ -120,14 +129,14 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     ctx.data_mut(|data| data.insert_temp(id, is_shown));
     let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
     if !is_shown {
-        let message = state.message.as_ref().filter(|message| !message.is_error())?;
+        let message = state.model.message.as_ref().filter(|message| !message.is_error())?;
         // At the foot of the pictures: above them are the title and the caption.
         let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
         area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
             let most = (ctx.content_rect().width() - 60.0).max(100.0);
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_max_width(most);
-                ui.label(message.text(state.settings.lang));
+                ui.label(message.text(state.model.settings.lang));
             });
         });
         return None;
@@ -144,13 +153,13 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
 const CAPTION_ROWS: usize = 2;
 
 /// The title and the caption of the figure, large, above the pictures. Nothing where it has none.
-pub(in crate::gui) fn caption(ui: &mut Ui, state: &State) {
-    let figure = state.document.figure();
+pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
+    let figure = model.document.figure();
     let has_none = figure.title.is_none() && figure.caption.is_none();
-    if has_none || state.document.has_words_of_card() {
+    if has_none || model.document.has_words_of_card() {
         return;
     }
-    let lang = state.settings.lang;
+    let lang = model.settings.lang;
     egui::Panel::top("caption").show(ui, |ui| {
         let body = TextStyle::Body.resolve(ui.style());
         let rows = [
@@ -174,33 +183,33 @@ pub(in crate::gui) fn caption(ui: &mut Ui, state: &State) {
 }
 
 /// The annotations over the pictures, which are in `room`.
-pub(in crate::gui) fn show(ctx: &Context, state: &mut State, room: Rect) {
-    if state.annotations.pen {
-        pen(ctx, state, room);
+pub(in crate::gui) fn show(ctx: &Context, model: &Model, annotations: &mut Annotations, room: Rect) {
+    if annotations.pen {
+        pen(ctx, annotations, room);
     }
     let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("annotations"))).with_clip_rect(room);
-    for stroke in &state.annotations.strokes {
+    for stroke in &annotations.strokes {
         painter.add(Shape::line(stroke.clone(), Stroke::new(3.0, INK)));
     }
-    let t = window::texts(state.settings.lang);
-    if state.annotations.frozen {
+    let t = window::texts(model.settings.lang);
+    if annotations.frozen {
         label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()));
     }
-    if state.annotations.spot
+    if annotations.spot
         && let Some(pointer) = ctx.pointer_hover_pos().filter(|pointer| room.contains(*pointer))
     {
         painter.circle(pointer, 26.0, INK.gamma_multiply(0.18), Stroke::new(2.5, INK));
         painter.circle_filled(pointer, 3.0, INK);
     }
-    if state.annotations.blank {
+    if annotations.blank {
         let painter = ctx.layer_painter(LayerId::new(Order::Tooltip, Id::unique("blank")));
         painter.rect_filled(ctx.content_rect(), 0.0, Color32::BLACK);
     }
 }
 
 /// The pointer draws over the pictures, which do not feel it meanwhile.
-fn pen(ctx: &Context, state: &mut State, room: Rect) {
-    let strokes = &mut state.annotations.strokes;
+fn pen(ctx: &Context, annotations: &mut Annotations, room: Rect) {
+    let strokes = &mut annotations.strokes;
     Area::new(Id::unique("pen")).order(Order::Middle).fixed_pos(room.min).show(ctx, |ui| {
         let response = ui.allocate_rect(room, Sense::drag());
         let response = response.on_hover_and_drag_cursor(CursorIcon::Crosshair);
@@ -218,22 +227,27 @@ fn pen(ctx: &Context, state: &mut State, room: Rect) {
 
 /// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away,
 /// that is said.
-pub(in crate::gui) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f32)> {
-    if state.annotations.any() {
-        return Some((window::texts(state.settings.lang).escape_clears, 1.0));
+pub(in crate::gui) fn keys(
+    ctx: &Context,
+    model: &Model,
+    learn: &Learn,
+    annotations: &mut Annotations,
+) -> Option<(&'static str, f32)> {
+    if annotations.any() {
+        return Some((window::texts(model.settings.lang).escape_clears, 1.0));
     }
-    let since = state.annotations.keys_since.filter(|_| state.settings.presentation)?;
+    let since = annotations.keys_since.filter(|_| model.settings.presentation)?;
     let left = since + SHOWN - ctx.input(|input| input.time);
-    let fading = if state.settings.reduce_motion { 0.0 } else { FADES };
+    let fading = if model.settings.reduce_motion { 0.0 } else { FADES };
     if left <= 0.0 {
-        state.annotations.keys_since = None;
+        annotations.keys_since = None;
         return None;
     }
     ctx.request_repaint_after(Duration::from_secs_f64((left - fading).max(1.0 / 60.0)));
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
-    let lang = state.settings.lang;
-    let of_lesson = state.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
+    let lang = model.settings.lang;
+    let of_lesson = learn.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
     Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
 }
 

@@ -9,15 +9,21 @@ use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
 use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
+use crate::gui::app::search_state::Search;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::operations;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::list;
-use crate::gui::state::{AfterSave, Dialog, Side, State, Tab};
+use crate::gui::model::Model;
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::layout::{Side, Tab};
 use crate::gui::why;
 use crate::i18n::learn::exercises as exercise_words;
 use crate::i18n::why::{explain as explain_words, notes};
@@ -95,8 +101,8 @@ const MATRICES: [NamedMatrix; 3] = [
 ];
 
 /// Everything that can be found, in the order in which equally good results are listed.
-fn entries(state: &State) -> Vec<Entry> {
-    let lang = state.settings.lang;
+fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
+    let lang = model.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
     let mut all = Vec::new();
     for Descriptor { freedom, .. } in &OPERATIONS {
@@ -124,7 +130,7 @@ fn entries(state: &State) -> Vec<Entry> {
             about: about.into(),
         });
     }
-    for command in Command::all().filter(|command| *command != Command::Search && command.is_there(state)) {
+    for command in Command::all().filter(|command| *command != Command::Search && command.is_there(model)) {
         let (title, about) = (command.label(t_window), command.hint(t_window));
         all.push(Entry { target: Target::Command(command), kind: t.command, title: title.into(), about: about.into() });
     }
@@ -180,7 +186,7 @@ fn entries(state: &State) -> Vec<Entry> {
             about: note.searched().into(),
         });
     }
-    for entry in state.exercises.entries() {
+    for entry in learn.exercises.entries() {
         let title = exercise_words::title(lang, entry).to_owned();
         let about = format!("{} {}", entry.id, entry.source);
         all.push(Entry {
@@ -224,10 +230,10 @@ fn controls(lang: Lang) -> Vec<Entry> {
 }
 
 /// The results, best first: where the words begin the title, are in it, are elsewhere; the same by other names.
-fn found(state: &State) -> Vec<Entry> {
-    let called = also_called(&state.search.wanted);
+fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
+    let called = also_called(&search.wanted);
     // The ways of shading are its choices.
-    let shading = Target::Parameter(Tab::Drawing, window::texts(state.settings.lang).shading);
+    let shading = Target::Parameter(Tab::Drawing, window::texts(model.settings.lang).shading);
     let rank = |entry: &Entry| {
         let title = folded(&entry.title);
         let whole = format!("{title} {}", folded(&entry.about));
@@ -245,7 +251,8 @@ fn found(state: &State) -> Vec<Entry> {
         let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
         [own, others].into_iter().flatten().min()
     };
-    let mut ranked: Vec<_> = entries(state).into_iter().filter_map(|entry| Some((rank(&entry)?, entry))).collect();
+    let mut ranked: Vec<_> =
+        entries(model, learn).into_iter().filter_map(|entry| Some((rank(&entry)?, entry))).collect();
     ranked.sort_by_key(|(rank, _)| *rank);
     ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
 }
@@ -254,10 +261,10 @@ fn found(state: &State) -> Vec<Entry> {
 /// opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Option<Command> {
     state.file_flow.dialog = Some(Dialog::Search);
-    let lang = state.settings.lang;
+    let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.title);
-    let results = found(state);
+    let results = found(&state.model, &state.learn, &state.search);
     let last = results.len().saturating_sub(1);
     let before = state.search.wanted.clone();
     let (mut chosen, enter) = ui.input_mut(|input| {
@@ -314,7 +321,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
 fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
     let keys = match &entry.target {
         Target::Command(command) => {
-            command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+            command.keys(&state.model).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
         }
         _ => None,
     };
@@ -333,36 +340,36 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         // Its caller does it.
         Target::Command(_) => {}
         Target::Parameter(tab, field) => {
-            state.settings.tab = tab;
-            let t = cameras::texts(state.settings.lang);
+            state.model.settings.tab = tab;
+            let t = cameras::texts(state.model.settings.lang);
             state.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
-            state.settings.panels_mut().show(Side::Left);
+            state.model.settings.panels_mut().show(Side::Left);
             if !field.is_empty() {
                 number_field::take_keyboard(ctx, field);
             }
         }
         Target::AmongOperations(name) => {
-            state.settings.panels_mut().show(Side::Right);
+            state.model.settings.panels_mut().show(Side::Right);
             number_field::take_keyboard(ctx, name);
         }
         Target::Operation(freedom) => {
             state.operations.open(freedom);
-            state.settings.panels_mut().show(Side::Right);
-            number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.settings.lang)));
+            state.model.settings.panels_mut().show(Side::Right);
+            number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.model.settings.lang)));
         }
         Target::CameraCheck => state.file_flow.dialog = Some(Dialog::Coach),
         Target::Explanation(explanation) => {
-            state.show_explanation(explanation);
+            state.model.show_explanation(explanation);
             if explanation == Explanation::Exercises {
-                state.exercises.call();
+                state.learn.exercises.call();
             }
         }
-        Target::Matrix(matrix) => state.explain_entry(matrix, [0, 0]),
-        Target::Note(id) => state.explain_by_note(id),
+        Target::Matrix(matrix) => state.model.explain_entry(matrix, [0, 0]),
+        Target::Note(id) => state.explain.explain_by_note(&mut state.model, id),
         Target::Exercise(id) => {
-            state.show_explanation(Explanation::Exercises);
-            let entry = state.exercises.entry(&id).cloned();
-            entry.iter().for_each(|entry| list::open(&mut state.exercises, entry));
+            state.model.show_explanation(Explanation::Exercises);
+            let entry = state.learn.exercises.entry(&id).cloned();
+            entry.iter().for_each(|entry| list::open(&mut state.learn.exercises, entry));
         }
         Target::Figure(name) => file_flow::begin(ctx, state, AfterSave::Shipped(name)),
         Target::Step(place, step) => {
@@ -383,7 +390,11 @@ mod tests {
         let mut state =
             State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).expect("nothing is opened");
         state.search.wanted = wanted.to_owned();
-        found(&state).into_iter().take(3).map(|entry| entry.title.into_owned()).collect()
+        found(&state.model, &state.learn, &state.search)
+            .into_iter()
+            .take(3)
+            .map(|entry| entry.title.into_owned())
+            .collect()
     }
 
     #[test]

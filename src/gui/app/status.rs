@@ -4,14 +4,15 @@ use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Message, State};
+use crate::gui::model::Model;
+use crate::gui::model::message::Message;
 use crate::i18n::window;
 
 /// The news, as much of it as there is room for.
-pub fn news(ui: &mut egui::Ui, state: &State) {
+pub fn news(ui: &mut egui::Ui, model: &Model) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
-            let text = message.text(state.settings.lang);
+        if let Some(message) = model.message.as_ref().filter(|message| !message.is_error()) {
+            let text = message.text(model.settings.lang);
             let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());
             let said = elide::parts(&text, |text| elide::width(ui, &font, text) <= room);
             let said = RichText::new(said);
@@ -24,19 +25,19 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
 }
 
 /// The error, with a button that closes it.
-pub fn error(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let Some(message) = state.message.as_ref().filter(|message| message.is_error()) else { return };
+pub fn error(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let Some(message) = model.message.as_ref().filter(|message| message.is_error()) else { return };
     let mut closed = false;
     egui::Panel::bottom("error").show(ui, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             closed = ui.add(Button::new("✕")).explained(t.close).accessible_name(t.close).clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                crate::gui::inspector::complaint(ui, &message.text(state.settings.lang));
+                crate::gui::kit::form::complaint(ui, &message.text(model.settings.lang));
             });
         });
     });
     if closed {
-        state.message = None;
+        model.message = None;
     }
 }

@@ -8,13 +8,17 @@ use super::preview::{Preview, can_be_copied};
 use crate::appearance::Theme;
 use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
+use crate::gui::app::state::State;
+use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
 use crate::gui::files::file_flow;
-use crate::gui::inspector::{choice, complaint, row};
+use crate::gui::files::questions::{Dialog, FileFlow, Purpose};
+use crate::gui::inspector::state::operations::Operations;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Purpose, State};
+use crate::gui::model::Model;
 use crate::i18n::window::Texts;
 use crate::i18n::{families, pictures};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
@@ -57,7 +61,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
         let column = |ui: &mut egui::Ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.x = 8.0;
-            settings(ui, t, state, &mut export, &mut enter)
+            settings(ui, t, &state.model, &state.file_flow, &mut state.family, &mut export, &mut enter)
         };
         let errors = ui.vertical(column).inner;
         if room >= LEAST_PICTURE {
@@ -107,9 +111,9 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
 }
 
 /// The present screen, for the export.
-fn subject(state: &State, export: &Export) -> ExportSource {
-    ExportSource::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
-        .with_family(state.family.clone(), state.operations.convention)
+fn subject(model: &Model, operations: &Operations, family: &FamilyChoice, export: &Export) -> ExportSource {
+    ExportSource::of(&model.document, model.figure_as_shown(), model.settings.lang, export.theme)
+        .with_family(family.clone(), operations.convention)
 }
 
 /// The picture as it will be, how large it is, and the button that copies it.
@@ -121,7 +125,7 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
             &ctx,
             (export, &state.family),
             [room.x, room.y].map(|side| side * ctx.pixels_per_point()),
-            || subject(state, export),
+            || subject(&state.model, &state.operations, &state.family, export),
         );
     }
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
@@ -146,7 +150,7 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
         };
         if button.explained(hint).explained_disabled(hint).clicked() {
             state.export = *export;
-            let subject = subject(state, export);
+            let subject = subject(&state.model, &state.operations, &state.family, export);
             preview.copy(&ctx, export, subject);
         }
         match &preview.copied {
@@ -208,7 +212,9 @@ type Fault = (&'static str, FieldError);
 fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
-    state: &mut State,
+    model: &Model,
+    file_flow: &FileFlow,
+    family: &mut FamilyChoice,
     export: &mut Export,
     enter: &mut bool,
 ) -> Vec<Fault> {
@@ -224,7 +230,7 @@ fn settings(
         (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
-    family::rows(ui, t, &mut state.family, enter);
+    family::rows(ui, t, family, enter);
     let sizes = [
         ((Some(1), false), "1 ×"),
         ((Some(2), false), "2 ×"),
@@ -239,10 +245,10 @@ fn settings(
     });
     (export.times, export.on_paper) = size;
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
-    export.fit_screen(state.picture_sizes, state.screen_scale);
+    export.fit_screen(model.picture_sizes, model.screen_scale);
     // A family in multiples of the screen is larger than its figure.
-    let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
-    let of_family = of_family.filter(|_| size.0.is_some() && state.family.variations().is_some());
+    let of_family = file_flow.preview.as_ref().and_then(Preview::size);
+    let of_family = of_family.filter(|_| size.0.is_some() && family.variations().is_some());
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         if size == (None, false) {
             return pixels(ui, t, export);

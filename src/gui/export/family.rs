@@ -3,7 +3,7 @@
 use eframe::egui::{self, Key};
 
 use super::family_choice::{FamilyChoice, Subject, Varied};
-use crate::gui::inspector::{choice, row};
+use crate::gui::kit::form::{choice, row};
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;

@@ -2,15 +2,16 @@
 
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
-use super::handout_pages::{Content, Job};
-use crate::exercises::Exercise;
+use super::handout_form::{HandoutForm, MAX_SEED, played};
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::from_title;
+use crate::gui::files::questions::{Dialog, FileFlow, Purpose};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Purpose, State};
-use crate::handout::HandoutOptions;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::learn::handouts::{Texts, texts};
 use crate::i18n::learn::{exercises, lessons as words};
 use crate::i18n::{Lang, told, window};
@@ -25,43 +26,8 @@ const AROUND: f32 = 150.0;
 const PAGE: f32 = 560.0;
 /// Width by height of a page.
 const SHAPE: f32 = 595.0 / 842.0;
-/// The greatest number that chooses the numbers of the exercises.
-const MAX_SEED: u32 = 9_999;
-
-/// The choices in the dialog.
-#[derive(Clone, Debug, PartialEq)]
-pub struct HandoutForm {
-    /// The lesson that is printed; `None` means exercises are.
-    pub lesson: Option<OpenLesson>,
-    /// The exercises, by their identifiers, in the order in which they were chosen.
-    pub exercises: Vec<String>,
-    /// The source of the exercises' numbers.
-    pub seed: u32,
-    /// Language, columns, answers and plan.
-    pub options: HandoutOptions,
-    /// The page that is shown, from 0.
-    page: usize,
-}
 
 impl HandoutForm {
-    /// The lesson that is played, or the first one, or else exercises, beginning with the one that is open.
-    pub(in crate::gui) fn of(state: &State, is_lesson: bool) -> Self {
-        let open = state.exercises.open.as_ref();
-        let open = open.filter(|open| state.exercises.entries().any(|entry| entry.id == open.id));
-        let options = HandoutOptions { lang: state.settings.lang, columns: 1, answers: false, plan: false, late: true };
-        let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
-        Self {
-            lesson: is_lesson.then(|| played(state)).flatten(),
-            exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
-            seed: open
-                .and_then(|open| u32::try_from(open.seed).ok())
-                .filter(|seed| *seed <= MAX_SEED)
-                .unwrap_or_default(),
-            options,
-            page: 0,
-        }
-    }
-
     /// The name of its file, without an ending.
     pub(in crate::gui) fn stem(&self) -> String {
         match &self.lesson {
@@ -69,37 +35,11 @@ impl HandoutForm {
             None => texts(self.options.lang).file.to_owned(),
         }
     }
-
-    /// Everything that the handout depends on.
-    pub(in crate::gui) fn job(&self, state: &State) -> Job {
-        let content = match &self.lesson {
-            Some(open) => Content::Lesson(open.clone()),
-            None => {
-                let of = |id: &String| Some(state.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()));
-                Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<Exercise>>())
-            }
-        };
-        Job { content, options: self.options }
-    }
-
-    /// True if there's something to print.
-    fn is_whole(&self) -> bool {
-        self.lesson.is_some() || !self.exercises.is_empty()
-    }
-}
-
-/// The lesson that is played, or the one to which steps were added last, or the first of the program.
-fn played(state: &State) -> Option<OpenLesson> {
-    let of_playing = state.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
-    let last = || state.own_lessons.iter().find(|(path, _)| Some(path) == state.lesson_file.as_ref());
-    let of_playing = of_playing.or_else(|| last().map(|(path, lesson)| (lesson.clone(), Some(path.clone()))));
-    let first = || shipped().first().map(|shipped| (shipped.lesson.clone(), None));
-    of_playing.or_else(first).map(|(lesson, path)| OpenLesson { lesson, path, step: 0 })
 }
 
 /// Shows the dialog. `first`: it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm, first: bool) {
-    let t = texts(state.settings.lang);
+    let t = texts(state.model.settings.lang);
     let heading = if form.lesson.is_some() { t.handout } else { t.sheet };
     ui.heading(heading.trim_end_matches('…'));
     ui.add_space(6.0);
@@ -107,13 +47,13 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
     ui.horizontal_top(|ui| {
         ui.vertical(|ui| {
             ui.set_width(SETTINGS.min(ui.available_width()));
-            settings(ui, t, state, &mut form, height);
+            settings(ui, t, &state.model, &state.learn, &mut form, height);
         });
         ui.add_space(12.0);
-        ui.vertical(|ui| page(ui, t, state, &mut form, height));
+        ui.vertical(|ui| page(ui, t, &state.learn, &mut state.file_flow, &mut form, height));
     });
     ui.add_space(10.0);
-    let close = window::texts(state.settings.lang).cancel;
+    let close = window::texts(state.model.settings.lang).cancel;
     match buttons(ui, close, &[t.save], first.then_some(0)) {
         Pressed::Action(_) if form.is_whole() => file_flow::ask(ui.ctx(), state, Purpose::Handout(form)),
         Pressed::Cancel => {}
@@ -121,14 +61,14 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
     }
 }
 
-fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, height: f32) {
+fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
     let mut is_lesson = form.lesson.is_some();
     ui.horizontal(|ui| {
         ui.selectable_value(&mut is_lesson, true, t.of_lesson);
         ui.selectable_value(&mut is_lesson, false, t.of_exercises);
     });
     if is_lesson != form.lesson.is_some() {
-        (form.lesson, form.page) = (is_lesson.then(|| played(state)).flatten(), 0);
+        (form.lesson, form.page) = (is_lesson.then(|| played(learn)).flatten(), 0);
     }
     ui.add_space(4.0);
     let options = &mut form.options;
@@ -153,7 +93,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
                 ui.selectable_value(&mut options.columns, 2, t.small).explained(t.small_hint);
             });
             ui.add_space(4.0);
-            lessons(ui, t, state, open);
+            lessons(ui, t, model, learn, open);
         }
         None => {
             (options.plan, options.columns) = (false, 1);
@@ -161,7 +101,7 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
                 ui.label(t.numbers);
                 let mut seed = f64::from(form.seed);
                 let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
-                let shown = window::texts(state.settings.lang);
+                let shown = window::texts(model.settings.lang);
                 field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
                 let whole = seed as u32;
@@ -169,19 +109,19 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
             });
             ui.add_space(4.0);
             ui.label(t.choose);
-            chosen_exercises(ui, state, form, height - 150.0);
+            chosen_exercises(ui, model, learn, form, height - 150.0);
         }
     }
 }
 
 /// The lessons of the program, those of the folder, and the one that is played.
-fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
-    let lang = state.settings.lang;
+fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut OpenLesson) {
+    let lang = model.settings.lang;
     let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
-    let of_folder = state.own_lessons.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
+    let of_folder = learn.own.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
     let of_folder = of_folder.map(|(lesson, path)| OpenLesson { lesson, path, step: 0 });
     let mut all: Vec<OpenLesson> = of_program.chain(of_folder).collect();
-    let own = state.lesson.as_ref().and_then(|_| played(state));
+    let own = learn.lesson.as_ref().and_then(|_| played(learn));
     all.extend(
         own.filter(|own| all.iter().all(|other| (&other.path, &other.lesson.id) != (&own.path, &own.lesson.id))),
     );
@@ -204,11 +144,11 @@ fn lessons(ui: &mut Ui, t: &Texts, state: &State, chosen: &mut OpenLesson) {
 }
 
 /// A switch for each exercise. Their order on the sheet is the order in which they were chosen.
-fn chosen_exercises(ui: &mut Ui, state: &State, form: &mut HandoutForm, height: f32) {
-    let lang = state.settings.lang;
+fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
+    let lang = model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
     area.show(ui, |ui| {
-        for entry in state.exercises.entries() {
+        for entry in learn.exercises.entries() {
             let place = form.exercises.iter().position(|id| *id == *entry.id);
             let number = place.map_or_else(String::new, |place| format!("{}. ", place + 1));
             let mut on = place.is_some();
@@ -223,14 +163,14 @@ fn chosen_exercises(ui: &mut Ui, state: &State, form: &mut HandoutForm, height: 
 }
 
 /// The page as it will be, and the ways to the others.
-fn page(ui: &mut Ui, t: &Texts, state: &mut State, form: &mut HandoutForm, height: f32) {
-    let mut pages = state.file_flow.pages.take().unwrap_or_default();
+fn page(ui: &mut Ui, t: &Texts, learn: &Learn, file_flow: &mut FileFlow, form: &mut HandoutForm, height: f32) {
+    let mut pages = file_flow.pages.take().unwrap_or_default();
     let height = height - ui.spacing().interact_size.y - ui.spacing().item_spacing.y;
     let size = vec2(height * SHAPE, height).min(vec2(ui.available_width(), ui.available_width() / SHAPE));
     if form.is_whole() {
         let zoom = size.x * ui.pixels_per_point();
         let choices = (form.lesson.clone(), form.exercises.clone(), form.seed, form.options);
-        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(state));
+        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn));
     }
     let count = pages.count().max(1);
     form.page = form.page.min(count - 1);
@@ -266,5 +206,5 @@ fn page(ui: &mut Ui, t: &Texts, state: &mut State, form: &mut HandoutForm, heigh
             form.page += 1;
         }
     });
-    state.file_flow.pages = Some(pages);
+    file_flow.pages = Some(pages);
 }

@@ -5,6 +5,7 @@ pub(super) mod export_dialog;
 pub(super) mod family;
 pub mod family_choice;
 pub(super) mod handout_dialog;
+pub mod handout_form;
 pub(super) mod handout_pages;
 pub mod preview;
 

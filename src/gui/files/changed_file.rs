@@ -2,18 +2,19 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::gui::app::focus::with_room_before;
+use crate::gui::app::state::State;
 use crate::gui::files::file_flow;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State};
+use crate::gui::model::action::AfterSave;
 use crate::i18n::window;
 use crate::sanitize;
 
 /// Shows the bar, where there is something to say.
 pub fn bar(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.document.name()) else { return };
-    let changed = state.document.is_changed();
+    let t = window::texts(state.model.settings.lang);
+    let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.model.document.name()) else { return };
+    let changed = state.model.document.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
         let text = if changed { t.file_changed_unsaved } else { t.file_changed };
         let text = format!("⚠ {} {text}", sanitize::escaped(&name));
@@ -24,12 +25,12 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
         ui.horizontal(|ui| {
             with_room_before(ui, told, |ui| {
                 if changed && ui.button(t.compare).explained(t.compare_hint).clicked() {
-                    file_flow::ask_about(state, theirs, None);
+                    file_flow::ask_about(&mut state.file_flow, theirs, None);
                 } else if !changed && ui.button(t.reload).explained(t.reload_hint).clicked() {
                     file_flow::begin(ui.ctx(), state, AfterSave::Reload);
                 }
                 if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
-                    file_flow::keep_mine(state);
+                    file_flow::keep_mine(&mut state.file_flow);
                 }
             });
         });

@@ -11,19 +11,24 @@ use std::sync::Arc;
 use eframe::egui::{self, ViewportCommand};
 
 use super::file_kind::FileKind;
-use super::title_dialog::TitleForm;
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, Photograph, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
+use crate::gui::app::state::State;
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
-use crate::gui::gallery::Source;
-use crate::gui::inspector::state::compare;
-use crate::gui::model::document::Document;
-use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
-use crate::gui::state::{
-    AfterSave, Agreed, Asking, Changed, Chosen, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State,
-    Tab, Theirs,
+use crate::gui::files::questions::{
+    Agreed, Asking, Changed, Dialog, FileFlow, MESH_ENDINGS, Purpose, Theirs, TitleForm,
 };
+use crate::gui::inspector::state::compare;
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::model::Model;
+use crate::gui::model::action::{AfterSave, MeshFor};
+use crate::gui::model::document::Document;
+use crate::gui::model::layout::Tab;
+use crate::gui::model::message::{Message, NotExported};
+use crate::gui::model::source::Source;
+use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::lessons::OpenLesson;
 use crate::picture::file_beside;
 use crate::scene::{Shape, TextureSource};
@@ -32,16 +37,16 @@ use crate::share;
 /// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
 /// changes of the figure. Whatever replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
-    state.end_move();
-    state.settle_layout();
-    state.document.commit();
-    if !state.save_text() {
+    state.learn.end_move(&mut state.model);
+    state.model.settle_layout(state.learn.lesson.is_some());
+    state.model.document.commit();
+    if !state.learn.save_text(&mut state.model) {
         // The dialog says why.
-        state.file_flow.refused = state.message.take();
+        state.file_flow.refused = state.model.message.take();
         state.file_flow.dialog = Some(Dialog::UnsavedText(next));
     } else if next.replaces_figure()
-        && state.has_unsaved()
-        && !(next == AfterSave::WriteRecorded && state.is_recorded())
+        && state.learn.has_unsaved(&state.model)
+        && !(next == AfterSave::WriteRecorded && state.learn.is_recorded(&mut state.model))
     {
         state.file_flow.dialog = Some(Dialog::Unsaved(next));
     } else {
@@ -54,22 +59,22 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
             if let Ok(document) = Document::new(crate::gui::fresh(), None) {
-                state.take_over(document);
+                state.learn.take_over(&mut state.model, document);
             }
         }
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
-        AfterSave::Shipped(name) => open_shipped(state, name),
+        AfterSave::Shipped(name) => open_shipped(&mut state.model, &mut state.learn, name),
         AfterSave::Text(text) => match read::parse(&text).map(|figure| Document::new(figure, None)) {
-            Ok(Ok(document)) => state.take_over(document),
-            Ok(Err(error)) => state.say(Message::Camera(error)),
+            Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
+            Ok(Err(error)) => state.model.say(Message::Camera(error)),
             // The program wrote it, of a camera that it had measured: a test opens every one.
             Err(_) => {}
         },
-        AfterSave::Lesson(open) => state.play(open),
-        AfterSave::LeaveLesson => state.leave_lesson(),
-        AfterSave::WriteRecorded => state.write_recorded(),
-        AfterSave::ReadLesson => state.read_lesson_again(),
+        AfterSave::Lesson(open) => state.learn.play(&mut state.model, open),
+        AfterSave::LeaveLesson => state.learn.leave_lesson(&mut state.model),
+        AfterSave::WriteRecorded => state.learn.write_recorded(&mut state.model),
+        AfterSave::ReadLesson => state.learn.read_lesson_again(&mut state.model),
         AfterSave::Reload => reload(state),
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit => quit(ctx, state),
@@ -78,31 +83,31 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
 
 /// Goes on to the next document that closing would lose. Closes the window once there is none.
 fn quit(ctx: &egui::Context, state: &mut State) {
-    state.gather_held();
-    if let Some((_, document)) = state.kept.pop() {
+    state.learn.gather_held(&mut state.model);
+    if let Some((_, document)) = state.model.kept.pop() {
         // If the window is not closed after all, the figure is still there.
-        if state.has_unsaved() {
-            state.given_up.push((Source::of(&state.document), state.document.clone()));
+        if state.learn.has_unsaved(&state.model) {
+            state.model.given_up.push((Source::of(&state.model.document), state.model.document.clone()));
         }
-        state.take_over(document);
+        state.learn.take_over(&mut state.model, document);
         begin(ctx, state, AfterSave::Quit);
     } else if state.file_flow.exporting.is_empty() {
-        close(ctx, state);
+        close(ctx, &mut state.file_flow);
     } else {
         state.file_flow.dialog = Some(Dialog::Closing);
     }
 }
 
 /// Closes the window, whatever is going on.
-pub fn close(ctx: &egui::Context, state: &mut State) {
-    state.file_flow.may_close = true;
+pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
+    file_flow.may_close = true;
     ctx.send_viewport_cmd(ViewportCommand::Close);
 }
 
 /// Saves to the figure's own file. Asks for one where there is none.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
-    let named = || state.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
-    match state.document.path().cloned().or_else(named) {
+    let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
+    match state.model.document.path().cloned().or_else(named) {
         Some(path) => write(ctx, state, &path, then, Agreed::default()),
         None => ask(ctx, state, Purpose::Save(then)),
     }
@@ -112,19 +117,19 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// folders to choose: it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     // A figure that was made of a card has words of its own.
-    let asks_title = matches!(purpose, Purpose::Save(_)) && state.document.shipped_name().is_some();
-    if asks_title && state.file_flow.titled != Some(state.document.id()) {
-        let form = TitleForm::of(state, Some(purpose));
+    let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.document.shipped_name().is_some();
+    if asks_title && state.file_flow.titled != Some(state.model.document.id()) {
+        let form = TitleForm::of(&state.model, Some(purpose));
         state.file_flow.dialog = Some(Dialog::Title(form));
         return;
     }
     let kind = FileKind::of(state, &purpose);
-    let hands_out = state.in_browser && kind.wanted == Wanted::NewFile;
+    let hands_out = state.model.in_browser && kind.wanted == Wanted::NewFile;
     if hands_out && !matches!(purpose, Purpose::Save(_)) {
         chosen(ctx, state, purpose, kind.proposal());
     } else if state.file_flow.native && !hands_out {
         // The shell opens the dialog, in front of its window.
-        let (document, question) = (state.document.id(), Some(kind.question()));
+        let (document, question) = (state.model.document.id(), Some(kind.question()));
         state.file_flow.asking = Some(Asking { purpose, document, question, dialog: None });
         ctx.request_repaint();
     } else {
@@ -140,8 +145,8 @@ fn ask_in_window(state: &mut State, purpose: Purpose) {
 }
 
 /// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
-pub(in crate::gui) fn open_dialog(ctx: &egui::Context, state: &mut State, frame: &eframe::Frame) {
-    if let Some(asking) = &mut state.file_flow.asking
+pub(in crate::gui) fn open_dialog(ctx: &egui::Context, file_flow: &mut FileFlow, frame: &eframe::Frame) {
+    if let Some(asking) = &mut file_flow.asking
         && let Some(question) = asking.question.take()
     {
         asking.dialog = Some(OpenFileDialog::start(ctx, question, frame));
@@ -158,7 +163,7 @@ fn take_answer(ctx: &egui::Context, state: &mut State) {
 /// Goes on with the answer. It belongs to the document that was shown when the question came up.
 fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     let Some(Asking { purpose, document, .. }) = state.file_flow.asking.take() else { return };
-    let is_same = document == state.document.id();
+    let is_same = document == state.model.document.id();
     match (answer, purpose) {
         (FileAnswer::Cancelled, _) => {}
         // The next question may have a dialog again.
@@ -167,7 +172,7 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
         (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
             chosen(ctx, state, purpose, path);
         }
-        (FileAnswer::Chosen(path), _) => state.say(Message::OtherFigure(path)),
+        (FileAnswer::Chosen(path), _) => state.model.say(Message::OtherFigure(path)),
     }
 }
 
@@ -180,10 +185,10 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         export.format = PictureFormat::of(&path).unwrap_or(export.format);
         if export.transparent && !export.format.has_transparency() {
             let error = ExportError::NoTransparency(export.format);
-            return state.say(Message::NotExported(path, NotExported(error)));
+            return state.model.say(Message::NotExported(path, NotExported(error)));
         }
     }
-    let own = state.document.path() == Some(&path);
+    let own = state.model.document.path() == Some(&path);
     // A step is added to what is there.
     let adds = purpose.adds_step();
     let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
@@ -220,37 +225,39 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
-        Purpose::Mesh(which) => mesh(state, which, path),
-        Purpose::CompareWith => compare::with_file(state, path),
-        Purpose::Texture(object) => texture(state, &object, path),
-        Purpose::Photograph => photograph(state, path),
-        Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
-        Purpose::Step => state.add_step(path, &agreed),
+        Purpose::Mesh(which) => mesh(&mut state.model, which, path),
+        Purpose::CompareWith => compare::with_file(&mut state.model, path),
+        Purpose::Texture(object) => texture(&mut state.model, &object, path),
+        Purpose::Photograph => photograph(&mut state.model, path),
+        Purpose::Progress => {
+            save_bytes(&mut state.model, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed);
+        }
+        Purpose::Step => state.learn.add_step(&mut state.model, path, &agreed),
         Purpose::NewLesson => {
-            state.add_step(path, &agreed);
-            if state.lesson_file.as_deref() == Some(path) {
+            state.learn.add_step(&mut state.model, path, &agreed);
+            if state.learn.file.as_deref() == Some(path) {
                 begin(ctx, state, AfterSave::WriteRecorded);
             }
         }
-        Purpose::OwnLesson => state.copy_lesson(path, &agreed),
+        Purpose::OwnLesson => state.learn.copy_lesson(&mut state.model, path, &agreed),
         Purpose::LessonText(next) => {
-            if state.save_text_as(path, &agreed) {
+            if state.learn.save_text_as(&mut state.model, path, &agreed) {
                 begin(ctx, state, next);
             }
         }
         Purpose::Chart(block) => {
-            let saved = save_chart(&block, state.settings.lang, path, agreed.overwrite());
-            say_whether_saved(state, path, saved);
+            let saved = save_chart(&block, state.model.settings.lang, path, agreed.overwrite());
+            say_whether_saved(&mut state.model, path, saved);
         }
         Purpose::Animation(decomposition) => {
-            let what = ExportKind::Animation(decomposition, state.settings.theme);
+            let what = ExportKind::Animation(decomposition, state.model.settings.theme);
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
         Purpose::Handout(form) => {
-            let what = ExportKind::Handout(Box::new(form.job(state)));
+            let what = ExportKind::Handout(Box::new(form.job(&state.learn)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
-        Purpose::Exercises => state.exercises.look_into(Some(path.to_owned())),
+        Purpose::Exercises => state.learn.exercises.look_into(Some(path.to_owned())),
         Purpose::Folder => {
             state.gallery.look_into(path.to_owned());
             state.file_flow.dialog = Some(Dialog::Gallery);
@@ -261,31 +268,31 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     }
 }
 
-fn save_bytes(state: &mut State, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
+fn save_bytes(model: &mut Model, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
     let saved = bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite()));
-    say_whether_saved(state, path, saved);
+    say_whether_saved(model, path, saved);
 }
 
-fn say_whether_saved(state: &mut State, path: &Path, saved: Result<(), FileError>) {
+fn say_whether_saved(model: &mut Model, path: &Path, saved: Result<(), FileError>) {
     match saved {
-        Ok(()) => say_saved(state, path.to_owned()),
-        Err(error) => state.say(Message::File(path.to_owned(), error)),
+        Ok(()) => say_saved(model, path.to_owned()),
+        Err(error) => model.say(Message::File(path.to_owned(), error)),
     }
 }
 
 fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
-    let task = Task::new((&state.document, state.figure_as_shown()), state.settings.lang, what, to)
+    let task = Task::new((&state.model.document, state.model.figure_as_shown()), state.model.settings.lang, what, to)
         .with_family(state.family.clone(), state.operations.convention);
     state.file_flow.exporting.push(Exporting::start(ctx, task));
-    state.say(Message::Exporting);
+    state.model.say(Message::Exporting);
 }
 
 /// Puts a mesh file into the scene.
-fn mesh(state: &mut State, which: MeshFor, path: &Path) {
-    let named = files::named_in_figure(state.document.folder(), path);
+fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
+    let named = files::named_in_figure(model.document.folder(), path);
     match which {
-        MeshFor::New => state.insert_mesh(named),
-        MeshFor::Object(name) => state.document.edit(|figure| {
+        MeshFor::New => model.insert_mesh(named),
+        MeshFor::Object(name) => model.document.edit(|figure| {
             if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
                 object.shape = Some(Shape::Mesh { path: named });
             }
@@ -294,9 +301,9 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
 }
 
 /// Puts a picture on an object.
-fn texture(state: &mut State, object: &str, path: &Path) {
-    let named = files::named_in_figure(state.document.folder(), path);
-    state.document.edit(|figure| {
+fn texture(model: &mut Model, object: &str, path: &Path) {
+    let named = files::named_in_figure(model.document.folder(), path);
+    model.document.edit(|figure| {
         if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
             object.texture = Some(TextureSource::of(&named));
         }
@@ -304,9 +311,9 @@ fn texture(state: &mut State, object: &str, path: &Path) {
 }
 
 /// Puts a photograph under the image. One in the place of another keeps the opacity.
-fn photograph(state: &mut State, path: &Path) {
-    let file = files::named_in_figure(state.document.folder(), path);
-    state.document.edit(|figure| {
+fn photograph(model: &mut Model, path: &Path) {
+    let file = files::named_in_figure(model.document.folder(), path);
+    model.document.edit(|figure| {
         let opacity = figure.photograph.as_ref().map_or(Photograph::USUAL_OPACITY, |before| before.opacity);
         figure.photograph = Some(Photograph { file, opacity });
     });
@@ -321,13 +328,13 @@ fn open(state: &mut State, path: &Path) {
                 if !is_link {
                     state.recent.add(&path);
                 }
-                state.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
+                state.learn.play(&mut state.model, OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
             }
-            Err(error) => state.say(Message::File(path.to_owned(), error)),
+            Err(error) => state.model.say(Message::File(path.to_owned(), error)),
         };
     }
-    if let Some(kept) = state.take_kept(Some(&Source::File(files::whole(path)))) {
-        state.take_over(kept);
+    if let Some(kept) = state.model.take_kept(Some(&Source::File(files::whole(path)))) {
+        state.learn.take_over(&mut state.model, kept);
         state.file_flow.look = true;
         return;
     }
@@ -337,68 +344,69 @@ fn open(state: &mut State, path: &Path) {
             match Document::with_any_camera(figure, Some(file)) {
                 Ok(document) => {
                     let problem = document.problem().cloned();
-                    state.take_over(document);
+                    state.learn.take_over(&mut state.model, document);
                     if let Some(error) = problem {
-                        state.say(Message::Impossible(path.to_owned(), error));
+                        state.model.say(Message::Impossible(path.to_owned(), error));
                     } else if share::link_of(path).is_some() {
-                        state.say(Message::LinkOpened);
+                        state.model.say(Message::LinkOpened);
                     } else {
                         state.recent.add(&files::whole(path));
-                        state.say(Message::Opened(path.to_owned()));
+                        state.model.say(Message::Opened(path.to_owned()));
                     }
                 }
-                Err(error) => state.say(Message::NotOpened(path.to_owned(), error)),
+                Err(error) => state.model.say(Message::NotOpened(path.to_owned(), error)),
             }
         }
-        Err(error) => state.say(Message::File(path.to_owned(), error)),
+        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
     }
 }
 
 /// Goes on with a figure of the program.
-fn open_shipped(state: &mut State, name: &'static str) {
-    let kept = state.take_kept(Some(&Source::Shipped(name)));
+fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
+    let kept = model.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {
-        state.take_over(document);
+        learn.take_over(model, document);
     }
     // The figure of an exercise of the notes opens the exercise, not the list.
     if let Some(number) = name.strip_prefix("exercise-") {
-        state.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
+        learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
     }
 }
 
 /// Reads the figure's own file again, and goes on with it.
 fn reload(state: &mut State) {
-    if let Some(path) = state.document.path().cloned() {
+    if let Some(path) = state.model.document.path().cloned() {
         open(state, &path);
     }
 }
 
 /// Continues with the window's figure although the file holds another one. The same content is not asked about again.
-pub fn keep_mine(state: &mut State) {
-    state.file_flow.decided = state.file_flow.theirs.take();
+pub fn keep_mine(file_flow: &mut FileFlow) {
+    file_flow.decided = file_flow.theirs.take();
 }
 
 /// Asks about the content of another program in the figure's file.
-pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
-    state.file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSave>) {
+    file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
 }
 
 /// The figure as it is written to `path`.
-fn for_folder(state: &State, path: &Path) -> Figure {
-    files::for_folder(&state.figure_to_save(), state.document.folder(), path.parent())
+fn for_folder(model: &Model, path: &Path) -> Figure {
+    files::for_folder(&model.figure_to_save(), model.document.folder(), path.parent())
 }
 
 /// The text that saving would write.
 #[must_use]
-pub fn text_to_save(state: &State) -> String {
-    let figure = state.document.path().map_or_else(|| state.figure_to_save(), |path| for_folder(state, path));
-    update(state.document.source(), &figure)
+pub fn text_to_save(model_state: &Model) -> String {
+    let figure =
+        model_state.document.path().map_or_else(|| model_state.figure_to_save(), |path| for_folder(model_state, path));
+    update(model_state.document.source(), &figure)
 }
 
 /// The text of the present screen, as links carry it.
 #[must_use]
-pub fn text_as_shown(state: &State) -> String {
-    update(state.document.source(), &state.figure_as_shown())
+pub fn text_as_shown(model: &Model) -> String {
+    update(model.document.source(), &model.figure_as_shown())
 }
 
 /// The present content of the figure's file, where it differs from the one read or saved last.
@@ -413,55 +421,55 @@ fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
 }
 
 fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>, agreed: Agreed) {
-    if let Some(error) = state.document.problem().filter(|_| state.document.has_stand_in_camera()) {
-        state.say(Message::NotSaved(error.clone()));
+    if let Some(error) = state.model.document.problem().filter(|_| state.model.document.has_stand_in_camera()) {
+        state.model.say(Message::NotSaved(error.clone()));
         return;
     }
-    if let Some(theirs) = theirs(&state.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
-        return ask_about(state, theirs, then);
+    if let Some(theirs) = theirs(&state.model.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
+        return ask_about(&mut state.file_flow, theirs, then);
     }
     if !agreed.read_only && files::is_read_only(path) {
         state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
         return;
     }
-    let figure = for_folder(state, path);
-    let text = update(state.document.source(), &figure);
+    let figure = for_folder(&state.model, path);
+    let text = update(state.model.document.source(), &figure);
     match files::save(path, text.as_bytes(), agreed.overwrite()) {
         Ok(()) => {
-            if figure.scene != state.document.figure().scene {
-                state.document.edit(|own| own.scene = figure.scene);
+            if figure.scene != state.model.document.figure().scene {
+                state.model.document.edit(|own| own.scene = figure.scene);
             }
-            state.document.mark_saved(path.to_owned(), text, figure.screen);
+            state.model.document.mark_saved(path.to_owned(), text, figure.screen);
             state.recent.add(path);
             state.file_flow.theirs = None;
             state.file_flow.decided = None;
-            say_saved(state, path.to_owned());
+            say_saved(&mut state.model, path.to_owned());
             if let Some(then) = then {
                 go_on(ctx, state, then);
             }
         }
-        Err(error) => state.say(Message::File(path.to_owned(), error)),
+        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
     }
 }
 
 /// Says that a file has been written: to where it was wanted, or into the hands of a browser.
-fn say_saved(state: &mut State, path: PathBuf) {
-    state.say(if state.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
+fn say_saved(model: &mut Model, path: PathBuf) {
+    model.say(if model.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
 }
 
 /// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
 /// restored.
-fn watch(ctx: &egui::Context, state: &mut State) {
+fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
-    if std::mem::take(&mut state.file_flow.look) || focused {
-        state.file_flow.watch.begin(ctx, &state.document);
+    if std::mem::take(&mut file_flow.look) || focused {
+        file_flow.watch.begin(ctx, &model.document);
     }
-    match state.file_flow.watch.take(&state.document) {
-        Some(FileChange::Other(theirs)) if state.file_flow.decided.as_ref() != Some(&theirs) => {
-            state.file_flow.theirs = Some(theirs);
+    match file_flow.watch.take(&model.document) {
+        Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {
+            file_flow.theirs = Some(theirs);
         }
         // As it was: there is nothing to say any more.
-        Some(FileChange::Same(_)) => (state.file_flow.theirs, state.file_flow.decided) = (None, None),
+        Some(FileChange::Same(_)) => (file_flow.theirs, file_flow.decided) = (None, None),
         Some(FileChange::Other(_) | FileChange::Gone) | None => {}
     }
 }
@@ -469,11 +477,11 @@ fn watch(ctx: &egui::Context, state: &mut State) {
 /// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
 pub fn poll(ctx: &egui::Context, state: &mut State) {
     take_answer(ctx, state);
-    take_exports(ctx, state);
+    take_exports(ctx, &mut state.model, &mut state.file_flow);
     if !state.file_flow.is_closing() {
-        state.kept.append(&mut state.given_up);
+        state.model.kept.append(&mut state.model.given_up);
     }
-    watch(ctx, state);
+    watch(ctx, &state.model, &mut state.file_flow);
     take_given(ctx, state);
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         if state.would_lose_something() {
@@ -484,7 +492,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         }
     }
     if state.file_flow.dialog.is_none() && state.file_flow.asking.is_none() && !state.file_flow.may_close {
-        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.document.id());
+        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.model.document.id());
         state.file_flow.dialog = covered.map(|(_, dialog)| dialog);
     }
 }
@@ -497,7 +505,7 @@ fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
     }
     // The answer of a dialog of the system is not waited for any more.
     state.file_flow.asking = None;
-    let document = state.document.id();
+    let document = state.model.document.id();
     state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
     begin(ctx, state, AfterSave::Quit);
 }
@@ -521,8 +529,8 @@ fn take_given(ctx: &egui::Context, state: &mut State) {
     }
     take_file(ctx, state, path.clone());
     // An error matters more. The files that come with one to a page are those that it names.
-    if count > 1 && !state.in_browser && !state.message.as_ref().is_some_and(Message::is_error) {
-        state.say(Message::FirstOfDropped(path, count));
+    if count > 1 && !state.model.in_browser && !state.model.message.as_ref().is_some_and(Message::is_error) {
+        state.model.say(Message::FirstOfDropped(path, count));
     }
 }
 
@@ -533,23 +541,23 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
         return begin(ctx, state, AfterSave::OpenPath(path));
     }
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
-    let mut shapes = state.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
-    if state.in_browser && shapes.any(is_this) {
+    let mut shapes = state.model.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    if state.model.in_browser && shapes.any(is_this) {
         // The scene names it, and had to do without it.
-        return state.scene_cache.read_again();
+        return state.model.scene_cache.read_again();
     }
-    mesh(state, MeshFor::New, &path);
-    state.settings.tab = Tab::Scene;
+    mesh(&mut state.model, MeshFor::New, &path);
+    state.model.settings.tab = Tab::Scene;
 }
 
 /// Reports finished exports. A window that waits for them closes with the last one, unless one has failed: nobody would
 /// see that.
-fn take_exports(ctx: &egui::Context, state: &mut State) {
+fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
     let mut failed = false;
-    for (path, result) in state.file_flow.exported() {
+    for (path, result) in file_flow.exported() {
         let message = match result {
             Ok(None) => {
-                say_saved(state, path);
+                say_saved(model, path);
                 continue;
             }
             Ok(Some(over_budget)) => Message::SavedOtherwise(path, over_budget),
@@ -558,12 +566,12 @@ fn take_exports(ctx: &egui::Context, state: &mut State) {
                 Message::NotExported(path, NotExported(error))
             }
         };
-        state.say(message);
+        model.say(message);
     }
-    if state.file_flow.dialog == Some(Dialog::Closing) && (failed || state.file_flow.exporting.is_empty()) {
-        state.file_flow.dialog = None;
+    if file_flow.dialog == Some(Dialog::Closing) && (failed || file_flow.exporting.is_empty()) {
+        file_flow.dialog = None;
         if !failed {
-            close(ctx, state);
+            close(ctx, file_flow);
         }
     }
 }
@@ -584,7 +592,7 @@ mod tests {
         let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
         let export = Export::new([[4, 3]; 3], 1.0);
         let (what, to) = (ExportKind::Pictures(export), (PathBuf::from("a.png"), Overwrite::Writable));
-        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
         let exporting = Exporting::with(&ctx, task, make);
         state.file_flow.exporting.push(exporting);
         (ctx, state)
@@ -617,7 +625,7 @@ mod tests {
     fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
         let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
         until_done(&ctx, &mut state);
-        let message = state.message.expect("said");
+        let message = state.model.message.expect("said");
         let text = message.text(Lang::En);
         assert!(message.is_error() && text.contains("bug in this program") && text.contains("a.png"));
     }
@@ -630,7 +638,7 @@ mod tests {
         let path = folder.join("copy.toml");
         for is_same in [false, true] {
             // The title of the figure has been asked for.
-            state.file_flow.titled = Some(state.document.id());
+            state.file_flow.titled = Some(state.model.document.id());
             ask(&ctx, &mut state, Purpose::Save(None));
             assert!(state.file_flow.is_asking());
             if !is_same {
@@ -638,8 +646,8 @@ mod tests {
             }
             answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
             assert!(!state.file_flow.is_asking());
-            assert_eq!((path.exists(), state.document.path().is_some()), (is_same, is_same));
-            assert_eq!(matches!(state.message, Some(Message::OtherFigure(_))), !is_same);
+            assert_eq!((path.exists(), state.model.document.path().is_some()), (is_same, is_same));
+            assert_eq!(matches!(state.model.message, Some(Message::OtherFigure(_))), !is_same);
         }
         // A lack of dialogs is no reason to have none for the next question.
         ask(&ctx, &mut state, Purpose::Open);
@@ -686,6 +694,6 @@ mod tests {
         let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
-        assert!(state.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
+        assert!(state.model.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
     }
 }

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use crate::export::format::PictureFormat;
+use crate::gui::app::state::State;
+use crate::gui::files::questions::{MESH_ENDINGS, Purpose, TEXTURE_ENDINGS};
 use crate::gui::platform::native::{FileQuestion, Wanted};
-use crate::gui::state::{MESH_ENDINGS, Purpose, State, TEXTURE_ENDINGS};
 use crate::i18n::learn::{exercise_window, handouts, lessons};
 use crate::i18n::why::explain;
 use crate::i18n::window::search::folded;
@@ -49,12 +50,12 @@ pub(in crate::gui) struct FileKind {
 impl FileKind {
     /// The kind of file that is asked for.
     pub(in crate::gui) fn of(state: &State, purpose: &Purpose) -> Self {
-        let lang = state.settings.lang;
+        let lang = state.model.settings.lang;
         let (t, exercises, film) = (window::texts(lang), exercise_window::texts(lang), explain::texts(lang));
-        let title = state.document.figure().title.as_ref().filter(|_| !state.document.has_words_of_card());
+        let title = state.model.document.figure().title.as_ref().filter(|_| !state.model.document.has_words_of_card());
         let title = title.and_then(|title| from_title(told(lang, title)));
-        let named = if state.document.path().is_some() { None } else { title };
-        let figure = named.or_else(|| state.document.name()).unwrap_or_else(|| t.untitled_file.to_owned());
+        let named = if state.model.document.path().is_some() { None } else { title };
+        let figure = named.or_else(|| state.model.document.name()).unwrap_or_else(|| t.untitled_file.to_owned());
         let figure = PathBuf::from(figure);
         let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let save_action = t.save_action;
@@ -96,7 +97,7 @@ impl FileKind {
             Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText(_) => {
                 let t = lessons::texts(lang);
                 let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
-                let copied = state.lesson.as_ref().filter(|_| !purpose.adds_step());
+                let copied = state.learn.lesson.as_ref().filter(|_| !purpose.adds_step());
                 let name = copied.map(|playing| format!("{}.toml", playing.lesson.id));
                 let (title, action) =
                     if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };
@@ -136,8 +137,8 @@ impl FileKind {
             Purpose::Exercises => (Wanted::Folder, exercises.own_open, t.open_action, Vec::new(), String::new()),
         };
         // A figure without a folder goes to that of the last file.
-        let last = state.recent.files.first().filter(|_| !state.in_browser && wanted == Wanted::NewFile);
-        let folder = state.document.folder().or_else(|| last.and_then(|path| path.parent()));
+        let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
+        let folder = state.model.document.folder().or_else(|| last.and_then(|path| path.parent()));
         let folder = folder.map(Path::to_owned).unwrap_or_default();
         Self { wanted, title, action, filters, name, folder }
     }

@@ -7,11 +7,16 @@ use eframe::egui::{self, RichText};
 use super::file_flow;
 use crate::figure::Figure;
 use crate::files::{self, SHIPPED};
-use crate::gui::inspector::complaint;
+use crate::gui::app::state::State;
+use crate::gui::background::memo::Memo;
+use crate::gui::files::questions::Dialog;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Message, State};
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::message::Message;
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::sharing;
@@ -22,7 +27,7 @@ use crate::share::{self, Held, ShareError};
 
 /// Shows the dialog; `first`: it has just been opened.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
-    let words = sharing::texts(state.settings.lang);
+    let words = sharing::texts(state.model.settings.lang);
     ui.heading(words.title);
     ui.add_space(6.0);
     ui.label(words.text);
@@ -32,30 +37,30 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     if address.is_empty()
         && let Some(why) = &state.file_flow.refused
     {
-        complaint(ui, &why.text(state.settings.lang));
+        complaint(ui, &why.text(state.model.settings.lang));
         ui.add_space(6.0);
     }
-    if let Some(playing) = state.lesson.as_mut().filter(|playing| playing.path.is_some()) {
+    if let Some(playing) = state.learn.lesson.as_mut().filter(|playing| playing.path.is_some()) {
         ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
         ui.add_space(6.0);
     }
-    let link = link(state, &address, first);
+    let link = link(&state.model, &state.learn, &mut state.shown_link, &address, first);
     match &link {
         Ok(link) => {
             // Where the clipboard is out of reach, it can be copied from here.
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
             let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));
-            field.show(ui, state.settings.lang).accessible_name(words.link);
+            field.show(ui, state.model.settings.lang).accessible_name(words.link);
             let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
             ui.label(RichText::new(length).small().weak());
         }
-        Err(error) => complaint(ui, &messages::link(state.settings.lang, *error)),
+        Err(error) => complaint(ui, &messages::link(state.model.settings.lang, *error)),
     }
-    let whole = state.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
+    let whole = state.learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
     let own = match whole {
         Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
-        None => own_files(state.document.figure()),
+        None => own_files(state.model.document.figure()),
     };
     let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
     if !own.is_empty() {
@@ -74,7 +79,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
             if let Ok(link) = link {
                 let length = link.len();
                 ui.ctx().copy_text(link);
-                state.say(Message::LinkCopied(length));
+                state.model.say(Message::LinkCopied(length));
             }
         }
         Pressed::Cancel => {}
@@ -86,33 +91,36 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
 ///
 /// # Errors
 /// [`ShareError`] if the figure makes it too long.
-pub(in crate::gui) fn link(state: &mut State, address: &str, first: bool) -> Result<String, ShareError> {
-    let mut shown = std::mem::take(&mut state.shown_link);
+pub(in crate::gui) fn link(
+    model: &Model,
+    learn: &Learn,
+    shown_link: &mut Memo<(String, bool), Result<String, ShareError>>,
+    address: &str,
+    first: bool,
+) -> Result<String, ShareError> {
     if first {
-        shown.forget();
+        shown_link.forget();
     }
-    let is_whole = state.lesson.as_ref().is_some_and(|playing| playing.links_whole);
-    let link = shown.of((address.to_owned(), is_whole), |_| made(state, address)).clone();
-    state.shown_link = shown;
-    link
+    let is_whole = learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
+    shown_link.of((address.to_owned(), is_whole), |_| made(model, learn, address)).clone()
 }
 
 /// The link: of a lesson of the program to its step, else with the whole figure in it.
-fn made(state: &State, address: &str) -> Result<String, ShareError> {
-    let of_program = state.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
+fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareError> {
+    let of_program = learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
-        let lang = state.settings.lang.tag();
+        let lang = model.settings.lang.tag();
         return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
     }
-    if let Some(text) = whole_lesson(state) {
+    if let Some(text) = whole_lesson(learn) {
         return share::link(address, Held::Lesson, &text);
     }
-    share::link(address, Held::Figure, &file_flow::text_as_shown(state))
+    share::link(address, Held::Figure, &file_flow::text_as_shown(model))
 }
 
 /// The text of the lesson of the user's own that is played, where the link is to hold it whole.
-fn whole_lesson(state: &State) -> Option<String> {
-    let playing = state.lesson.as_ref().filter(|playing| playing.links_whole)?;
+fn whole_lesson(learn: &Learn) -> Option<String> {
+    let playing = learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
     files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
 }
 
@@ -126,7 +134,7 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: 
     let address = &mut state.page_address;
     let field = TextField::line(address, MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
-    let field = field.show(ui, state.settings.lang).labelled_by(label.id);
+    let field = field.show(ui, state.model.settings.lang).labelled_by(label.id);
     if first && address.is_empty() && state.file_flow.refused.is_some() {
         field.request_focus();
     }

@@ -6,7 +6,7 @@ pub mod file_flow;
 pub(super) mod file_kind;
 pub(super) mod link_dialog;
 pub(super) mod qr;
-pub(super) mod questions;
+pub mod questions;
 pub(super) mod sequence;
 pub mod title_dialog;
 pub(super) mod watch;

@@ -4,7 +4,8 @@ use eframe::egui::{self, Align2, Color32, Key, Modifiers, Rect, Sense, TextStyle
 use qrcode::{Color, EcLevel, QrCode};
 
 use super::link_dialog;
-use crate::gui::state::{Dialog, State};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::Dialog;
 use crate::i18n::window::sharing;
 
 /// The free border around the code, in modules: as the standard asks for.
@@ -13,9 +14,9 @@ const QUIET: usize = 4;
 /// Fills the window with the code, dark on light in every theme: cameras read nothing else well. `first`: it has just
 /// been opened.
 pub(in crate::gui) fn show(ctx: &egui::Context, state: &mut State, first: bool) {
-    let t = sharing::texts(state.settings.lang);
+    let t = sharing::texts(state.model.settings.lang);
     let address = state.own_address.clone().unwrap_or_else(|| state.page_address.clone());
-    let link = link_dialog::link(state, &address, first);
+    let link = link_dialog::link(&state.model, &state.learn, &mut state.shown_link, &address, first);
     let code = link.as_ref().ok().and_then(|link| QrCode::with_error_correction_level(link, EcLevel::L).ok());
     let rect = ctx.content_rect();
     let mut closes = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));

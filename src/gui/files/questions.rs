@@ -5,58 +5,21 @@ use std::path::{Path, PathBuf};
 
 use crate::camera::Decomposition;
 use crate::export::plot::Block;
+use crate::figure::Bilingual;
 use crate::files::Overwrite;
 use crate::gui::background::worker::Running;
-use crate::gui::export::handout_dialog::HandoutForm;
+use crate::gui::export::handout_form::HandoutForm;
 use crate::gui::export::handout_pages::PagesPreview;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::files::comparison::Comparison;
-use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::files::watch::Watch;
+use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::model::action::{AfterSave, MeshFor};
 use crate::gui::model::history::Revision;
+use crate::gui::model::message::Message;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
-use crate::gui::state::{CompareForm, Message};
 use crate::gui::storage::session::NewsList;
-use crate::lessons::OpenLesson;
-
-/// An action to be done once nothing can be lost any more.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum AfterSave {
-    /// The default figure.
-    New,
-    /// Ask for a file and open it.
-    Open,
-    /// Open this file.
-    OpenPath(PathBuf),
-    /// Open the figure of the program with this name.
-    Shipped(&'static str),
-    /// Open the figure of this text.
-    Text(String),
-    /// Play this lesson.
-    Lesson(OpenLesson),
-    /// End the lesson. The figure of its step stays.
-    LeaveLesson,
-    /// Write the lesson to which steps were added last.
-    WriteRecorded,
-    /// Read the file of the lesson that is written again.
-    ReadLesson,
-    /// Read the figure's own file again.
-    Reload,
-    /// Restore the session of this slot.
-    Restore(usize),
-    /// Close the window.
-    Quit,
-}
-
-impl AfterSave {
-    /// True if the figure of the window is lost with it.
-    #[must_use]
-    pub fn replaces_figure(&self) -> bool {
-        // Work in the steps of a lesson is kept where its file is read again.
-        !matches!(self, Self::LeaveLesson | Self::ReadLesson)
-    }
-}
 
 /// The purpose of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,15 +72,6 @@ impl Purpose {
     }
 }
 
-/// The use of a mesh file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum MeshFor {
-    /// A new object.
-    New,
-    /// This object, by name.
-    Object(String),
-}
-
 /// The endings of mesh files.
 pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 
@@ -153,6 +107,19 @@ pub struct Changed {
     pub then: Option<AfterSave>,
     /// The lines that differ, once they are wanted.
     pub comparison: Option<Comparison>,
+}
+
+/// The words of a figure as they are typed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TitleForm {
+    pub(super) title: Bilingual,
+    pub(super) caption: Bilingual,
+    /// The words of the gallery's card, of which the figure was made.
+    pub(super) of_card: [Option<Bilingual>; 2],
+    /// The save that goes with it.
+    pub(super) then: Option<Purpose>,
+    /// The file, once it has another name than the title gives it.
+    pub(super) path: Option<String>,
 }
 
 /// A question in the window.

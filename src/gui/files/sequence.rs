@@ -5,13 +5,18 @@
 //! Closing the window asks about it.
 
 use crate::files::{SHIPPED_FIGURES, open_figure};
-use crate::gui::gallery::{Source, figures_in};
+use crate::gui::app::annotations::Annotations;
+use crate::gui::app::state::State;
+use crate::gui::gallery::figures_in;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::gui::model::document::Document;
-use crate::gui::state::{Message, State};
+use crate::gui::model::message::Message;
+use crate::gui::model::source::Source;
 
 /// The sequence of the open figure, and its place in it. A new figure comes before the built-in ones.
-fn places(state: &State) -> (Vec<Option<Source>>, usize) {
-    let here = Source::of(&state.document);
+fn places(model_state: &Model) -> (Vec<Option<Source>>, usize) {
+    let here = Source::of(&model_state.document);
     let of_program = || SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect();
     let files = match &here {
         Some(Source::File(path)) => path.parent().and_then(|folder| figures_in(folder).ok()),
@@ -20,7 +25,7 @@ fn places(state: &State) -> (Vec<Option<Source>>, usize) {
     let is_of_program = files.is_none();
     let mut places: Vec<Option<Source>> =
         files.map_or_else(of_program, |files| files.into_iter().map(|path| Some(Source::File(path))).collect());
-    if is_of_program && (here.is_none() || state.kept.iter().any(|(source, _)| source.is_none())) {
+    if is_of_program && (here.is_none() || model_state.kept.iter().any(|(source, _)| source.is_none())) {
         places.insert(0, None);
     }
     let at = places.iter().position(|place| *place == here).unwrap_or_else(|| {
@@ -31,8 +36,8 @@ fn places(state: &State) -> (Vec<Option<Source>>, usize) {
 }
 
 /// Opens the figure at a place, as it was left or as it is in its file.
-fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Box<Message>> {
-    if let Some(kept) = state.take_kept(place) {
+fn document_at(model: &mut Model, place: Option<&Source>) -> Result<Document, Box<Message>> {
+    if let Some(kept) = model.take_kept(place) {
         return Ok(kept);
     }
     let opened = match place {
@@ -50,43 +55,49 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
     }
 }
 
-fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
-    state.settle_layout();
-    let mut left = state.document.clone();
-    state.annotations.turn_page(source.clone(), Source::of(&document).as_ref());
-    state.take_over(document);
+fn keep_and_show(
+    model: &mut Model,
+    learn: &mut Learn,
+    annotations: &mut Annotations,
+    source: Option<Source>,
+    document: Document,
+) {
+    model.settle_layout(learn.lesson.is_some());
+    let mut left = model.document.clone();
+    annotations.turn_page(source.clone(), Source::of(&document).as_ref());
+    learn.take_over(model, document);
     // What was behind it is kept already.
     left.take_behind();
     if left.is_changed() {
-        state.kept.push((source, left));
+        model.kept.push((source, left));
     }
 }
 
 /// Moves on to the next figure, or back to the one before. Files that cannot be opened are skipped, and reported.
 /// Returns whether the window shows another figure now.
 pub(in crate::gui) fn step(state: &mut State, forwards: bool) -> bool {
-    state.document.commit();
-    let (places, at) = places(state);
+    state.model.document.commit();
+    let (places, at) = places(&state.model);
     let next = |at: usize| if forwards { Some(at + 1).filter(|next| *next < places.len()) } else { at.checked_sub(1) };
     let mut faults = Vec::new();
     let mut candidate = next(at);
     while let Some(index) = candidate {
-        match document_at(state, places[index].as_ref()) {
+        match document_at(&mut state.model, places[index].as_ref()) {
             Ok(document) => {
-                keep_and_show(state, places[at].clone(), document);
+                keep_and_show(&mut state.model, &mut state.learn, &mut state.annotations, places[at].clone(), document);
                 if let Some(Source::File(path)) = &places[index] {
                     state.recent.add(path);
                 }
                 // Another program may have gone on with the file.
                 state.file_flow.look = true;
-                state.say(passed_over(faults).unwrap_or(Message::Step { number: index + 1, of: places.len() }));
+                state.model.say(passed_over(faults).unwrap_or(Message::Step { number: index + 1, of: places.len() }));
                 return true;
             }
             Err(error) => faults.push(*error),
         }
         candidate = next(index);
     }
-    state.say(passed_over(faults).unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
+    state.model.say(passed_over(faults).unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
     false
 }
 
@@ -115,10 +126,10 @@ mod tests {
         let mut state = State::new(Start::default()).unwrap();
         let (figure, file) =
             figure_from(b"[camera]\nnear = 0.5\n").unwrap().at(Path::new("/no/such/folder/saved.toml"));
-        state.take_over(Document::new(figure, Some(file)).unwrap());
+        state.learn.take_over(&mut state.model, Document::new(figure, Some(file)).unwrap());
         assert!(step(&mut state, true));
-        assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
+        assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
         assert!(step(&mut state, true));
-        assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[1].name));
+        assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[1].name));
     }
 }

@@ -4,26 +4,15 @@ use eframe::egui::{self, Key, Modifiers, RichText};
 
 use super::file_kind::FileKind;
 use crate::figure::{Bilingual, Figure};
+use crate::gui::app::state::State;
+use crate::gui::files::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
-use crate::gui::state::{Dialog, Purpose, State};
+use crate::gui::model::Model;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, told};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
-
-/// The words of a figure as they are typed.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct TitleForm {
-    title: Bilingual,
-    caption: Bilingual,
-    /// The words of the gallery's card, of which the figure was made.
-    of_card: [Option<Bilingual>; 2],
-    /// The save that goes with it.
-    then: Option<Purpose>,
-    /// The file, once it has another name than the title gives it.
-    path: Option<String>,
-}
 
 /// The answer of the dialog, if the figure is saved with its words.
 pub(in crate::gui) enum Answer {
@@ -36,9 +25,9 @@ pub(in crate::gui) enum Answer {
 impl TitleForm {
     /// The words of the figure, or none if they are those of a card and the figure is another one by now. `then` is the
     /// save that goes with it.
-    pub(in crate::gui) fn of(state: &State, then: Option<Purpose>) -> Self {
-        let Figure { title, caption, .. } = state.document.figure();
-        if state.document.has_words_of_card() {
+    pub(in crate::gui) fn of(model: &Model, then: Option<Purpose>) -> Self {
+        let Figure { title, caption, .. } = model.document.figure();
+        if model.document.has_words_of_card() {
             return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
         }
         let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
@@ -98,7 +87,7 @@ pub(in crate::gui) fn show(
     ui.add_space(10.0);
     let actions: &[&str] = match path {
         None => &[t.title_action],
-        Some(_) if state.file_flow.native && !state.in_browser => &[t.title_choose, t.save_action],
+        Some(_) if state.file_flow.native && !state.model.in_browser => &[t.title_choose, t.save_action],
         Some(_) => &[t.save_action],
     };
     let last = actions.len() - 1;
@@ -108,10 +97,12 @@ pub(in crate::gui) fn show(
     };
     match pressed {
         Pressed::Action(which) if which == last && path.as_ref().is_none_or(|path| !path.trim().is_empty()) => {
-            let purpose = accept(state, form)?;
+            let purpose = accept(&mut state.model, &mut state.file_flow, form)?;
             Some(Answer::Save(purpose, path?.trim().to_owned()))
         }
-        Pressed::Action(which) if which < last => accept(state, form).map(Answer::Choose),
+        Pressed::Action(which) if which < last => {
+            accept(&mut state.model, &mut state.file_flow, form).map(Answer::Choose)
+        }
         Pressed::Cancel => None,
         Pressed::Action(_) | Pressed::Nothing => {
             state.file_flow.dialog = Some(Dialog::Title(form));
@@ -123,19 +114,19 @@ pub(in crate::gui) fn show(
 /// The file of a figure with this title.
 fn proposal(state: &State, purpose: &Purpose, title: Bilingual) -> String {
     let title = written(title);
-    let title = title.as_ref().map(|title| told(state.settings.lang, title));
+    let title = title.as_ref().map(|title| told(state.model.settings.lang, title));
     FileKind::of(state, purpose).with_name_of(title).proposal().display().to_string()
 }
 
-fn accept(state: &mut State, form: TitleForm) -> Option<Purpose> {
+fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Option<Purpose> {
     let [title, caption] = [form.title, form.caption].map(written);
-    let figure = state.document.figure();
+    let figure = model.document.figure();
     if (&figure.title, &figure.caption) != (&title, &caption) {
-        state.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
-        state.document.commit();
+        model.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
+        model.document.commit();
     }
     if form.then.is_some() {
-        state.file_flow.titled = Some(state.document.id());
+        file_flow.titled = Some(model.document.id());
     }
     form.then
 }

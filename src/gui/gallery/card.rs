@@ -11,32 +11,13 @@ use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::Bilingual;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
-use crate::gui::model::document::Document;
+use crate::gui::model::source::Source;
 use crate::i18n::{Lang, messages, pictures, told, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-
-/// The source of a figure.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Source {
-    /// Built into the program.
-    Shipped(&'static str),
-    /// A file.
-    File(PathBuf),
-}
-
-impl Source {
-    /// The source of a document; `None` means a new one.
-    pub(in crate::gui) fn of(document: &Document) -> Option<Self> {
-        match (document.path(), document.shipped_name()) {
-            (Some(path), _) => Some(Self::File(path.clone())),
-            (None, name) => name.map(Self::Shipped),
-        }
-    }
-}
 
 /// The size of a small picture in pixels.
 pub(super) const SIZE: Size = Size { width: 192, height: 144, scale: 1.0 };

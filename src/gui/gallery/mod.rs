@@ -14,9 +14,10 @@ use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
 use crate::gui::background::worker::Worker;
+use crate::gui::model::source::Source;
 use crate::i18n::window::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
-pub use card::{Source, figures_in};
+pub use card::figures_in;
 pub(super) use show::{Chosen, show};
 
 /// A part of the gallery.
@@ -143,7 +144,7 @@ impl Gallery {
     }
 
     /// Cancels the drawing of thumbnails. The gallery is closed.
-    pub(super) fn end(&mut self) {
+    pub(super) fn end(&self) {
         self.worker.cancel();
     }
 

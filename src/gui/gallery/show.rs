@@ -10,13 +10,14 @@ use eframe::egui::{
 };
 
 use super::card::SIZE;
-use super::{Gallery, Part, Source};
+use super::{Gallery, Part};
 use crate::appearance::Theme;
 use crate::files::{ShippedFigure, Topic};
-use crate::gui::app::focus::with_room_before;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::source::Source;
 use crate::i18n::Lang;
 use crate::i18n::window::gallery as words;
 use crate::i18n::window::gallery::Texts;

@@ -5,11 +5,12 @@ use eframe::egui::{self, Align, Button, Color32, Layout, Rect, Response, RichTex
 
 use crate::camera::ImageSize;
 use crate::figure::{Explanation, Figure};
+use crate::gui::files::questions::{Dialog, FileFlow};
+use crate::gui::inspector::state::coach::{Advice, Coach};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
-use crate::gui::kit::elide;
-use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Advice, Dialog, State};
+use crate::gui::kit::{elide, theme};
+use crate::gui::model::Model;
 use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 use crate::i18n::window::coach as words;
@@ -28,20 +29,20 @@ pub(in crate::gui) struct Brief {
 
 impl Brief {
     /// The last advice, until there is more. `None` in a presentation, where the space is for the keys.
-    pub(in crate::gui) fn of(state: &State) -> Option<Self> {
-        if state.settings.presentation {
+    pub(in crate::gui) fn of(model: &Model, coach: &Coach) -> Option<Self> {
+        if model.settings.presentation {
             return None;
         }
-        let lang = state.settings.lang;
+        let lang = model.settings.lang;
         let t = words::texts(lang);
-        let Some(Advice { diagnosis, health, .. }) = state.coach.newest_advice() else {
+        let Some(Advice { diagnosis, health, .. }) = coach.newest_advice() else {
             return Some(Self { text: t.looking.to_owned(), level: Level::Good, lang });
         };
         let worst = health.iter().map(|line| line.level).max().unwrap_or(Level::Good);
         let findings = diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
         let (text, level) = match diagnosis {
             Some(Diagnosis { camera_error: Some(_), .. }) => (t.one_finding.to_owned(), Level::Poor),
-            Some(diagnosis) if is_empty(state, diagnosis) => (t.image_empty.to_owned(), Level::Poor),
+            Some(diagnosis) if is_empty(model, diagnosis) => (t.image_empty.to_owned(), Level::Poor),
             Some(Diagnosis { visible: 0, .. }) => (words::camera_is(lang, worst), worst),
             _ if findings == 1 => (t.one_finding.to_owned(), Level::Fair.max(worst)),
             _ if findings > 1 => (format!("{findings} {}", t.many_findings), Level::Fair.max(worst)),
@@ -88,20 +89,20 @@ fn color(ui: &Ui, level: Level) -> Color32 {
 
 /// Whether nothing is visible although there's something to see. With an impossible camera the last good image stays,
 /// and a photograph without a scene is an image too.
-fn is_empty(state: &State, diagnosis: &Diagnosis) -> bool {
-    let is_photograph = state.scene_cache.scene().photograph.is_some()
+fn is_empty(model: &Model, diagnosis: &Diagnosis) -> bool {
+    let is_photograph = model.scene_cache.scene().photograph.is_some()
         && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);
     diagnosis.visible == 0 && diagnosis.camera_error.is_none() && !is_photograph
 }
 
 /// Explains an empty image over it, with the button of the repair.
-pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
-    let lang = state.settings.lang;
+pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, model: &mut Model, coach: &Coach) {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
-    let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
-    let Some(finding) = diagnosis.findings.first().filter(|_| is_empty(state, diagnosis)) else { return };
-    let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
-    let change = repair.map(|repair| change(state, &repair));
+    let Some(diagnosis) = coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
+    let Some(finding) = diagnosis.findings.first().filter(|_| is_empty(model, diagnosis)) else { return };
+    let (text, repair) = (words::finding(lang, finding, diagnosis, &model.document.figure().scene), finding.repair);
+    let change = repair.map(|repair| change(model, &repair));
     let room = picture.shrink2(vec2(16.0, 8.0));
     let width = room.width().min(420.0);
     let place = Rect::from_center_size(room.center(), vec2(width, room.height().min(110.0)));
@@ -117,17 +118,17 @@ pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
         });
     });
     if let Some(repair) = repair.filter(|_| pressed) {
-        state.apply_repair(repair);
+        model.apply_repair(repair);
         ui.request_repaint();
     }
 }
 
 /// The changes of a repair.
-fn change(state: &State, repair: &Repair) -> String {
+fn change(model: &Model, repair: &Repair) -> String {
     // The numbers in the fields, which may make no camera.
-    let camera = *state.document.draft();
-    let figure = Figure { camera, ..state.document.figure().without_scene() };
-    words::changes_in_symbols(state.settings.lang, &repair.changes(&figure))
+    let camera = *model.document.draft();
+    let figure = Figure { camera, ..model.document.figure().without_scene() };
+    words::changes_in_symbols(model.settings.lang, &repair.changes(&figure))
 }
 
 /// An action to take.
@@ -139,17 +140,24 @@ enum Wish {
 }
 
 /// The dialog with all there is to say.
-pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
-    let words = words::texts(state.settings.lang);
+pub(in crate::gui) fn show(
+    ui: &mut Ui,
+    t: &Texts,
+    model: &mut Model,
+    file_flow: &mut FileFlow,
+    coach: &Coach,
+    first: bool,
+) {
+    let words = words::texts(model.settings.lang);
     ui.heading(words.coach);
     let height = (ui.ctx().content_rect().height() - 150.0).max(120.0);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
     let mut wish = None;
-    area.show(ui, |ui| match state.coach.advice().cloned() {
+    area.show(ui, |ui| match coach.advice().cloned() {
         None => drop(ui.label(words.looking)),
         Some(advice) => {
-            findings(ui, state, &advice, &mut wish);
-            health(ui, state, &advice, &mut wish);
+            findings(ui, model, &advice, &mut wish);
+            health(ui, model, &advice, &mut wish);
             if ui.link(words.about_depth).clicked() {
                 wish = Some(Wish::Depth);
             }
@@ -158,15 +166,15 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: boo
     ui.add_space(8.0);
     let closed = !matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing);
     let Some(wish) = wish else {
-        state.file_flow.dialog = (!closed).then_some(Dialog::Coach);
+        file_flow.dialog = (!closed).then_some(Dialog::Coach);
         return;
     };
     match wish {
-        Wish::Repair(repair) => state.apply_repair(repair),
-        Wish::Camera(camera) => state.apply_camera(camera),
+        Wish::Repair(repair) => model.apply_repair(repair),
+        Wish::Camera(camera) => model.apply_camera(camera),
         Wish::Depth => {
-            state.file_flow.dialog = None;
-            state.show_explanation(Explanation::Depth);
+            file_flow.dialog = None;
+            model.show_explanation(Explanation::Depth);
         }
     }
     ui.request_repaint();
@@ -177,8 +185,8 @@ fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(theme::bold(12.5)));
 }
 
-fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
-    let lang = state.settings.lang;
+fn findings(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>) {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
     title(ui, t.findings);
     let Some(diagnosis) = &advice.diagnosis else {
@@ -189,20 +197,20 @@ fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
     if diagnosis.findings.is_empty() {
-        let ImageSize { width, height } = state.document.figure().image;
+        let ImageSize { width, height } = model.document.figure().image;
         let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
         ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
     }
     for finding in &diagnosis.findings {
-        let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));
-        if line(ui, &words::finding(lang, finding, diagnosis, &state.document.figure().scene), button) {
+        let button = finding.repair.map(|repair| (t.show_it, change(model, &repair)));
+        if line(ui, &words::finding(lang, finding, diagnosis, &model.document.figure().scene), button) {
             *wish = finding.repair.map(Wish::Repair);
         }
     }
 }
 
-fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
-    let lang = state.settings.lang;
+fn health(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>) {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
     if !advice.health.is_empty() {
         title(ui, t.health);
@@ -212,7 +220,7 @@ fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) 
         let sign = if health.level == Level::Good { "" } else { "⚠ " };
         let (name, level) = (words::quantity(lang, health.quantity), words::level(lang, health.level));
         ui.label(RichText::new(format!("{sign}{name}: {level}")).color(color));
-        let figure = state.document.figure();
+        let figure = model.document.figure();
         let change = |camera| words::changes_in_symbols(lang, &changes(&figure.camera, camera));
         let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
         if line(ui, &words::health(lang, health, &advice.camera, figure.style.depth_format), button) {

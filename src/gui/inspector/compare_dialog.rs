@@ -1,17 +1,19 @@
 //! The dialog that compares the figure with itself in another way. What is chosen is seen at once.
 
+use std::sync::Arc;
+
 use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2};
 
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
-use crate::gui::app::focus::at_right;
-use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
-use crate::gui::inspector::state::compare::{compared_with, end, in_window, keep_as_a, take};
+use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, keep_as_a, take};
+use crate::gui::kit::focus::at_right;
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{CompareForm, Dialog, Purpose, State};
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::compare as words;
@@ -19,53 +21,62 @@ use crate::i18n::window::compare::Texts as Words;
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 
 /// A button that opens the dialog.
-pub(in crate::gui) fn button(ui: &mut Ui, state: &mut State) {
-    let words = words::texts(state.settings.lang);
+pub(in crate::gui) fn button(ui: &mut Ui, model: &mut Model) {
+    let words = words::texts(model.settings.lang);
     if ui.button(words.command).explained(words.command_hint).clicked() {
-        state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+        model.actions.push(Action::Compare);
     }
 }
 
 /// Shows the dialog in a window of its own, which can be moved. The pictures beside it show what is chosen, and can be
-/// used.
-pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: CompareForm) {
-    let words = words::texts(state.settings.lang);
+/// used. The form, while it stays open. While the user `draws` on the views, Esc is for that.
+pub(in crate::gui) fn show(
+    ctx: &Context,
+    t: &Texts,
+    (model, camera_a): (&mut Model, &mut Option<Arc<Figure>>),
+    form: CompareForm,
+    draws: bool,
+) -> Option<CompareForm> {
+    let words = words::texts(model.settings.lang);
     let mut open = true;
     let corner = ctx.content_rect().left_bottom() + vec2(8.0, -8.0);
     let mut kept = Some(form);
     let window = Window::new(words.title).id(Id::unique("compare")).open(&mut open).collapsible(true).resizable(false);
     window.pivot(Align2::LEFT_BOTTOM).default_pos(corner).constrain(true).show(ctx, |ui| {
         ui.set_width(440.0_f32.min(ctx.content_rect().width() - 60.0));
-        kept = kept.take().and_then(|form| content(ui, t, state, form));
+        kept = kept.take().and_then(|form| content(ui, t, model, camera_a, form));
     });
-    let is_left = ctx.input_mut(|input| !state.annotations.any() && input.consume_key(Modifiers::NONE, Key::Escape));
+    let is_left = ctx.input_mut(|input| !draws && input.consume_key(Modifiers::NONE, Key::Escape));
     let stays = kept.filter(|_| open && !is_left);
     if stays.is_none() {
-        end(state);
+        end(model);
     }
-    // A command may have opened another one meanwhile.
-    if state.file_flow.dialog.is_none() {
-        state.file_flow.dialog = stays.map(Dialog::Compare);
-    }
+    stays
 }
 
 /// The content of the window. The form, until it is closed.
-fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> Option<CompareForm> {
-    let words = words::texts(state.settings.lang);
+fn content(
+    ui: &mut Ui,
+    t: &Texts,
+    model: &mut Model,
+    camera_a: &mut Option<Arc<Figure>>,
+    mut form: CompareForm,
+) -> Option<CompareForm> {
+    let words = words::texts(model.settings.lang);
     ui.label(words.text);
     ui.add_space(6.0);
-    let mut chosen = others(ui, words, state);
-    chosen = pairs(ui, words, state).or(chosen);
-    chosen = angle(ui, t, words, state, &mut form).or(chosen);
-    chosen = operation(ui, words, state, &mut form).or(chosen);
-    chosen = key(ui, words, state, &mut form).or(chosen);
+    let mut chosen = others(ui, words, model, camera_a);
+    chosen = pairs(ui, words, model).or(chosen);
+    chosen = angle(ui, t, words, model, &mut form).or(chosen);
+    chosen = operation(ui, words, model, &mut form).or(chosen);
+    chosen = key(ui, words, model, &mut form).or(chosen);
     ui.separator();
-    chosen = options(ui, words, state).or(chosen);
+    chosen = options(ui, words, model).or(chosen);
     if let Some(figure) = chosen {
-        take(state, figure);
+        take(model, figure);
         ui.request_repaint();
     }
-    if let Some(why) = state.impossible_side() {
+    if let Some(why) = model.impossible_side() {
         complaint(ui, &why);
     }
     ui.add_space(8.0);
@@ -74,32 +85,32 @@ fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> 
 }
 
 /// A camera that was kept, another file, and the figure as it was saved.
-fn others(ui: &mut Ui, words: &Words, state: &mut State) -> Option<Figure> {
+fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<Arc<Figure>>) -> Option<Figure> {
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
         if ui.button(words.keep_short).explained(words.keep_hint).clicked() {
-            keep_as_a(state);
+            keep_as_a(model, camera_a);
         }
-        let with_a = ui.add_enabled(state.camera_a.is_some(), Button::new(words.with_a));
+        let with_a = ui.add_enabled(camera_a.is_some(), Button::new(words.with_a));
         if with_a.explained(words.with_a_hint).explained_disabled(words.with_a_none).clicked()
-            && let Some(a) = state.camera_a.clone()
+            && let Some(a) = camera_a.clone()
         {
-            chosen = Some(compared_with(state, &a));
+            chosen = Some(compared_with(model, &a));
         }
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::CompareWith);
+            model.actions.push(Action::CompareWith);
         }
-        let with_saved = ui.add_enabled(state.document.is_changed(), Button::new(words.with_saved));
+        let with_saved = ui.add_enabled(model.document.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {
-            chosen = Some(compared_with(state, &state.document.saved().clone()));
+            chosen = Some(compared_with(model, &model.document.saved().clone()));
         }
     });
     chosen
 }
 
 /// The ready pairs, and nothing.
-fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
-    let figure = state.document.figure();
+fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
+    let figure = model.document.figure();
     let compared = figure.compare.as_ref();
     let keys: Vec<&str> =
         compared.iter().flat_map(|comparison| &comparison.with).map(|(key, _)| key.as_str()).collect();
@@ -122,9 +133,9 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
             (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], false),
         ] {
             if offer(ui, is_of(key, pair[0]), name) {
-                let mut figure = in_window(state);
+                let mut figure = in_window(model);
                 if key == "camera.projection" {
-                    give_other_projection(state, &mut figure);
+                    give_other_projection(model, &mut figure);
                 }
                 let before = figure.compare.take().unwrap_or_default();
                 // Of two boxes each is to be seen whole.
@@ -137,20 +148,20 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
 }
 
 /// The height or the angle with which the other projection shows as much as this one does.
-fn give_other_projection(state: &State, figure: &mut Figure) {
+fn give_other_projection(model: &Model, figure: &mut Figure) {
     let other = match figure.camera.projection {
         Projection::Perspective => Projection::Parallel,
         Projection::Parallel => Projection::Perspective,
     };
-    if let Ok(camera) = state.document.camera().with_projection(other) {
+    if let Ok(camera) = model.document.camera().with_projection(other) {
         let (height, view_angle) = (camera.parameters().height, camera.parameters().view_angle);
         (figure.camera.height, figure.camera.view_angle) = (height, view_angle);
     }
 }
 
 /// θ now and another one.
-fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
-    let figure = state.document.figure();
+fn angle(ui: &mut Ui, t: &Texts, words: &Words, model: &Model, form: &mut CompareForm) -> Option<Figure> {
+    let figure = model.document.figure();
     let has_angle = figure.camera.projection == Projection::Perspective && figure.camera.window.is_none();
     let is_of_angle = |comparison: &Comparison| comparison.with.iter().any(|(key, _)| key == "camera.view_angle");
     let on = figure.compare.as_ref().is_some_and(|comparison| is_of_angle(comparison) && !comparison.is_of_camera());
@@ -167,14 +178,14 @@ fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut Compar
             Comparison { with: other.with, ops: Vec::new(), differences: false, ..before }
         };
         (has_angle && (button.clicked() || is_changed))
-            .then(|| Figure { compare: Some(comparison()), ..in_window(state) })
+            .then(|| Figure { compare: Some(comparison()), ..in_window(model) })
     })
     .inner
 }
 
 /// Before and after an operation.
-fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
-    let compared = state.document.figure().compare.as_ref();
+fn operation(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Option<Figure> {
+    let compared = model.document.figure().compare.as_ref();
     let on = compared.is_some_and(|comparison| !comparison.ops.is_empty());
     let mut chosen = None;
     let (mut why, mut is_typed) = (None, false);
@@ -189,7 +200,7 @@ fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) 
             Ok(operation) if clicked || changed && on => {
                 let before = compared.cloned().unwrap_or_default();
                 let comparison = Comparison { with: Vec::new(), ops: vec![operation], differences: false, ..before };
-                chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
+                chosen = Some(Figure { compare: Some(comparison), ..in_window(model) });
             }
             Ok(_) => {}
             Err(error) => why = Some(messages::operation(words.lang, &error)),
@@ -202,8 +213,8 @@ fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) 
 }
 
 /// Any key and another value of it.
-fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
-    let compared = state.document.figure().compare.as_ref();
+fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Option<Figure> {
+    let compared = model.document.figure().compare.as_ref();
     let typed = read::typed_comparison(&form.key);
     let on = matches!((&typed, compared), (Ok(typed), Some(compared)) if typed.with == compared.with);
     let mut chosen = None;
@@ -217,7 +228,7 @@ fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Opt
         if let (Ok(typed), true) = (&typed, clicked || entered) {
             let before = compared.cloned().unwrap_or_default();
             let comparison = Comparison { with: typed.with.clone(), ops: Vec::new(), ..before };
-            chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
+            chosen = Some(Figure { compare: Some(comparison), ..in_window(model) });
         }
     });
     if let Err(error) = typed {
@@ -227,8 +238,8 @@ fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Opt
 }
 
 /// How it is compared.
-fn options(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
-    let compared = state.document.figure().compare.clone();
+fn options(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
+    let compared = model.document.figure().compare.clone();
     let old = compared.clone().unwrap_or_default();
     let mut new = old.clone();
     let mut swapped = None;
@@ -236,11 +247,11 @@ fn options(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
         ui.horizontal_wrapped(|ui| {
             ui.checkbox(&mut new.differences, words.differences).explained(words.differences_hint);
             ui.checkbox(&mut new.beside, words.beside).explained(words.beside_hint);
-            let figure = in_window(state);
+            let figure = in_window(model);
             let other = compared.as_ref().and_then(|comparison| comparison.swapped(&figure));
             let button = ui.add_enabled(other.is_some(), Button::new(words.swap)).explained(words.swap_hint);
             swapped = other.filter(|_| button.clicked());
         });
     });
-    swapped.or_else(|| (new != old).then(|| Figure { compare: Some(new), ..in_window(state) }))
+    swapped.or_else(|| (new != old).then(|| Figure { compare: Some(new), ..in_window(model) }))
 }

@@ -4,24 +4,25 @@ use std::borrow::Cow;
 
 use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
-use crate::gui::state::{Conventions, State};
+use crate::gui::model::Model;
+use crate::gui::model::conventions::Conventions;
 use crate::i18n::why::conventions;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
 use crate::numbers::{self, DecimalMark, without_rests};
 
 /// The numbers of the figure in a convention of NDC.
-pub(in crate::gui) fn report(state: &State, ndc: Ndc) -> Option<Report> {
-    let figure = state.document.figure();
-    let space = state.document.camera().possible_clip_space(ndc);
+pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
+    let figure = model.document.figure();
+    let space = model.document.camera().possible_clip_space(ndc);
     Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
 }
 
 /// All numbers of the figure as text with all their digits, as programs read them.
-pub(in crate::gui) fn text(state: &State) -> String {
-    let (t, shown) = (window::texts(state.settings.lang), state.settings.conventions);
-    let Some(report) = report(state, shown.ndc) else { return String::new() };
-    let tables = |inverse: bool| tables(t, (state.document.camera(), &report), inverse, shown);
+pub(in crate::gui) fn text(model: &Model) -> String {
+    let (t, shown) = (window::texts(model.settings.lang), model.settings.conventions);
+    let Some(report) = report(model, shown.ndc) else { return String::new() };
+    let tables = |inverse: bool| tables(t, (model.document.camera(), &report), inverse, shown);
     let inverses = tables(true).into_iter().filter(|table| table.symbol.contains('⁻'));
     let mut text = String::new();
     for table in tables(false).into_iter().chain(inverses) {

@@ -5,12 +5,13 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::predict;
 use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
+use crate::gui::inspector::state::operations::{Operations, Scrub};
+use crate::gui::kit::context_help::help_topic_row;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::pictures::motion;
-use crate::gui::state::{Scrub, State};
-use crate::gui::why::context_help::help_topic_row;
 use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
@@ -69,57 +70,53 @@ pub(in crate::gui) fn step_name(freedom: Freedom, t: &Texts) -> String {
 }
 
 /// Shows the operations.
-pub fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let possible = state.document.problem().is_none();
+pub fn ui(ui: &mut egui::Ui, model: &mut Model, operations: &mut Operations) {
+    let t = window::texts(model.settings.lang);
+    let possible = model.document.problem().is_none();
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
-        ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, state, written));
+        ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, model, operations, written));
         let rows = ui.add_enabled_ui(possible, |ui| {
             for Descriptor { freedom, .. } in &OPERATIONS {
-                ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
+                ui.push_id(freedom, |ui| operation(ui, t, model, operations, *freedom));
             }
         });
         if !ui.rect_contains_pointer(rows.response.rect) {
-            state.operations.close_others();
+            operations.close_others();
         }
-        kept(ui, t, state);
+        kept(ui, t, model);
         more(ui, t, t.vtk, |ui| {
-            let mut vtk = state.operations.convention == Convention::Vtk;
+            let mut vtk = operations.convention == Convention::Vtk;
             ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
-            state.operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
+            operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
         });
     });
     if !ui.input(|input| input.pointer.any_down()) {
-        state.operations.scrub = None;
+        operations.scrub = None;
     }
 }
 
 /// One row with its buttons. Below the open one are its effect and its slider.
-fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
     let row = ui.scope(|ui| {
-        controls(ui, t, state, freedom);
-        if state.operations.shows(freedom) {
-            detail(ui, t, state, freedom);
+        controls(ui, t, model, operations, freedom);
+        if operations.shows(freedom) {
+            detail(ui, t, model, operations, freedom);
         }
     });
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     // What is to be predicted isn't shown.
-    if state.hover.ghost.is_none()
-        && hovered
-        && !state.operations.predict.on
-        && !ui.input(|input| input.pointer.any_down())
-    {
-        let before = state.document.camera().clone();
-        let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
-        state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
+    if model.hover.ghost.is_none() && hovered && !operations.predict.on && !ui.input(|input| input.pointer.any_down()) {
+        let before = model.document.camera().clone();
+        let operation = stepped(freedom, operations.steps[freedom as usize], true);
+        model.hover.ghost = Some(Ghost { before, operation, convention: operations.convention });
     }
 }
 
 /// The effect of the open operation, or how far it has been pulled, and its slider.
-fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
-    let amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
+fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
+    let amount = operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
     ui.scope(|ui| {
         ui.spacing_mut().interact_size.y = TEXT_LINE;
         let small = match amount {
@@ -128,23 +125,23 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Free
         };
         ui.add(egui::Label::new(small).truncate());
     });
-    ui.add_enabled_ui(!state.operations.predict.on, |ui| slider(ui, t, state, freedom));
-    let is_last = state.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
-    let keeps = is_last && state.operations.led_to(state.document.camera()).is_some();
+    ui.add_enabled_ui(!operations.predict.on, |ui| slider(ui, t, model, operations, freedom));
+    let is_last = operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
+    let keeps = is_last && operations.led_to(model.document.camera()).is_some();
     let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
     if is_last {
         number_field::answer_call(ui, &button, t.keep_operation);
     }
     if button.explained(t.keep_operation_hint).explained_disabled(t.keep_operation_disabled).clicked() {
-        let camera = state.document.camera().clone();
-        state.operations.keep(&camera, &mut state.document.show_mut().operations);
+        let camera = model.document.camera().clone();
+        operations.keep(&camera, &mut model.document.show_mut().operations);
     }
     ui.add_space(3.0);
 }
 
 /// The operations that the figure shows, and the button that takes them out.
-fn kept(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
-    let shown = &state.document.figure().show.operations;
+fn kept(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
+    let shown = &model.document.figure().show.operations;
     if shown.is_empty() {
         return;
     }
@@ -153,7 +150,7 @@ fn kept(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
         let taken_out = ui.button("✕").explained(t.take_out).accessible_name(t.take_out).clicked();
         ui.add(egui::Label::new(format!("{} {}", t.kept_operations, names.join(" · "))).wrap());
         if taken_out {
-            state.document.show_mut().operations.clear();
+            model.document.show_mut().operations.clear();
         }
     });
 }
@@ -181,12 +178,12 @@ fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
 }
 
 /// The name, which opens the operation, and − step +.
-fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
     let name = name(freedom, t);
     let error = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        let is_open = state.operations.shows(freedom);
-        let explained = explained(freedom, t, state.operations.convention);
+        let is_open = operations.shows(freedom);
+        let explained = explained(freedom, t, operations.convention);
         let sign = if is_open { "▾" } else { "▸" };
         let title = egui::Button::new(format!("{sign} {name}")).frame(false).truncate();
         let rest = 2.0 * BUTTON + STEP + 3.0 * ui.spacing().item_spacing.x;
@@ -211,11 +208,11 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
         let title = title.inner.explained(explained).accessible_name(name);
         title.widget_info(|| egui::WidgetInfo::selected(egui::Role::DisclosureTriangle, true, is_open, name));
         if title.clicked() {
-            state.operations.open(freedom);
-            state.operations.close_others();
+            operations.open(freedom);
+            operations.close_others();
         }
-        button(ui, t, state, freedom, false);
-        let step = &mut state.operations.steps[freedom as usize];
+        button(ui, t, model, operations, freedom, false);
+        let step = &mut operations.steps[freedom as usize];
         let title = step_name(freedom, t);
         let field = match freedom.descriptor().amount {
             Amount::Factor => NumberField::new(title, Step::Multiply(1.1)).prefix("×"),
@@ -223,7 +220,7 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
             Amount::Angle => NumberField::angle(title, 5.0),
         };
         let error = field.positive().width(STEP).hint(t.step_hint).show(ui, t, step).error;
-        button(ui, t, state, freedom, true);
+        button(ui, t, model, operations, freedom, true);
         error
     });
     if let Some(error) = error.inner {
@@ -235,18 +232,25 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
 const BUTTON: f32 = 38.0;
 const STEP: f32 = 58.0;
 
-fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
+fn button(
+    ui: &mut egui::Ui,
+    t: &Texts,
+    model: &mut Model,
+    operations: &mut Operations,
+    freedom: Freedom,
+    forwards: bool,
+) {
     let sign = if forwards { "+" } else { "−" };
-    let arrow = motion::arrow(state.document.camera(), freedom, forwards, state.operations.convention);
+    let arrow = motion::arrow(model.document.camera(), freedom, forwards, operations.convention);
     let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
     let button = egui::Button::new(text).min_size(egui::vec2(BUTTON, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
-    if ui.add(button).accessible_name(name).explained(explained(freedom, t, state.operations.convention)).clicked() {
-        let step = state.operations.steps[freedom as usize];
+    if ui.add(button).accessible_name(name).explained(explained(freedom, t, operations.convention)).clicked() {
+        let step = operations.steps[freedom as usize];
         let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
-        state.operations.open(freedom);
-        if !state.predict_first(freedom, amount) {
-            motion::begin(state, freedom, amount);
+        operations.open(freedom);
+        if !operations.predict_first(model, freedom, amount) {
+            motion::begin(model, operations, freedom, amount);
         }
     }
 }
@@ -293,18 +297,18 @@ fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
 const COILS: u8 = 12;
 
 /// Pulls the camera from where it was taken. Springs back when it is let go.
-fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
+fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
     let free = ui.input(|input| input.modifiers.command);
     let (range, grain) = match freedom.descriptor().amount {
         Amount::Factor => (3.0, 0.05),
         Amount::Length => {
-            let start = state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start);
+            let start = operations.scrub.as_ref().map_or(model.document.camera(), |s| &s.start);
             (start.distance(), 0.0)
         }
         Amount::Angle if free => (180.0, 0.0),
         Amount::Angle => (180.0, SNAP),
     };
-    let mut amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
+    let mut amount = operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
     ui.spacing_mut().slider_width = ui.available_width().max(40.0);
     // Springs take the place of the rail.
     ui.spacing_mut().slider_rail_height = 0.0;
@@ -316,31 +320,31 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
     springs(ui, response.rect, ((amount + range) / (2.0 * range)).clamp(0.0, 1.0) as f32);
     if response.drag_started() {
-        state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });
+        operations.scrub = Some(Scrub { freedom, start: model.document.camera().clone(), amount: 0.0 });
     }
     // Where it is let go counts too: the pointer may have moved since the last frame.
     if response.dragged() || response.drag_stopped() {
-        let convention = state.operations.convention;
-        if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
-            state.hover.ghost =
+        let convention = operations.convention;
+        if let Some(scrub) = operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
+            model.hover.ghost =
                 Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
                 scrub.amount = amount;
                 let done = if amount == 0.0 {
-                    state.document.set_camera(scrub.start.clone());
+                    model.document.set_camera(scrub.start.clone());
                     Ok(())
                 } else {
-                    state.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
+                    model.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
                 };
-                state.say_camera_error(done);
+                model.say_camera_error(done);
             }
         }
         if response.drag_stopped() && amount != 0.0 {
-            state.operations.last = state.hover.ghost.clone();
+            operations.last = model.hover.ghost.clone();
         }
     } else if response.changed() {
-        let (before, operation) = (state.document.camera().clone(), pulled(freedom, amount));
-        state.operations.last = Some(Ghost { before, operation, convention: state.operations.convention });
-        state.operate(operation);
+        let (before, operation) = (model.document.camera().clone(), pulled(freedom, amount));
+        operations.last = Some(Ghost { before, operation, convention: operations.convention });
+        operations.operate(model, operation);
     }
 }

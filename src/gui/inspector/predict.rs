@@ -3,12 +3,13 @@
 use eframe::egui::{self, Button, RichText};
 
 use crate::camera::Operation;
-use crate::gui::kit::number_field;
-use crate::gui::kit::prose;
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::inspector::state::predict::{About, Change, Prediction};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{number_field, prose};
 use crate::gui::learn::exercises::color;
+use crate::gui::model::Model;
 use crate::gui::pictures::motion;
-use crate::gui::state::{About, Change, Prediction, State};
 use crate::i18n::learn::exercise_messages;
 use crate::i18n::window::Texts as WindowTexts;
 use crate::i18n::window::predict as words;
@@ -18,15 +19,21 @@ use crate::i18n::window::predict::Texts;
 type Written = fn(Operation, &WindowTexts) -> String;
 
 /// Shows the switch, and the operation that asks.
-pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut State, written: Written) {
+pub(super) fn ui(
+    ui: &mut egui::Ui,
+    window: &'static WindowTexts,
+    model: &mut Model,
+    operations: &mut Operations,
+    written: Written,
+) {
     let t = words::texts(window.lang);
-    let predict = &mut state.operations.predict;
+    let predict = &mut operations.predict;
     let switch = ui.checkbox(&mut predict.on, t.switch).explained(t.switch_hint);
     number_field::answer_call(ui, &switch, t.switch);
     if switch.changed() && !predict.on {
         predict.asked = None;
     }
-    let asked = predict.asked.take().filter(|asked| asked.document == state.document.id());
+    let asked = predict.asked.take().filter(|asked| asked.document == model.document.id());
     let Some(mut asked) = asked else { return };
     let mut goes_on = true;
     ui.group(|ui| {
@@ -40,13 +47,13 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut St
         ui.horizontal(|ui| {
             let button = ui.add_enabled(asked.about.is_said(), Button::new(t.do_it)).explained(t.do_it_hint);
             if button.explained_disabled(t.do_it_hint).clicked() {
-                motion::begin(state, asked.freedom, asked.amount);
+                motion::begin(model, operations, asked.freedom, asked.amount);
                 asked.is_done = true;
             }
             goes_on = !ui.button(t.cancel).clicked();
         });
     });
-    state.operations.predict.asked = Some(asked).filter(|_| goes_on);
+    operations.predict.asked = Some(asked).filter(|_| goes_on);
 }
 
 /// The question of the operation, and the choices.

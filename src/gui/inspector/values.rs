@@ -9,26 +9,26 @@ use crate::camera::Ndc;
 use crate::explain::Matrix;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::number_tables::{GAP, Table, ndc_of, report, tables};
+use crate::gui::kit::context_help::{self, help_topic, help_topic_row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::{self, help_topic, help_topic_row};
+use crate::gui::model::Model;
 use crate::i18n::why::conventions::differences;
 use crate::i18n::why::{explain, notes};
 use crate::i18n::window::{self, Texts};
 
 /// Shows the numbers.
-pub fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let mut open = state.settings.numbers_open;
+pub fn ui(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let mut open = model.settings.numbers_open;
     kept_section(ui, t.numbers, "numbers", &mut open, |ui| {
-        toolbar(ui, t, state);
-        let inverse = state.settings.inverse;
-        list(ui, state, inverse, None, |_| true);
+        toolbar(ui, t, model);
+        let inverse = model.settings.inverse;
+        list(ui, model, inverse, None, |_| true);
     });
-    state.settings.numbers_open = open;
-    let warnings = state.warnings();
+    model.settings.numbers_open = open;
+    let warnings = model.warnings();
     if !warnings.is_empty() {
         section(ui, t.warnings, "warnings", true, |ui| {
             for warning in warnings {
@@ -43,21 +43,21 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 /// of a matrix explains it.
 pub(in crate::gui) fn list(
     ui: &mut egui::Ui,
-    state: &mut State,
+    model: &mut Model,
     inverse: bool,
     compared: Option<Ndc>,
     is_wanted: fn(&Table) -> bool,
 ) {
-    let t = window::texts(state.settings.lang);
-    let shown = state.settings.conventions;
-    let Some(report) = report(state, shown.ndc) else { return };
-    let camera = state.document.camera();
-    let other = compared.and_then(|ndc| number_tables::report(state, ndc));
+    let t = window::texts(model.settings.lang);
+    let shown = model.settings.conventions;
+    let Some(report) = report(model, shown.ndc) else { return };
+    let camera = model.document.camera();
+    let other = compared.and_then(|ndc| number_tables::report(model, ndc));
     let other = other.map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
     let mut asked = None;
     for (i, table) in tables(t, (camera, &report), inverse, shown).iter().enumerate().filter(|(_, t)| is_wanted(t)) {
         let other = other.as_ref().filter(|_| table.follows_ndc);
-        asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), state.settings.digits).or(asked);
+        asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), model.settings.digits).or(asked);
         // Said once, below M_p.
         if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
             let said = differences(t.lang, ndc_of(&report), *ndc);
@@ -65,22 +65,22 @@ pub(in crate::gui) fn list(
         }
     }
     if let Some((matrix, entry)) = asked {
-        state.explain_entry(matrix, entry);
+        model.explain_entry(matrix, entry);
     }
 }
 
-fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
+fn toolbar(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
     let error = ui.horizontal(|ui| {
         ui.label(t.digits).explained(t.digits_hint);
-        let mut digits = state.settings.digits as f64;
+        let mut digits = model.settings.digits as f64;
         let field = NumberField::new(t.digits, Step::Add(1.0)).whole().within(2.0..=17.0);
         let output = field.width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, between 2 and 17")]
         let digits = digits as usize;
-        state.settings.digits = digits;
-        ui.checkbox(&mut state.settings.inverse, t.inverse).explained(t.inverse_hint);
+        model.settings.digits = digits;
+        ui.checkbox(&mut model.settings.inverse, t.inverse).explained(t.inverse_hint);
         if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
-            ui.ctx().copy_text(number_tables::text(state));
+            ui.ctx().copy_text(number_tables::text(model));
         }
         output.error
     });

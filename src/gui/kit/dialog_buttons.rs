@@ -2,7 +2,7 @@
 
 use eframe::egui;
 
-use crate::gui::app::focus::at_right;
+use crate::gui::kit::focus::at_right;
 
 /// The button pressed in a question.
 pub(in crate::gui) enum Pressed {

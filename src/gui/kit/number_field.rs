@@ -10,9 +10,8 @@ use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextWrapMode
 
 use crate::expression::{self, Dimension, ExpressionProblem};
 use crate::gui::kit::text_field::{self, TextField};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{theme, tooltip};
 use crate::i18n::why::sources::with_titles;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, messages};

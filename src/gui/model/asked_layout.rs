@@ -2,7 +2,9 @@
 
 use crate::explain::Matrix;
 use crate::figure::{Arrangement, Explanation, Screen, ScreenEntry, ScreenMatrix, View};
-use crate::gui::state::{Matrices, Side, State};
+use crate::gui::model::Model;
+use crate::gui::model::layout::Side;
+use crate::gui::model::matrices::Matrices;
 
 /// The parts of the window's layout that a figure can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,12 +41,12 @@ pub(in crate::gui) struct AskedLayout {
     presentation: bool,
 }
 
-impl State {
+impl Model {
     fn placed(&self) -> Placed {
         Placed {
             arrangement: self.layout.arrangement,
             is_open: self.settings.panels().wanted[Side::Explain as usize],
-            explanation: self.explain.shown(),
+            explanation: self.explained.shown(),
         }
     }
 
@@ -65,8 +67,8 @@ impl State {
         if presentation == self.settings.presentation {
             self.settings.panels_mut().wanted[Side::Explain as usize] = is_open;
         }
-        if explanation != self.explain.shown() {
-            self.explain.show(explanation);
+        if explanation != self.explained.shown() {
+            self.explained.show(explanation);
         }
     }
 
@@ -93,7 +95,11 @@ impl State {
             None => {}
         }
         if let Some(ScreenEntry { matrix, inverse, place }) = entry {
-            self.explain.matrices.show_entry(matrix_of(matrix), inverse, place.map(|k| usize::from(k.clamp(1, 4)) - 1));
+            self.explained.matrices.show_entry(
+                matrix_of(matrix),
+                inverse,
+                place.map(|k| usize::from(k.clamp(1, 4)) - 1),
+            );
         }
         let presentation = self.settings.presentation;
         self.asked_layout =
@@ -126,32 +132,32 @@ pub(in crate::gui) fn shown_entry(matrices: &Matrices) -> Option<ScreenEntry> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::Start;
+    use crate::gui::{Start, State};
 
     #[test]
     fn the_layout_of_a_figure_is_no_preference_and_ends_with_it() {
-        let mut state = State::new(Start::default()).expect("nothing is opened");
-        state.layout.arrangement = Some(Arrangement::Row);
-        let own = state.preferred_layout();
+        let mut model = State::new(Start::default()).expect("nothing is opened").model;
+        model.layout.arrangement = Some(Arrangement::Row);
+        let own = model.preferred_layout();
         let asked = Screen {
             pictures: Some([false, true, true]),
             arrangement: Some(Some(Arrangement::Column)),
             panel: Some(Some(Explanation::Depth)),
             entry: None,
         };
-        state.show_screen(asked);
-        assert_eq!((state.layout.shown, state.layout.arrangement), ([false, true, true], Some(Arrangement::Column)));
-        assert!(state.shows_explanation(Explanation::Depth));
-        assert_eq!(state.preferred_layout(), own);
+        model.show_screen(asked);
+        assert_eq!((model.layout.shown, model.layout.arrangement), ([false, true, true], Some(Arrangement::Column)));
+        assert!(model.shows_explanation(Explanation::Depth));
+        assert_eq!(model.preferred_layout(), own);
         // The next figure asks for less: all views, and the rest from the user.
-        state.show_screen(Screen { panel: Some(None), ..Screen::default() });
-        assert_eq!(state.preferred_layout(), own);
-        assert_eq!(state.layout.shown, [true; View::COUNT]);
+        model.show_screen(Screen { panel: Some(None), ..Screen::default() });
+        assert_eq!(model.preferred_layout(), own);
+        assert_eq!(model.layout.shown, [true; View::COUNT]);
         // A change by the user is one of the user's layout.
-        state.show_screen(asked);
-        state.layout.arrangement = Some(Arrangement::Above);
-        assert_eq!(state.preferred_layout(), Placed { arrangement: Some(Arrangement::Above), ..own });
-        state.show_screen(Screen::default());
-        assert_eq!(state.placed(), Placed { arrangement: Some(Arrangement::Above), ..own });
+        model.show_screen(asked);
+        model.layout.arrangement = Some(Arrangement::Above);
+        assert_eq!(model.preferred_layout(), Placed { arrangement: Some(Arrangement::Above), ..own });
+        model.show_screen(Screen::default());
+        assert_eq!(model.placed(), Placed { arrangement: Some(Arrangement::Above), ..own });
     }
 }

@@ -1,9 +1,285 @@
-//! The model of the window, without a widget: the document and its history, the scene, the shot of the pictures.
+//! The model of the window, without a widget: what every feature may use. The document and its history, the scene, the
+//! layout, what is selected and explained, the shot of the pictures.
 
-pub(super) mod asked_layout;
+pub mod action;
+pub mod asked_layout;
+pub mod conventions;
 pub mod document;
-pub(super) mod history;
-pub(super) mod layout;
-pub(super) mod message;
+pub mod explained;
+pub mod follow;
+pub mod history;
+pub mod layout;
+pub mod matrices;
+pub mod message;
+pub mod motion;
 pub mod scene_cache;
-pub(super) mod shown;
+pub mod scene_tree;
+pub mod settings;
+pub mod shown;
+pub mod source;
+pub mod steps;
+pub mod view_history;
+
+use glam::DVec3;
+
+use crate::appearance::{Style, Theme};
+use crate::camera::{Camera, CameraError};
+use crate::explain::Matrix;
+use crate::figure::Figure;
+use crate::figure::points::free_name;
+use crate::figure::{Explanation, NamedPoint, Observers};
+use crate::gui::background::memo::Memo;
+use crate::gui::model::source::Source;
+use crate::i18n::messages::faults;
+use crate::i18n::{Lang, told, window};
+use crate::limits::MAX_NAMED_POINTS;
+use crate::views::{Probe, View};
+use action::Action;
+use asked_layout::AskedLayout;
+use conventions::Conventions;
+use document::Document;
+use explained::Explained;
+use follow::Follow;
+use layout::{Layout, ObserverChange, Panels, Side, Tab};
+use message::Message;
+use motion::Motion;
+use scene_cache::SceneCache;
+use scene_tree::{SceneTree, Selected};
+use settings::Settings;
+use shown::{OpenPanels, PanelHover, SeenBy};
+use view_history::ViewHistory;
+
+/// Duration of news, in seconds: time to read two lines.
+const NEWS_SECONDS: f64 = 10.0;
+
+/// What every feature of the window may use.
+#[derive(Debug)]
+pub struct Model {
+    /// The figure.
+    pub document: Document,
+    /// The scene of the figure.
+    pub scene_cache: SceneCache,
+    /// The window.
+    pub settings: Settings,
+    /// The pictures.
+    pub layout: Layout,
+    /// Their earlier viewpoints.
+    pub views: ViewHistory,
+    /// The tree of the scene.
+    pub tree: SceneTree,
+    /// Width and height of each picture on the screen, in pixels, in the order of
+    /// [`View::ALL`](crate::views::View::ALL); written by the pictures.
+    pub picture_sizes: [[u32; 2]; View::COUNT],
+    /// Pixels for one unit of stroke width in the pictures. Written by the pictures.
+    pub screen_scale: f32,
+    /// The window is a page in a browser. There are no folders, and no window to be closed.
+    pub in_browser: bool,
+    /// The last message at the bottom of the window.
+    pub message: Option<Message>,
+    /// When the message was first shown, in seconds; `None` means not yet.
+    shown_since: Option<f64>,
+    /// Asks the pictures to look from somewhere. They take it (`take()`) in the next frame. For both three-dimensional
+    /// pictures.
+    pub observer_change: Option<ObserverChange>,
+    /// No field on the screen shows the fault of the parameters (its section is closed).
+    pub problem_out_of_sight: bool,
+    /// The hover of the panels in this frame.
+    pub hover: PanelHover,
+    /// The last observers of the pictures; `None` means they have not been shown.
+    pub seen: Observers,
+    /// The observers that [`as_seen`](Self::as_seen) found last.
+    pub(in crate::gui) observers_shown: Memo<SeenBy, Observers>,
+    /// The panels that were open in the last frame, of those that explain something in the pictures.
+    pub(in crate::gui) open_panels: OpenPanels,
+    /// The layout that the figure asked for.
+    pub(in crate::gui) asked_layout: Option<AskedLayout>,
+    /// The target of the pointer. Written by the pictures, shown by the panel.
+    pub probe: Option<Probe>,
+    /// The followed point.
+    pub follow: Follow,
+    /// What the explanations and the pictures share.
+    pub explained: Explained,
+    /// The camera that an answer describes. Written by the exercises.
+    pub answered: Option<Camera>,
+    /// A step that is on its way.
+    pub(in crate::gui) motion: Option<Motion>,
+    /// Figures that were left with changes, by where they come from.
+    pub kept: Vec<(Option<Source>, Document)>,
+    /// Those of them that the user, closing the window, has decided not to save. Kept again where it is not closed.
+    pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
+    /// What features ask of others, to be done once this frame's panels are drawn.
+    pub actions: Vec<Action>,
+}
+
+impl Model {
+    /// A model of this document; `square` if its pixels are.
+    pub(in crate::gui) fn new(document: Document, lang: Lang, square: bool) -> Self {
+        Self {
+            document,
+            scene_cache: SceneCache::default(),
+            settings: Settings {
+                lang,
+                zoom: 1.0,
+                presentation: false,
+                panels: Panels { wanted: [true, true, false], ..Panels::default() },
+                presentation_panels: Panels::default(),
+                tab: Tab::default(),
+                aspect_follows_image: square,
+                inverse: false,
+                conventions: Conventions::default(),
+                digits: 5,
+                theme: Theme::default(),
+                reduce_motion: false,
+                numbers_open: false,
+                welcomed: false,
+                bare: false,
+                window: None,
+            },
+            in_browser: cfg!(target_arch = "wasm32"),
+            layout: Layout::default(),
+            views: ViewHistory::default(),
+            tree: SceneTree::default(),
+            picture_sizes: [[640, 480]; View::COUNT],
+            screen_scale: 1.0,
+            message: None,
+            shown_since: None,
+            observer_change: None,
+            problem_out_of_sight: false,
+            hover: PanelHover::default(),
+            seen: Observers::default(),
+            observers_shown: Memo::default(),
+            open_panels: OpenPanels::default(),
+            asked_layout: None,
+            probe: None,
+            follow: Follow::default(),
+            explained: Explained::default(),
+            answered: None,
+            motion: None,
+            kept: Vec::new(),
+            given_up: Vec::new(),
+            actions: Vec::new(),
+        }
+    }
+
+    /// Selects a clicked object, or, with `beside`, adds it to the selection. Only objects of the figure are selected
+    /// together, else that is reported.
+    pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
+        let scene = &self.document.figure().scene;
+        let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
+        let now = self.tree.selected(scene);
+        let parts = |what: &Selected| now.is_some_and(|now| now != what && (is_alone(now) || is_alone(what)));
+        let parted = beside && what.as_ref().is_some_and(parts);
+        match &what {
+            Some(Selected::Object(name)) if beside => self.tree.toggle(scene, name),
+            _ => self.tree.select(what),
+        }
+        if parted {
+            self.say(Message::SelectedAlone);
+        }
+    }
+
+    /// The style of the pictures in the window: that of the figure, in the theme of the window.
+    #[must_use]
+    pub fn style(&self) -> Style {
+        Style { theme: self.settings.theme, ..self.document.figure().style }
+    }
+
+    /// Shows an explanation at the side.
+    pub(in crate::gui) fn show_explanation(&mut self, explanation: Explanation) {
+        self.settings.panels_mut().show(Side::Explain);
+        self.explained.show(explanation);
+    }
+
+    /// Adds a point of the world to the figure and follows it. One that is there already is only followed.
+    pub(in crate::gui) fn follow_point(&mut self, position: DVec3) {
+        let points = &self.document.figure().points;
+        let name = match points.iter().find(|point| point.position == position) {
+            Some(point) => point.name.clone(),
+            None if points.len() >= MAX_NAMED_POINTS => return self.say(Message::TooManyPoints),
+            None => {
+                let name = free_name(points);
+                let point = NamedPoint { name: name.clone(), position };
+                self.document.edit(|figure| figure.points.push(point));
+                name
+            }
+        };
+        self.follow.choose(&name);
+    }
+
+    /// The name of the figure in the window: that of its file, else its title.
+    pub(in crate::gui) fn figure_name(&self) -> String {
+        let title = || self.document.figure().title.as_ref().map(|title| told(self.settings.lang, title).to_owned());
+        let name = self.document.name().or_else(title);
+        name.unwrap_or_else(|| window::texts(self.settings.lang).untitled.to_owned())
+    }
+
+    /// Says at the bottom of the window why a camera is impossible.
+    pub fn say_camera_error(&mut self, done: Result<(), CameraError>) {
+        if let Err(error) = done {
+            self.say(Message::Camera(error));
+        }
+    }
+
+    /// Explains an entry of a matrix. The entry takes the focus.
+    pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
+        self.explained.matrices.go_to(matrix, entry);
+        self.show_explanation(Explanation::Matrices);
+    }
+
+    /// True while the exercises are shown.
+    #[must_use]
+    pub fn shows_exercises(&self) -> bool {
+        self.shows_explanation(Explanation::Exercises)
+    }
+
+    /// The camera that an answer describes, while it is shown; as a file can hold it.
+    pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
+        self.answered.clone().filter(|_| self.shows_exercises())
+    }
+
+    /// Says something at the bottom of the window.
+    pub fn say(&mut self, message: Message) {
+        self.message = Some(message);
+        self.shown_since = None;
+    }
+
+    /// Removes news that have been shown long enough (`now` is a time in seconds). Returns the seconds left until then.
+    /// Errors stay until they are closed, and lasting states as long as they hold.
+    pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
+        self.message.as_ref().filter(|message| message.passes())?;
+        let left = *self.shown_since.get_or_insert(now) + NEWS_SECONDS - now;
+        if left > 0.0 {
+            return Some(left);
+        }
+        self.message = None;
+        None
+    }
+
+    /// Warnings about the camera, in the language of the window.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let camera = self.document.camera();
+        let warnings = camera.warnings().into_iter().chain(camera.aspect_warning(self.document.figure().image));
+        warnings.map(|warning| faults::warning(self.settings.lang, &warning)).collect()
+    }
+}
+
+impl Model {
+    /// A figure that was left with changes.
+    pub(in crate::gui) fn take_kept(&mut self, source: Option<&Source>) -> Option<Document> {
+        let index = self.kept.iter().position(|(of, _)| of.as_ref() == source)?;
+        Some(self.kept.remove(index).1)
+    }
+
+    /// Puts the figure of an exercise into the pictures, in front of the user's own: undoing leads back to that.
+    pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
+        self.motion = None;
+        let image = figure.image;
+        self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
+        let shown = self.document.show_in_front(figure);
+        self.say_camera_error(shown);
+        // Its objects are to be seen, without frames and handles.
+        self.tree = SceneTree::default();
+        self.observer_change = Some(ObserverChange::Fit);
+    }
+}

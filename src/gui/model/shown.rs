@@ -8,10 +8,11 @@ use crate::explain::Symbol;
 use crate::figure::{
     Explanation, Figure, Measured, Observers, Screen, Show, ShownProbe, ShownStep, StagePicture, View,
 };
+use crate::gui::model::Model;
 use crate::gui::model::document::Seen;
 use crate::gui::model::history::Revision;
-use crate::gui::state::{Side, State};
-use crate::gui::why::state::steps;
+use crate::gui::model::layout::Side;
+use crate::gui::model::steps;
 use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
@@ -41,7 +42,7 @@ pub(in crate::gui) struct OpenPanels {
 /// The state that the observers of the screen depend on.
 pub(in crate::gui) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT], [[u32; 2]; View::COUNT]), Ndc);
 
-impl State {
+impl Model {
     /// All that `pictures` show in this frame.
     #[must_use]
     pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
@@ -50,7 +51,7 @@ impl State {
         let look = Look { style: self.style(), ..shot.look };
         let mut show = shot.show;
         show.step = self.step_as_shown();
-        show.moved.extend_from_slice(&self.explain.placed);
+        show.moved.extend_from_slice(&self.explained.placed);
         Shot {
             look,
             ndc: self.settings.conventions.ndc,
@@ -107,25 +108,26 @@ impl State {
         Screen {
             pictures: Some(shown).filter(|shown| keep(saved.pictures.is_some(), *shown == [true; View::COUNT])),
             arrangement: Some(self.layout.arrangement).filter(|own| keep(saved.arrangement.is_some(), own.is_none())),
-            panel: Some(is_open.then(|| self.explain.shown())).filter(|own| keep(saved.panel.is_some(), own.is_none())),
-            entry: shown_entry(&self.explain.matrices)
-                .filter(|_| is_open && self.explain.shown() == Explanation::Matrices),
+            panel: Some(is_open.then(|| self.explained.shown()))
+                .filter(|own| keep(saved.panel.is_some(), own.is_none())),
+            entry: shown_entry(&self.explained.matrices)
+                .filter(|_| is_open && self.explained.shown() == Explanation::Matrices),
         }
     }
 
     /// Whether the views of a figure with a file are other ones, or arranged otherwise, than the file says.
-    pub(in crate::gui) fn is_rearranged(&self) -> bool {
+    pub(in crate::gui) fn is_rearranged(&self, in_lesson: bool) -> bool {
         let saved = self.document.figure().screen;
         let is_other = self.layout.shown != saved.pictures.unwrap_or([true; View::COUNT])
             || saved.arrangement.is_some_and(|saved| saved != self.layout.arrangement);
         // What a presentation or a lesson does is for the moment.
-        let is_lasting = self.document.path().is_some() && self.lesson.is_none() && !self.settings.presentation;
+        let is_lasting = self.document.path().is_some() && !in_lesson && !self.settings.presentation;
         is_lasting && is_other
     }
 
     /// Gives the figure its layout before another one takes its place.
-    pub(in crate::gui) fn settle_layout(&mut self) {
-        if self.is_rearranged() {
+    pub(in crate::gui) fn settle_layout(&mut self, in_lesson: bool) {
+        if self.is_rearranged(in_lesson) {
             let screen = self.screen();
             self.document.edit(|figure| figure.screen = screen);
         }
@@ -185,7 +187,7 @@ impl State {
     /// The step that is shown. Where motion is to be reduced, one after the other is played, and nothing between.
     fn step_as_shown(&self) -> Option<ShownStep> {
         let step = self.shown().step?;
-        let jumps = self.settings.reduce_motion && self.explain.steps.plays();
+        let jumps = self.settings.reduce_motion && self.explained.steps.plays();
         Some(ShownStep { at: step.at.map(|at| if jumps { at.floor() } else { at }), ..step })
     }
 
@@ -193,7 +195,7 @@ impl State {
         let show = &self.document.figure().show;
         let answered = self.answered_camera().map(|camera| *camera.parameters());
         let ndc = Some(self.settings.conventions.ndc).filter(|ndc| *ndc != Ndc::default());
-        let moved = show.moved.iter().chain(&self.explain.placed).cloned().collect();
+        let moved = show.moved.iter().chain(&self.explained.placed).cloned().collect();
         Show { answer: answered.or(show.answer), ndc, moved, step: self.step_as_shown(), ..show.clone() }
     }
 
@@ -340,13 +342,13 @@ impl State {
     /// True while an explanation is at the side.
     #[must_use]
     pub fn shows_explanation(&self, explanation: Explanation) -> bool {
-        self.settings.panels().is_shown(Side::Explain) && self.explain.shown() == explanation
+        self.settings.panels().is_shown(Side::Explain) && self.explained.shown() == explanation
     }
 
     /// The picture that is shown where there is room for one: the one that the open explanation is about.
     #[must_use]
     pub fn main_picture(&self) -> View {
-        let wanted = match self.explain.shown() {
+        let wanted = match self.explained.shown() {
             _ if !self.settings.panels().is_shown(Side::Explain) => View::World,
             Explanation::Steps | Explanation::Conventions => View::Canonical,
             Explanation::Stages => self.layout.strip_of,
@@ -387,7 +389,7 @@ impl State {
         if before.stages && !now.stages {
             self.release_stage();
         }
-        let way = self.explain.steps.way;
+        let way = self.explained.steps.way;
         let show = self.document.show_mut();
         if before.painting && !now.painting {
             show.painted = None;
@@ -396,7 +398,7 @@ impl State {
             show.triangle = None;
         }
         if before.order && !now.order {
-            self.explain.placed.clear();
+            self.explained.placed.clear();
         }
         match (before.steps, now.steps) {
             (true, false) => show.step = None,
@@ -404,7 +406,7 @@ impl State {
             _ => {}
         }
         if let Some(step) = show.step {
-            self.explain.steps.way = step.way;
+            self.explained.steps.way = step.way;
         }
     }
 }
@@ -415,19 +417,19 @@ mod tests {
 
     use super::*;
     use crate::camera::Decomposition;
-    use crate::gui::Start;
+    use crate::gui::{Start, State};
 
     #[test]
     fn a_step_that_is_played_without_motion_is_the_same_on_the_screen_and_in_a_file() {
-        let mut state = State::new(Start::default()).unwrap();
+        let mut model = State::new(Start::default()).unwrap().model;
         let step = ShownStep { way: Decomposition::Notes, at: Some(1.6) };
-        let step = state.explain.steps.play_or_hold(step, 0.0);
-        state.document.show_mut().step = Some(step);
+        let step = model.explained.steps.play_or_hold(step, 0.0);
+        model.document.show_mut().step = Some(step);
         for (reduce_motion, at) in [(false, 1.6), (true, 1.0)] {
-            state.settings.reduce_motion = reduce_motion;
+            model.settings.reduce_motion = reduce_motion;
             let shown = Some(ShownStep { at: Some(at), ..step });
-            assert_eq!(state.shot(Vec::new()).show.step, shown);
-            assert_eq!((state.figure_as_shown().show.step, state.figure_to_save().show.step), (shown, shown));
+            assert_eq!(model.shot(Vec::new()).show.step, shown);
+            assert_eq!((model.figure_as_shown().show.step, model.figure_to_save().show.step), (shown, shown));
         }
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::appearance::Theme;
 use crate::figure::Observer;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::ObserverChange;
+use crate::gui::model::layout::ObserverChange;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::Palette;
 use crate::views::observer::Viewpoint;

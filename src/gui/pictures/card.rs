@@ -8,8 +8,8 @@ use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
 use crate::figure::{Depth, Explanation};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
 use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
-use crate::gui::state::State;
 use crate::i18n::why::explain_point;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
@@ -77,20 +77,20 @@ impl Canvas {
         &mut self,
         (ui, room): (&Ui, Rect),
         panes: &[Pane],
-        state: &mut State,
+        model: &mut Model,
         status: &mut Status,
         texts: &'static CanvasTexts,
     ) {
         let ctx = ui.ctx();
-        self.card.follow(ctx, state.pinned(), room);
-        let Some(probe) = state.probe else {
+        self.card.follow(ctx, model.pinned(), room);
+        let Some(probe) = model.probe else {
             status.note = texts.probe_hint;
             return;
         };
         // The result does not depend on the size.
         let size = Size { width: 1, height: 1, scale: 1.0 };
         let of_frame = panes.iter().find(|pane| pane.view == View::Image).map(|pane| pane.request.clone());
-        let request = of_frame.unwrap_or_else(|| self.request(state, &self.shot.picture(View::Image), size));
+        let request = of_frame.unwrap_or_else(|| self.request(model, &self.shot.picture(View::Image), size));
         // Under the pointer may be the other side of a comparison, with a camera and an image of its own.
         let side = self.probed_side.as_ref().filter(|(of, _)| *of == probe).map(|(_, side)| side);
         let request = side.map_or_else(
@@ -101,7 +101,7 @@ impl Canvas {
             },
         );
         let request = Request { hover: Hover::default(), size, ..request };
-        let digits = state.settings.digits;
+        let digits = model.settings.digits;
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
         let at = (asks || self.card.is_placed_anew()).then(|| {
             let pick = PickRequest { request: request.clone(), what: PickQuery::At(probe) };
@@ -109,9 +109,9 @@ impl Canvas {
         });
         let (depths, point) = at.map_or((None, None), |at| (at.depths, at.point));
         let place = self.card.place(ctx, panes, point);
-        let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());
+        let (mark, scene) = (texts.lang.mark(), model.scene_cache.scene());
         let vertex = match probe {
-            Probe::Point(p) => self.vertex_names.at(ctx, p, scene, &state.document.figure().scene),
+            Probe::Point(p) => self.vertex_names.at(ctx, p, scene, &model.document.figure().scene),
             Probe::Window(_) => None,
         };
         let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();
@@ -122,7 +122,7 @@ impl Canvas {
         status.cells = cells(digits.min(4), mark);
         status.exact = cells(digits, mark);
         // In a presentation the same numbers stand large below the pictures, and nothing covers these.
-        if state.pinned().is_some() && !state.settings.presentation {
+        if model.pinned().is_some() && !model.settings.presentation {
             let point = match probe {
                 Probe::Point(p) => Some(p),
                 Probe::Window(_) => None,
@@ -131,20 +131,20 @@ impl Canvas {
                 None => {}
                 Some(CardAction::Follow) => {
                     if let Some(p) = point {
-                        state.follow_point(p);
-                        state.show_explanation(Explanation::Point);
+                        model.follow_point(p);
+                        model.show_explanation(Explanation::Point);
                         ctx.request_repaint();
                     }
                 }
                 Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
                 Some(CardAction::Release) => {
                     self.stop_probing();
-                    state.pin(None);
+                    model.pin(None);
                     ctx.request_repaint();
                 }
             }
         }
-        if state.pinned().is_some() {
+        if model.pinned().is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()
             } else {

@@ -7,7 +7,8 @@ use glam::{DMat4, DVec3};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
 use crate::gui::background::memo::Memo;
-use crate::gui::state::{Selected, State};
+use crate::gui::model::Model;
+use crate::gui::model::scene_tree::Selected;
 use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
@@ -23,13 +24,13 @@ const MOST_EDGES: usize = 400;
 
 impl Highlight {
     /// The scene that the pictures show.
-    pub(in crate::gui) fn scene(&mut self, state: &State) -> SharedScene {
-        let (scene, figure) = (state.scene_cache.scene(), state.document.figure());
-        let Some(selected) = state.tree.selected(&figure.scene) else {
+    pub(in crate::gui) fn scene(&mut self, model: &Model) -> SharedScene {
+        let (scene, figure) = (model.scene_cache.scene(), model.document.figure());
+        let Some(selected) = model.tree.selected(&figure.scene) else {
             self.marked.forget();
             return scene.clone();
         };
-        let key = (scene.clone(), selected.clone(), state.tree.also().clone(), state.settings.theme);
+        let key = (scene.clone(), selected.clone(), model.tree.also().clone(), model.settings.theme);
         let mark = |(scene, selected, also, theme): &(SharedScene, Selected, BTreeSet<String>, Theme)| {
             let color = Palette::of(*theme).probe;
             let mut marked = Scene::clone(scene);

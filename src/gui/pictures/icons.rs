@@ -1,8 +1,9 @@
 //! Small buttons with drawn signs. No font has all of them, and they are the same in every language.
 
-use crate::gui::kit::tooltip::Explained;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+
+use crate::gui::kit::tooltip::Explained;
 
 /// The icon of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,8 @@ use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
 use crate::gui::background::worker::Running;
-use crate::gui::state::State;
+use crate::gui::files::questions::FileFlow;
+use crate::gui::model::Model;
 use crate::i18n::window;
 use crate::i18n::window::canvas as words;
 use crate::i18n::window::{progress, scenes};
@@ -26,9 +27,9 @@ pub(super) struct LongWork {
 
 impl LongWork {
     /// The longest-running long work.
-    pub(super) fn of(canvas: &Canvas, state: &State) -> Option<Self> {
-        let lang = state.settings.lang;
-        let mesh = state
+    pub(super) fn of(canvas: &Canvas, model: &Model, files: &FileFlow) -> Option<Self> {
+        let lang = model.settings.lang;
+        let mesh = model
             .scene_cache
             .running()
             .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running));
@@ -36,8 +37,7 @@ impl LongWork {
             let view = canvas.shot.pictures.get(running.slot)?.kind;
             Some((words::texts(lang).view(view).to_owned(), running))
         });
-        let exports = state
-            .file_flow
+        let exports = files
             .running()
             .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, sanitize::path(path)), running));
         let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= MAX_WAIT);
@@ -51,9 +51,9 @@ impl LongWork {
 
 impl Canvas {
     /// Cancels long work where Esc is pressed and means nothing else.
-    pub fn listen_for_cancel(&mut self, ctx: &egui::Context, state: &mut State) {
+    pub fn listen_for_cancel(&mut self, ctx: &egui::Context, model: &mut Model, files: &FileFlow) {
         let busy = ctx.text_edit_focused() || ctx.input(|input| input.pointer.any_down());
-        if state.file_flow.is_asking() || busy || LongWork::of(self, state).is_none() {
+        if files.is_asking() || busy || LongWork::of(self, model, files).is_none() {
             return;
         }
         if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
@@ -61,10 +61,10 @@ impl Canvas {
             if self.rendering.running().is_some_and(is_long) {
                 self.rendering.cancel();
             }
-            if state.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
-                state.scene_cache.cancel();
+            if model.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
+                model.scene_cache.cancel();
             }
-            state.file_flow.cancel(is_long);
+            files.cancel(is_long);
         }
     }
 }
@@ -78,6 +78,7 @@ mod tests {
     use super::*;
     use crate::files::Overwrite;
     use crate::gui::Start;
+    use crate::gui::State;
     use crate::gui::export::{Export, ExportError, ExportKind, Exported, Exporting, Task};
     use crate::i18n::Lang;
     use crate::progress::{Activity, Progress};
@@ -101,7 +102,7 @@ mod tests {
         let path = PathBuf::from("a.png");
         let export = Export::new([[4, 3]; 3], 1.0);
         let (what, to) = (ExportKind::Pictures(export), (path.clone(), Overwrite::Writable));
-        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
         let exporting = Exporting::with(&ctx, task, endless);
         state.file_flow.exporting.push(exporting);
         let mut press = |state: &mut State| {
@@ -113,13 +114,14 @@ mod tests {
                 modifiers: Modifiers::NONE,
             };
             let input = egui::RawInput { events: vec![key], ..egui::RawInput::default() };
-            let mut output = ctx.run_ui(input, |ui| canvas.listen_for_cancel(ui.ctx(), state));
+            let mut output =
+                ctx.run_ui(input, |ui| canvas.listen_for_cancel(ui.ctx(), &mut state.model, &state.file_flow));
             output.textures_delta.clear();
         };
         // Too early: nothing is reported, and Escape means something else.
         press(&mut state);
         std::thread::sleep(MAX_WAIT + Duration::from_millis(100));
-        let told = LongWork::of(&Canvas::default(), &state).expect("told");
+        let told = LongWork::of(&Canvas::default(), &state.model, &state.file_flow).expect("told");
         assert_eq!(told.share, Some(0.75));
         assert!(told.text.contains("a.png") && told.text.contains("painting… 75 %"), "{}", told.text);
         assert!(told.text.contains("Esc cancels"), "{}", told.text);
@@ -132,6 +134,6 @@ mod tests {
             assert!(since.elapsed().as_secs() < 60);
         };
         assert!(done.0 == path && matches!(done.1, Err(ExportError::Cancelled)));
-        assert_eq!(LongWork::of(&Canvas::default(), &state), None);
+        assert_eq!(LongWork::of(&Canvas::default(), &state.model, &state.file_flow), None);
     }
 }

@@ -19,7 +19,6 @@ mod rendering;
 mod status;
 mod strip;
 mod texture;
-pub(super) mod view_history;
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -38,22 +37,31 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::Rgba;
 use crate::figure::{Explanation, Observer};
+use crate::gui::app::annotations::Annotations;
 use crate::gui::app::command::Command;
-use crate::gui::app::focus;
-use crate::gui::app::focus::Region;
 use crate::gui::app::presentation;
+use crate::gui::app::state::State;
 use crate::gui::inspector::coach;
 use crate::gui::inspector::coach::Brief;
+use crate::gui::inspector::state::coach::Coach;
+use crate::gui::kit::focus;
+use crate::gui::kit::focus::Region;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::layout::ObserverChange;
+use crate::gui::model::message::Message;
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
 use crate::gui::pictures::highlight::Highlight;
+use crate::gui::pictures::labels::label_mode::LabelMode;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::pictures::pointer::held::Drag;
 use crate::gui::pictures::pointer::keyboard_probe::{ProbeStep, Probing};
 use crate::gui::pictures::pointer::picking::{PickRequest, Picker};
 use crate::gui::pictures::pointer::probe_steps::Click;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::pointer::vertex_name::VertexNames;
-use crate::gui::state::{Dialog, Message, ObserverChange, State};
 use crate::gui::why;
 use crate::i18n::pictures::labels;
 use crate::i18n::window;
@@ -194,9 +202,9 @@ impl Canvas {
     }
 
     /// A picture of the shot with what the pointer adds to it.
-    fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
-        let (camera, scene) = (state.document.camera(), state.scene_cache.scene());
-        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(state.settings.lang), size);
+    fn request(&self, model: &Model, picture: &Picture, size: Size) -> Request {
+        let (camera, scene) = (model.document.camera(), model.scene_cache.scene());
+        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
 
@@ -208,13 +216,13 @@ impl Canvas {
 
     /// True if Esc would let go of something in a picture.
     #[must_use]
-    pub fn holds_something(&self, state: &State) -> bool {
+    pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
         self.drag.is_some()
-            || state.label_mode.on
-            || state.photograph.on
+            || label_mode.on
+            || photograph.on
             || self.is_probing()
-            || state.pinned().is_some()
-            || state.can_release_shown()
+            || model.pinned().is_some()
+            || model.can_release_shown()
     }
 
     /// The command that was chosen in a context menu, once.
@@ -226,146 +234,151 @@ impl Canvas {
     pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
         let room = ui.available_rect_before_wrap();
         ui.take_available_space();
-        let texts = words::texts(state.settings.lang);
-        let lines = status::height(ui, room.width(), state.settings.presentation);
+        let texts = words::texts(state.model.settings.lang);
+        let lines = status::height(ui, room.width(), state.model.settings.presentation);
         let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
-        let stages = if state.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
+        let stages = if state.model.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
         let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
 
         let ctx = ui.ctx().clone();
-        if state.tree.settle() {
+        if state.model.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) = state.scene_cache.update(&ctx, &state.document, state.settings.theme, self.patience) {
-            state.say(Message::Scene(error));
-        } else if state.scene_cache.loading().is_empty() {
-            state.forget_missing();
+        if let Err(error) =
+            state.model.scene_cache.update(&ctx, &state.model.document, state.model.settings.theme, self.patience)
+        {
+            state.model.say(Message::Scene(error));
+        } else if state.model.scene_cache.loading().is_empty() {
+            state.model.forget_missing();
         }
-        if let Some(notice) = state.scene_cache.take_notice() {
-            state.say(Message::NoPhotograph(notice));
+        if let Some(notice) = state.model.scene_cache.take_notice() {
+            state.model.say(Message::NoPhotograph(notice));
         }
         self.hover = Hover {
-            ghost: state.hover.ghost.clone(),
-            measured: state.hover.measured.clone(),
-            object: why::object_transform(state),
-            gizmo: Movable::selected(state).map(|movable| movable.gizmo),
+            ghost: state.model.hover.ghost.clone(),
+            measured: state.model.hover.measured.clone(),
+            object: why::object_transform(&state.model),
+            gizmo: Movable::selected(&state.model).map(|movable| movable.gizmo),
             ..Hover::default()
         };
-        self.shot = state.shot(std::mem::take(&mut self.shot.pictures));
+        self.shot = state.model.shot(std::mem::take(&mut self.shot.pictures));
         self.shot.pictures.truncate(MAX_PICTURES);
         self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
-        let mut panes = self.panes(ui, pictures, state, texts);
+        let mut panes = self.panes(ui, pictures, &mut state.model, texts);
         self.pictures.iter_mut().for_each(|picture| picture.place = None);
         for pane in &panes {
             self.pictures[pane.picture].place = Some(pane.rect.rect);
-            state.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
-            state.screen_scale = pane.rect.size.scale;
+            state.model.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
+            state.model.screen_scale = pane.rect.size.scale;
         }
-        self.settle_observers(ui, state, &mut panes);
+        self.settle_observers(ui, &mut state.model, &mut panes);
         let mut status = self.interact(ui, state, &panes, texts);
-        self.pin_clicked(&ctx, state);
-        self.take_click(&ctx, state);
-        self.take_probe_steps(&ctx, state, &panes);
-        state.probe = state.pinned().or(self.hover.probe);
-        state.seen = Picture::observers(&self.shot.pictures);
-        self.draw(ui, state, &mut panes);
-        self.decorate(ui, state, &panes, texts);
-        self.axis_cross(ui, state, &panes, texts);
-        self.outline_labels(ui, state, &panes);
-        self.labels_card(ui, state, &panes);
-        Self::marks(ui, state.placing().as_ref(), &panes);
-        Self::wipers(ui, state, &panes);
-        Self::photograph_lines(ui, state, &panes);
-        Self::photograph_card(ui, state, &panes);
+        self.pin_clicked(&ctx, &mut state.model);
+        self.take_click(&ctx, &mut state.model, &mut state.explain);
+        self.take_probe_steps(&ctx, &mut state.model, &panes);
+        state.model.probe = state.model.pinned().or(self.hover.probe);
+        state.model.seen = Picture::observers(&self.shot.pictures);
+        self.draw(ui, &mut state.model, &state.learn, &state.annotations, &mut panes);
+        self.decorate(ui, &state.model, &panes, texts);
+        self.axis_cross(ui, &state.model, &panes, texts);
+        self.outline_labels(ui, &state.label_mode, &panes);
+        self.labels_card(ui, &mut state.model, &mut state.label_mode, &panes);
+        Self::marks(ui, state.learn.placing(&state.model, &state.operations).as_ref(), &panes);
+        Self::wipers(ui, &mut state.model, &panes);
+        Self::photograph_lines(ui, &state.model, &mut state.photograph, &panes);
+        Self::photograph_card(ui, &mut state.model, &mut state.photograph, &panes);
 
-        if state.layout.strip {
-            self.strip(ui, stages, state, texts);
+        if state.model.layout.strip {
+            self.strip(ui, stages, &mut state.model, texts);
         }
 
         // Below the titles, whose buttons a card would cover.
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
-        self.describe_probe((ui, room), &panes, state, &mut status, texts);
-        self.say_why_empty(ui, state, &panes);
-        status.coach = Brief::of(state);
-        status.presenting = state.settings.presentation;
-        status.keys = presentation::keys(&ctx, state);
-        let loading = loading(state);
+        self.describe_probe((ui, room), &panes, &mut state.model, &mut status, texts);
+        self.say_why_empty(ui, &mut state.model, &state.coach, &panes);
+        status.coach = Brief::of(&state.model, &state.coach);
+        status.presenting = state.model.settings.presentation;
+        status.keys = presentation::keys(&ctx, &state.model, &state.learn, &mut state.annotations);
+        let loading = loading(&state.model);
         if !loading.is_empty() {
             status.message = loading;
         }
-        status.work = LongWork::of(self, state);
-        if self.rendering.running().is_some() || state.runs() {
+        status.work = LongWork::of(self, &state.model, &state.file_flow);
+        if self.rendering.running().is_some()
+            || state.model.scene_cache.running().is_some()
+            || state.file_flow.running().next().is_some()
+        {
             ctx.request_repaint_after(TELL);
         }
-        status.hidden = if state.layout.maximized.is_none() {
-            View::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
+        status.hidden = if state.model.layout.maximized.is_none() {
+            View::ALL.into_iter().filter(|p| !state.model.layout.shown[p.index()]).collect()
         } else {
             Vec::new()
         };
-        status.arrangement = (panes.len() > 1).then_some(state.layout.arrangement);
+        status.arrangement = (panes.len() > 1).then_some(state.model.layout.arrangement);
         match status.show(ui, lines, texts) {
             None => {}
-            Some(StatusAction::ShowAgain(view)) => state.layout.shown[view.index()] = true,
-            Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
-            Some(StatusAction::Coach) => state.file_flow.dialog = Some(Dialog::Coach),
+            Some(StatusAction::ShowAgain(view)) => state.model.layout.shown[view.index()] = true,
+            Some(StatusAction::Arrange(arrangement)) => state.model.layout.arrangement = arrangement,
+            Some(StatusAction::Coach) => state.model.actions.push(Action::Coach),
         }
     }
 
     /// The axes in the corner of the world. A presentation, and a figure inside of a text, show the picture alone.
-    fn axis_cross(&mut self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
-        let is_alone = state.settings.presentation || state.settings.bare;
+    fn axis_cross(&mut self, ui: &Ui, model: &Model, panes: &[Pane], texts: &CanvasTexts) {
+        let is_alone = model.settings.presentation || model.settings.bare;
         let world = panes.iter().find(|pane| pane.view == View::World && !is_alone);
         let Some((pane, observer)) = world.and_then(|pane| Some((pane, pane.request.seen_from()?))) else { return };
-        if let Some(change) = axis_cross::show(ui, pane.rect.rect, &observer, texts, state.settings.theme) {
+        if let Some(change) = axis_cross::show(ui, pane.rect.rect, &observer, texts, model.settings.theme) {
             self.asked = Some((pane.picture, change));
             ui.request_repaint();
         }
     }
 
     /// Explains an empty image, in it.
-    fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
+    fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, coach: &Coach, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
         if let Some(pane) = image.filter(is_there) {
-            coach::why_empty(ui, pane.rect.rect, state);
+            coach::why_empty(ui, pane.rect.rect, model, coach);
         }
     }
 
     /// The stages of the pipeline, as they were for the picture that is on the screen.
-    fn strip(&self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) {
-        let view = state.layout.strip_of;
-        let hidden = !state.layout.is_shown(view);
+    fn strip(&self, ui: &mut Ui, room: Rect, model: &mut Model, texts: &CanvasTexts) {
+        let view = model.layout.strip_of;
+        let hidden = !model.layout.is_shown(view);
         let account = self.picture_of(view).and_then(|picture| picture.account.as_ref()).filter(|_| !hidden);
         focus::region(ui, room, Region::Strip, texts.strip);
-        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden, shown: state.shown_stage() };
+        let strip = Strip { lang: model.settings.lang, texts, view, account, hidden, shown: model.shown_stage() };
         match strip.show(ui, room) {
             None => return,
-            Some(StripAction::Of(view)) => state.list_stages_of(view),
-            Some(StripAction::Close) => state.layout.strip = false,
-            Some(StripAction::Show(stage)) => state.toggle_stage(stage),
+            Some(StripAction::Of(view)) => model.list_stages_of(view),
+            Some(StripAction::Close) => model.layout.strip = false,
+            Some(StripAction::Show(stage)) => model.toggle_stage(stage),
         }
         ui.request_repaint();
     }
 
     /// Lays the pictures out, with their titles and the bars between them.
-    fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
-        let alone = (state.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| state.main_picture());
+    fn panes(&mut self, ui: &mut Ui, room: Rect, model: &mut Model, texts: &CanvasTexts) -> Vec<Pane> {
+        let alone = (model.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| model.main_picture());
         let is_visible = |view| {
-            state.layout.is_shown(view) && (state.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
+            model.layout.is_shown(view) && (model.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
         };
         let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| is_visible(shown.kind));
         let framed = |(picture, shown): (usize, &Picture)| Framed {
             picture,
-            aspect: aspect_shown(shown.kind, state.document.figure().image),
+            aspect: aspect_shown(shown.kind, model.document.figure().image),
         };
         let mut framed: Vec<Framed> = visible.map(framed).collect();
-        if state.shows_explanation(Explanation::Steps) {
+        if model.shows_explanation(Explanation::Steps) {
             // What moves has the largest place.
             framed.sort_by_key(|framed| self.shot.pictures[framed.picture].kind != View::Canonical);
         }
-        let presenting = state.settings.presentation;
-        let panels = if presenting { 0 } else { 2 - usize::from(state.settings.panels.narrow) };
-        let arrangement = state.layout.arrangement;
+        let presenting = model.settings.presentation;
+        let panels = if presenting { 0 } else { 2 - usize::from(model.settings.panels.narrow) };
+        let arrangement = model.layout.arrangement;
         let arrangement = arrangement.unwrap_or_else(|| automatic(ui.ctx().content_rect().size(), panels, &framed));
         let (rects, bars) = arrange(room, &framed, arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
@@ -387,74 +400,74 @@ impl Canvas {
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
             let heading = Title {
                 view,
-                name: if view == View::Canonical && state.is_on_the_way() {
+                name: if view == View::Canonical && model.is_on_the_way() {
                     texts.on_the_way
                 } else {
                     texts.view(view)
                 },
                 texts,
-                linked: state.layout.linked,
-                maximized: state.layout.maximized == Some(view),
+                linked: model.layout.linked,
+                maximized: model.layout.maximized == Some(view),
                 quiet: presenting,
-                can_hide: state.layout.maximized.is_none() && framed.len() > 1,
-                undistorted: undistorted(state).filter(|_| view == View::Image),
-                section: (view == View::World).then_some(state.document.figure().world.section),
+                can_hide: model.layout.maximized.is_none() && framed.len() > 1,
+                undistorted: undistorted(model).filter(|_| view == View::Image),
+                section: (view == View::World).then_some(model.document.figure().world.section),
             };
             let mut action = heading.show(ui, title);
-            let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
+            let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), model.settings.stroke_scale());
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description =
-                words::describe(state.settings.lang, view, state.document.camera(), state.document.figure().image);
+                words::describe(model.settings.lang, view, model.document.camera(), model.document.figure().image);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
-            let t = window::texts(state.settings.lang);
+            let t = window::texts(model.settings.lang);
             response.context_menu(|ui| action = heading.context_menu(ui, t).or(action.take()));
-            self.take_action(ui, state, (picture, view), action);
+            self.take_action(ui, model, (picture, view), action);
             focus::note(ui.ctx(), Region::Picture(picture), response.id, rect);
-            let request = self.request(state, &self.shot.pictures[picture], pane_rect.size);
+            let request = self.request(model, &self.shot.pictures[picture], pane_rect.size);
             panes.push(Pane { picture, view, rect: pane_rect, response, request });
         }
         panes
     }
 
-    fn take_action(&mut self, ui: &Ui, state: &mut State, (picture, view): (usize, View), action: Option<TitleAction>) {
+    fn take_action(&mut self, ui: &Ui, model: &mut Model, (picture, view): (usize, View), action: Option<TitleAction>) {
         match action {
             None => return,
             Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
-            Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
-            Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
-            Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
-            Some(TitleAction::ToggleSection) => state.document.edit(|figure| figure.world.section ^= true),
+            Some(TitleAction::ToggleLink) => model.layout.linked = !model.layout.linked,
+            Some(TitleAction::ToggleMaximized) => toggle_maximized(model, view),
+            Some(TitleAction::Hide) => model.layout.shown[view.index()] = false,
+            Some(TitleAction::ToggleSection) => model.document.edit(|figure| figure.world.section ^= true),
             Some(TitleAction::Do(command)) => self.wanted = Some(command),
             Some(TitleAction::ToggleUndistorted) => {
-                state.document.edit(|figure| figure.undistorted = !figure.undistorted);
+                model.document.edit(|figure| figure.undistorted = !figure.undistorted);
             }
         }
         ui.request_repaint();
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
-    fn draw(&mut self, ui: &Ui, state: &mut State, panes: &mut [Pane]) {
+    fn draw(&mut self, ui: &Ui, model: &mut Model, learn: &Learn, annotations: &Annotations, panes: &mut [Pane]) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
-        let style = state.style();
-        let scene = self.highlight.scene(state);
+        let style = model.style();
+        let scene = self.highlight.scene(model);
         for pane in panes.iter_mut() {
             let Pane { picture, view, ref mut request, .. } = *pane;
             // What pointer and keys have changed in this frame.
             let shown = &self.shot.pictures[picture];
-            request.camera = shown.camera.as_ref().unwrap_or(state.document.camera()).rounded();
+            request.camera = shown.camera.as_ref().unwrap_or(model.document.camera()).rounded();
             (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;
             }
             let request = Request { scene: scene.clone(), ..pane.request.clone() };
             let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, self.patience);
-            let accounted = state.accounts_for_stages() && state.layout.strip_of == pane.view;
-            if !state.annotations.frozen {
+            let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;
+            if !annotations.frozen {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
             }
         }
-        let fades = state.lesson.as_ref().map_or(0, |playing| playing.fades);
+        let fades = learn.lesson.as_ref().map_or(0, |playing| playing.fades);
         if std::mem::replace(&mut self.faded, fades) < fades {
             let now = ui.input(|input| input.time);
             self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));
@@ -468,14 +481,14 @@ impl Canvas {
             let is_known =
                 |new: &OverBudget| self.pictures.iter().any(|picture| picture.over_budget.as_ref() == Some(new));
             if let Some(over_budget) = over_budget.as_ref().filter(|new| !is_known(new)) {
-                state.say(Message::OverBudget(over_budget.clone()));
+                model.say(Message::OverBudget(over_budget.clone()));
             }
             let picture = &mut self.pictures[i];
-            picture.texture.set(ctx, words::texts(state.settings.lang).view(shown.kind), tiles);
+            picture.texture.set(ctx, words::texts(model.settings.lang).view(shown.kind), tiles);
             (picture.missing, picture.account, picture.over_budget) = (missing, account, over_budget);
             picture.labels = labels;
         }
-        self.report(ctx, state);
+        self.report(ctx, model);
         let palette = Palette::of(style.theme);
         for pane in panes.iter() {
             let texture = &mut self.pictures[pane.picture].texture;
@@ -489,19 +502,19 @@ impl Canvas {
     }
 
     /// Tells the side of explanations how the picture came about.
-    fn report(&self, ctx: &eframe::egui::Context, state: &mut State) {
-        let of = state.layout.strip_of;
-        let is_asked = state.shows_explanation(Explanation::Stages) && state.layout.is_shown(of);
+    fn report(&self, ctx: &eframe::egui::Context, model: &mut Model) {
+        let of = model.layout.strip_of;
+        let is_asked = model.shows_explanation(Explanation::Stages) && model.layout.is_shown(of);
         let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
         let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
-        if state.explain.reports != reports {
-            state.explain.reports = reports.to_vec();
+        if model.explained.reports != reports {
+            model.explained.reports = reports.to_vec();
             ctx.request_repaint();
         }
     }
 
     /// Overlays of the pictures: borders, the focus ring, the cross hairs of the pointer.
-    fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
+    fn decorate(&self, ui: &Ui, model: &Model, panes: &[Pane], texts: &CanvasTexts) {
         for pane in panes {
             let rect = pane.rect.rect;
             let border = ui.visuals().widgets.noninteractive.bg_stroke;
@@ -518,7 +531,7 @@ impl Canvas {
                 let color = ui.visuals().error_fg_color;
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
             }
-            note(ui, rect, &loading(state));
+            note(ui, rect, &loading(model));
             if pane.view == View::Image && pane.response.hovered() && self.drag.is_none() {
                 cross(ui, pane);
             }
@@ -528,19 +541,19 @@ impl Canvas {
 
 /// Whether the image is shown as the eye would see it; `None` if its pixels are square, so that it makes no
 /// difference.
-fn undistorted(state: &State) -> Option<bool> {
-    let figure = state.document.figure();
-    let differs = state.document.camera().aspect_warning(figure.image).is_some();
+fn undistorted(model: &Model) -> Option<bool> {
+    let figure = model.document.figure();
+    let differs = model.document.camera().aspect_warning(figure.image).is_some();
     (differs || figure.undistorted).then_some(figure.undistorted)
 }
 
 /// The mesh files being read, in a sentence. Empty if there are none.
-fn loading(state: &State) -> String {
-    let files = state.scene_cache.loading();
+fn loading(model: &Model) -> String {
+    let files = model.scene_cache.loading();
     if files.is_empty() {
         return String::new();
     }
-    format!("{} {}…", window::scenes::texts(state.settings.lang).loading, files.join(", "))
+    format!("{} {}…", window::scenes::texts(model.settings.lang).loading, files.join(", "))
 }
 
 /// A sentence over a picture.
@@ -557,8 +570,8 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
 }
 
 /// Gives a picture all the room, or gives it back.
-fn toggle_maximized(state: &mut State, view: View) {
-    state.layout.maximized = if state.layout.maximized == Some(view) { None } else { Some(view) };
+fn toggle_maximized(model: &mut Model, view: View) {
+    model.layout.maximized = if model.layout.maximized == Some(view) { None } else { Some(view) };
 }
 
 /// Two lines that cross at the pointer, within the frame of the image.

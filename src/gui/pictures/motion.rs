@@ -5,7 +5,9 @@ use std::time::Duration;
 use eframe::egui::{self, Event};
 
 use crate::camera::{Amount, Camera, Convention, Freedom};
-use crate::gui::state::{DoneStep, Motion, State};
+use crate::gui::inspector::state::operations::{DoneStep, Operations};
+use crate::gui::model::Model;
+use crate::gui::model::motion::Motion;
 use crate::views::Ghost;
 
 /// Duration of a step, in seconds.
@@ -14,23 +16,23 @@ const DURATION: f64 = 0.2;
 const SHOWN: f64 = 2.0;
 
 /// Begins a step; at once at its end where motion is to be reduced, or where it leads to no camera.
-pub(in crate::gui) fn begin(state: &mut State, freedom: Freedom, amount: f64) {
-    finish(state);
-    let (start, convention) = (state.document.camera().clone(), state.operations.convention);
+pub(in crate::gui) fn begin(model: &mut Model, operations: &mut Operations, freedom: Freedom, amount: f64) {
+    finish(model);
+    let (start, convention) = (model.document.camera().clone(), operations.convention);
     let operation = freedom.by(amount);
     let ghost = Ghost { before: start.clone(), operation, convention };
-    state.operations.last = Some(ghost.clone());
-    state.operations.done = Some(DoneStep { ghost, since: None });
-    if state.settings.reduce_motion || operation.apply(&start, convention).is_err() {
-        state.operate(operation);
+    operations.last = Some(ghost.clone());
+    operations.done = Some(DoneStep { ghost, since: None });
+    if model.settings.reduce_motion || operation.apply(&start, convention).is_err() {
+        operations.operate(model, operation);
     } else {
-        state.operations.motion = Some(Motion { start, freedom, amount, convention, began: None });
+        model.motion = Some(Motion { start, freedom, amount, convention, began: None });
     }
 }
 
 /// Moves on, at the begin of a frame. Whatever is pressed then finds the camera where it was going.
-pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
-    let Some(mut motion) = state.operations.motion.take() else { return };
+pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model) {
+    let Some(mut motion) = model.motion.take() else { return };
     let (now, pressed) = ctx.input(|input| {
         let presses = |event: &Event| {
             matches!(
@@ -42,35 +44,35 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     });
     let share = (now - *motion.began.get_or_insert(now)) / DURATION;
     if pressed || share >= 1.0 {
-        state.operations.motion = Some(motion);
-        finish(state);
+        model.motion = Some(motion);
+        finish(model);
         return;
     }
     // The end is a camera; a place on the way that is none is passed over.
-    let _ = state.document.operate_from(&motion.start, motion.at(share), motion.convention);
-    state.operations.motion = Some(motion);
+    let _ = model.document.operate_from(&motion.start, motion.at(share), motion.convention);
+    model.motion = Some(motion);
     ctx.request_repaint();
 }
 
 /// Shows the step that was done last in the world, for a moment, whatever the pointer is over.
-pub(in crate::gui) fn show_done(ctx: &egui::Context, state: &mut State) {
-    let Some(done) = &mut state.operations.done else { return };
+pub(in crate::gui) fn show_done(ctx: &egui::Context, model: &mut Model, operations: &mut Operations) {
+    let Some(done) = &mut operations.done else { return };
     let now = ctx.input(|input| input.time);
     let left = *done.since.get_or_insert(now) + SHOWN - now;
-    if left > 0.0 && state.operations.scrub.is_none() {
-        state.hover.ghost = Some(done.ghost.clone());
+    if left > 0.0 && operations.scrub.is_none() {
+        model.hover.ghost = Some(done.ghost.clone());
         ctx.request_repaint_after(Duration::from_secs_f64(left));
     } else {
-        state.operations.done = None;
+        operations.done = None;
     }
 }
 
 /// Puts the camera at the end of the step, as one change.
-pub(in crate::gui) fn finish(state: &mut State) {
-    let Some(motion) = state.operations.motion.take() else { return };
-    let done = state.document.operate_from(&motion.start, motion.at(1.0), motion.convention);
-    state.document.commit();
-    state.say_camera_error(done);
+pub(in crate::gui) fn finish(model: &mut Model) {
+    let Some(motion) = model.motion.take() else { return };
+    let done = model.document.operate_from(&motion.start, motion.at(1.0), motion.convention);
+    model.document.commit();
+    model.say_camera_error(done);
 }
 
 /// The apparent motion of the camera. An arrow for its place, its look or its turn; `None` without a sideways motion.

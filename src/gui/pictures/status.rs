@@ -7,9 +7,9 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
-use crate::gui::app::focus::with_room_before;
 use crate::gui::inspector::coach::Brief;
 use crate::gui::kit::elide;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::{Arrangement, View};

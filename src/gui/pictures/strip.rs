@@ -10,9 +10,9 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::why::context_help::help_topic;
 use crate::i18n::Lang;
 use crate::i18n::why::sources::with_titles;
 use crate::i18n::why::{notes, pipeline as words};
@@ -145,7 +145,7 @@ impl Strip<'_> {
     }
 
     /// Draws the cells. The one that is pointed at, or has the keyboard.
-    fn cells(&self, ui: &mut Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
+    fn cells(&self, ui: &Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
         let Some(account) = self.account else { return (None, None) };
         let mut clicked = None;
         let columns = columns(ui, rect.width() + 12.0);

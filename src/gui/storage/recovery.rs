@@ -5,7 +5,7 @@ use std::time::{Duration, UNIX_EPOCH};
 use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 
 use crate::clock;
-use crate::gui::app::focus::with_room_before;
+use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::storage::session::LeftOver;
 use crate::i18n::Lang;

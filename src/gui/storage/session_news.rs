@@ -3,21 +3,23 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::gui::app::focus::with_room_before;
-use crate::gui::state::{State, about_session};
+use crate::gui::files::questions::FileFlow;
+use crate::gui::kit::focus::with_room_before;
+use crate::gui::model::Model;
+use crate::gui::model::message::about_session;
 use crate::gui::storage::session::News;
 use crate::i18n::window;
 
 /// Shows the lines, where there are any.
-pub fn bar(ui: &mut egui::Ui, state: &mut State) {
-    if state.file_flow.news.is_empty() {
+pub fn bar(ui: &mut egui::Ui, model: &mut Model, file_flow: &mut FileFlow) {
+    if file_flow.news.is_empty() {
         return;
     }
-    let lang = state.settings.lang;
+    let lang = model.settings.lang;
     let t = window::texts(lang);
     let mut closed = None;
     egui::Panel::top("session news").show(ui, |ui| {
-        for (index, news) in state.file_flow.news.iter().enumerate() {
+        for (index, news) in file_flow.news.iter().enumerate() {
             ui.push_id(index, |ui| {
                 // A row has its own height: all that the panel had before would make it grow with each frame.
                 ui.horizontal(|ui| {
@@ -34,7 +36,7 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
         }
     });
     if let Some(index) = closed {
-        state.file_flow.news.close(index);
+        file_flow.news.close(index);
     }
 }
 

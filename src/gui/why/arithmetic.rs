@@ -7,9 +7,9 @@ use eframe::egui::{self, CollapsingHeader, RichText, TextStyle, text::LayoutJob}
 
 use crate::camera::Unprojected;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::why::context_help::help_topic;
 use crate::gui::why::matrix::digits;
 use crate::i18n::messages;
 use crate::i18n::why::explain_point::Texts;

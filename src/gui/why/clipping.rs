@@ -5,19 +5,20 @@ use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
-use crate::gui::files::file_flow;
-use crate::gui::inspector::{choice, row};
+use crate::gui::kit::form::{choice, row};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State};
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, AfterSave};
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain;
 use crate::i18n::window::gallery;
 use crate::i18n::{told, window};
 use crate::pipeline::divide_before_clip::divided_first;
 
 /// Shows it.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().reveal;
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    let t = window::texts(model.settings.lang);
+    let old = model.document.figure().reveal;
     let mut reveal = old;
     let outsides = [
         (Outside::Usual, t.outside_usual),
@@ -36,12 +37,12 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         ui.label(eframe::egui::RichText::new(hint).small().weak());
     }
     if reveal != old {
-        state.document.edit(|figure| figure.reveal = reveal);
+        model.document.edit(|figure| figure.reveal = reveal);
     }
-    dead_end(ui, state);
-    let words = explain::texts(state.settings.lang);
+    dead_end(ui, model, explain);
+    let words = explain::texts(model.settings.lang);
     if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {
-        state.show_explanation(Explanation::Triangle);
+        model.show_explanation(Explanation::Triangle);
     }
 }
 
@@ -49,18 +50,18 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
 const SHOWS_IT: &str = "divide-first";
 
 /// Where dividing before clipping does no harm to the scene, offers a figure in which it does.
-fn dead_end(ui: &mut Ui, state: &mut State) {
-    if !state.document.figure().reveal.divide_first {
+fn dead_end(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    if !model.document.figure().reveal.divide_first {
         return;
     }
-    let camera = state.document.camera();
-    let key = (state.scene_cache.scene().clone(), *camera.parameters());
-    let is_right = *state.explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
+    let camera = model.document.camera();
+    let key = (model.scene_cache.scene().clone(), *camera.parameters());
+    let is_right = *explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
     let Some(figure) = ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };
-    let lang = state.settings.lang;
+    let lang = model.settings.lang;
     let [title, caption] = figure.told();
     let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
     if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {
-        file_flow::begin(ui.ctx(), state, AfterSave::Shipped(figure.name));
+        model.actions.push(Action::Begin(AfterSave::Shipped(figure.name)));
     }
 }

@@ -12,12 +12,13 @@ use crate::figure::Depth;
 use crate::gui::export::chart_export;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::numerics::color_of;
-use crate::gui::inspector::{choice, row};
+use crate::gui::kit::form::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::window::{coach as words, compare};
 use crate::i18n::{Lang, window};
 use crate::numerics::health::{suggested_planes, with_planes};
@@ -35,69 +36,69 @@ const NAME: f64 = 0.15;
 const WIDE_RANGE: f64 = 50.0;
 
 /// Shows it for the camera of the figure.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    depth_view(ui, state);
-    let camera = state.document.camera().clone();
-    if let Some(wanted) = of_camera(ui, state, &camera) {
-        state.apply_camera(wanted);
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    depth_view(ui, model);
+    let camera = model.document.camera().clone();
+    if let Some(wanted) = of_camera(ui, model, explain, &camera) {
+        model.apply_camera(wanted);
         ui.request_repaint();
     }
 }
 
 /// The image in colours, or the depth buffer in its place.
-fn depth_view(ui: &mut Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().reveal.depth;
+fn depth_view(ui: &mut Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let old = model.document.figure().reveal.depth;
     let mut depth = old;
     let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
     row(ui, "", t.depth_view, t.depth_view_hint, |ui| choice(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths));
     if depth != old {
-        state.document.edit(|figure| figure.reveal.depth = depth);
+        model.document.edit(|figure| figure.reveal.depth = depth);
     }
-    let t = compare::texts(state.settings.lang);
-    let old = state.document.figure().style.depth_format;
+    let t = compare::texts(model.settings.lang);
+    let old = model.document.figure().style.depth_format;
     let mut format = old;
     let formats =
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
-    let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(state.settings.lang, name));
+    let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(model.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &choices));
     if format != old {
-        state.document.edit(|figure| figure.style.depth_format = format);
+        model.document.edit(|figure| figure.style.depth_format = format);
     }
-    compare_dialog::button(ui, state);
+    compare_dialog::button(ui, model);
 }
 
 /// Shows what follows from a camera. Gives one with other planes where that is wanted.
-fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Parameters> {
-    let lang = state.settings.lang;
+fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Camera) -> Option<Parameters> {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
     let [near, far] = [camera.near(), camera.far()];
-    let probe = match state.probe {
+    let probe = match model.probe {
         Some(Probe::Point(p)) => Some(-camera.view_point(p).z).filter(|depth| (near..=far).contains(depth)),
         Some(Probe::Window(_)) | None => None,
     };
-    let space = camera.possible_clip_space(state.settings.conventions.ndc);
+    let space = camera.possible_clip_space(model.settings.conventions.ndc);
     let said = words::depth_in(lang, space.ndc());
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
     plot(ui, lang, camera, space.ndc(), probe);
     ui.horizontal(|ui| {
-        chart_export::button(ui, state, t.depth_chart, || chart(lang, camera, space.ndc(), &said));
+        chart_export::button(ui, model, t.depth_chart, || chart(lang, camera, space.ndc(), &said));
     });
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);
     ui.horizontal_wrapped(|ui| {
         ui.label(t.two_planes);
         let texts = window::texts(lang);
-        let mut gap = state.coach.gap;
+        let mut gap = explain.gap;
         let field = NumberField::new(t.two_planes, Step::Multiply(2.0)).within(1e-15..=1e15).width(90.0);
         field.hint(t.two_planes_hint).show(ui, texts, &mut gap);
-        state.coach.gap = gap;
+        explain.gap = gap;
         let place = if probe.is_some() { t.at_probe } else { t.at_focus };
         ui.label(format!("{}; {place} {}", t.scene_units, n(depth)));
     });
-    formats(ui, lang, &resolutions(&space, depth, state.coach.gap));
-    let planes = suggested_planes(camera, state.scene_cache.scene().bounds()?)?;
+    formats(ui, lang, &resolutions(&space, depth, explain.gap));
+    let planes = suggested_planes(camera, model.scene_cache.scene().bounds()?)?;
     let mut wanted = None;
     ui.horizontal_wrapped(|ui| {
         ui.label(format!("{} F = {}, B = {}", t.suggested, n(planes[0]), n(planes[1])));

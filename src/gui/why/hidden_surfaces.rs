@@ -8,19 +8,20 @@ use crate::figure::{Depth, Reveal};
 use crate::gui::inspector::compare_dialog;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::stages;
 use crate::i18n::window;
 use crate::views::View;
 
 /// Shows it.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = stages::texts(state.settings.lang);
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
+    let t = stages::texts(model.settings.lang);
     ui.label(RichText::new(t.hint).weak());
-    if !state.layout.is_shown(View::Image) {
+    if !model.layout.is_shown(View::Image) {
         ui.label(t.hidden);
     }
-    let figure = state.document.figure();
+    let figure = model.document.figure();
     let (mut style, mut reveal) = (figure.style, figure.reveal);
     ui.horizontal_wrapped(|ui| {
         for (visibility, name, hint) in [
@@ -39,23 +40,23 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         Visibility::Bsp => t.bsp_said,
         Visibility::DepthBuffer => t.depth_buffer_said,
     });
-    scrubber(ui, t, state);
+    scrubber(ui, t, model);
     let mut depth = reveal.depth == Depth::Stored;
     if ui.checkbox(&mut depth, t.depth).explained(t.depth_hint).changed() {
         reveal = Reveal { depth: if depth { Depth::Stored } else { Depth::Off }, ..reveal };
     }
-    compare_dialog::button(ui, state);
-    let words = window::texts(state.settings.lang);
+    compare_dialog::button(ui, model);
+    let words = window::texts(model.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
-    let figure = state.document.figure();
+    let figure = model.document.figure();
     if (style, reveal) != (figure.style, figure.reveal) {
-        state.document.edit(|figure| (figure.style, figure.reveal) = (style, reveal));
+        model.document.edit(|figure| (figure.style, figure.reveal) = (style, reveal));
     }
 }
 
 /// From nothing to the whole image. The arrow keys move the slider.
-fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
-    let old = state.painted_share().unwrap_or(1.0);
+fn scrubber(ui: &mut Ui, t: &stages::Texts, model: &mut Model) {
+    let old = model.painted_share().unwrap_or(1.0);
     let mut share = old;
     ui.horizontal(|ui| {
         for (sign, name, to) in
@@ -73,7 +74,7 @@ fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
         ui.add(slider).explained(t.scrubber).accessible_name(t.scrubber);
     });
     if old.to_bits() != share.to_bits() {
-        state.paint_share(share);
+        model.paint_share(share);
         ui.ctx().request_repaint();
     }
 }

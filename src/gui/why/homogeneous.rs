@@ -5,12 +5,13 @@ use glam::{DVec2, DVec3, DVec4};
 
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
-use crate::gui::inspector::{complaint, section};
+use crate::gui::kit::context_help::{help_topic, help_topic_row};
+use crate::gui::kit::form::{complaint, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::homogeneous;
 use crate::i18n::why::homogeneous::Texts;
 use crate::i18n::window;
@@ -25,17 +26,17 @@ struct Shown {
 }
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = homogeneous::texts(state.settings.lang);
-    part(ui, t.plane_title, ("w plane", "w"), |ui| plane(ui, t, state));
-    part(ui, t.middle_title, ("w middle", "5.6"), |ui| middle(ui, t, state));
-    part(ui, t.floor_title, ("w floor", "stage-interpolate"), |ui| floor(ui, t, state));
-    let mut reveal = state.document.figure().reveal;
-    let hint = window::texts(state.settings.lang).vanishing_hint;
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
+    let t = homogeneous::texts(model.settings.lang);
+    part(ui, t.plane_title, ("w plane", "w"), |ui| plane(ui, t, model));
+    part(ui, t.middle_title, ("w middle", "5.6"), |ui| middle(ui, t, model, explain));
+    part(ui, t.floor_title, ("w floor", "stage-interpolate"), |ui| floor(ui, t, model));
+    let mut reveal = model.document.figure().reveal;
+    let hint = window::texts(model.settings.lang).vanishing_hint;
     let vanishing = ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint);
     help_topic(&vanishing, "ideal-point");
     if vanishing.changed() {
-        state.document.edit(|figure| figure.reveal = reveal);
+        model.document.edit(|figure| figure.reveal = reveal);
     }
 }
 
@@ -51,13 +52,13 @@ fn colored(rgba: crate::appearance::Rgba) -> Color32 {
 
 /// The points that are looked at: those of the figure and the probe's; without any, corners of the volume. Then the
 /// directions x, y, z.
-fn shown(state: &State, palette: Palette) -> (Vec<Shown>, bool) {
-    let camera = state.document.camera();
-    let probe = match state.probe {
+fn shown(model: &Model, palette: Palette) -> (Vec<Shown>, bool) {
+    let camera = model.document.camera();
+    let probe = match model.probe {
         Some(Probe::Point(p)) => Some(("P".to_owned(), p)),
         Some(Probe::Window(_)) | None => None,
     };
-    let named = state.document.figure().points.iter().map(|point| (sanitize::escaped(&point.name), point.position));
+    let named = model.document.figure().points.iter().map(|point| (sanitize::escaped(&point.name), point.position));
     let mut points: Vec<(String, DVec3)> = named.chain(probe).collect();
     let own = !points.is_empty();
     if !own {
@@ -91,11 +92,11 @@ fn canvas(ui: &mut egui::Ui, height: f32, name: &str) -> (Rect, egui::Painter) {
     (rect, painter)
 }
 
-fn plane(ui: &mut egui::Ui, t: &Texts, state: &State) {
-    let palette = Palette::of(state.style().theme);
-    let (points, own) = shown(state, palette);
+fn plane(ui: &mut egui::Ui, t: &Texts, model: &Model) {
+    let palette = Palette::of(model.style().theme);
+    let (points, own) = shown(model, palette);
     ui.label(RichText::new(t.plane_hint).weak());
-    if state.document.camera().projection() == Projection::Parallel {
+    if model.document.camera().projection() == Projection::Parallel {
         ui.label(t.plane_parallel);
     }
     let (rect, painter) = canvas(ui, 230.0, t.plane_title);
@@ -174,21 +175,21 @@ fn ray(
 }
 
 /// The ends of the segment: the first two points of the figure, or an edge of the floor that runs away from the eye.
-fn ends(state: &State) -> [(String, DVec3); 2] {
-    if let [a, b, ..] = state.document.figure().points.as_slice() {
+fn ends(model: &Model) -> [(String, DVec3); 2] {
+    if let [a, b, ..] = model.document.figure().points.as_slice() {
         return [(sanitize::escaped(&a.name), a.position), (sanitize::escaped(&b.name), b.position)];
     }
-    let [far, _, _, near] = Floor::new(state.document.camera()).corners;
+    let [far, _, _, near] = Floor::new(model.document.camera()).corners;
     [("A".to_owned(), near), ("B".to_owned(), far)]
 }
 
-fn middle(ui: &mut egui::Ui, t: &Texts, state: &mut State) {
+fn middle(ui: &mut egui::Ui, t: &Texts, model: &Model, explain: &mut Explain) {
     ui.label(RichText::new(t.middle_hint).weak());
-    let [(a, from), (b, to)] = ends(state);
-    let camera = state.document.camera();
+    let [(a, from), (b, to)] = ends(model);
+    let camera = model.document.camera();
     let [w_a, w_b] = [from, to].map(|p| camera.clip_point(p).w);
-    let share = &mut state.explain.share;
-    let lang = state.settings.lang;
+    let share = &mut explain.share;
+    let lang = model.settings.lang;
     let output = ui.horizontal(|ui| {
         let slider = egui::Slider::new(share, 0.0..=1.0).show_value(false);
         ui.add(slider).explained(t.share_hint).accessible_name(t.share);
@@ -208,7 +209,7 @@ fn middle(ui: &mut egui::Ui, t: &Texts, state: &mut State) {
     let seen = projected_share(share, w_a, w_b);
     let (rect, painter) = canvas(ui, 96.0, t.middle_title);
     let font = TextStyle::Small.resolve(ui.style());
-    let palette = Palette::of(state.style().theme);
+    let palette = Palette::of(model.style().theme);
     let (ink, good) = (ui.visuals().text_color(), colored(palette.probe));
     let (left, right) = (rect.left() + 70.0, rect.right() - 30.0);
     for (y, title, at) in [(rect.top() + 28.0, t.world, share), (rect.top() + 68.0, t.image, seen)] {
@@ -222,7 +223,7 @@ fn middle(ui: &mut egui::Ui, t: &Texts, state: &mut State) {
         let x = left + (right - left) * at as f32;
         painter.circle_filled(egui::pos2(x, y), 4.5, good);
     }
-    let number = |x: f64| state.settings.lang.mark().number(x, state.settings.digits);
+    let number = |x: f64| model.settings.lang.mark().number(x, model.settings.digits);
     let [ws, wb, wa] = [seen, w_b, w_a].map(number);
     let (t_b, t_a) = (number(share), number(1.0 - share));
     ui.label(theme::symbol(ui, "s = t w_B / ((1 − t) w_A + t w_B)"));
@@ -232,13 +233,13 @@ fn middle(ui: &mut egui::Ui, t: &Texts, state: &mut State) {
 /// Pixels along the longer side of a picture of the floor.
 const PIXELS: u32 = 150;
 
-fn floor(ui: &mut egui::Ui, t: &Texts, state: &State) {
+fn floor(ui: &mut egui::Ui, t: &Texts, model: &Model) {
     ui.label(RichText::new(t.floor_hint).weak());
-    let camera = state.document.camera();
+    let camera = model.document.camera();
     if camera.projection() == Projection::Parallel {
         ui.label(t.same);
     }
-    let palette = Palette::of(state.style().theme);
+    let palette = Palette::of(model.style().theme);
     let width = (ui.available_width() - 8.0) / 2.0;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 8.0;

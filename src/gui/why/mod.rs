@@ -6,7 +6,6 @@
 mod answer;
 mod arithmetic;
 mod clipping;
-pub(super) mod context_help;
 mod depth;
 mod hidden_surfaces;
 mod homogeneous;
@@ -24,16 +23,16 @@ mod triangle;
 
 use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 
-pub(in crate::gui) use subject::object_transform;
-
-use super::state::{Question, State};
 use crate::figure::Explanation;
-use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::elide;
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::learn::exercises;
+use crate::gui::model::Model;
+use crate::gui::model::explained::Question;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain;
 use crate::i18n::why::explain::Texts;
+pub(in crate::gui) use subject::object_transform;
 pub(super) use triangle::clicked;
 
 /// A name and a hint.
@@ -51,14 +50,26 @@ struct ExplanationRow {
     explanation: Explanation,
     words: Words,
     /// The part that stays in sight while the rest is scrolled.
-    head: Option<fn(&mut Ui, &mut State)>,
-    ui: fn(&mut Ui, &mut State),
+    head: Option<Content>,
+    content: Option<Content>,
+}
+
+/// Shows an explanation, or its head.
+type Content = fn(&mut Ui, &mut Model, &mut Explain);
+
+/// A part of the exercises, which are shown among the explanations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// The part that stays in sight.
+    Head,
+    /// The part that scrolls.
+    Content,
 }
 
 impl ExplanationRow {
     /// An explanation of which everything scrolls.
-    const fn new(explanation: Explanation, words: Words, ui: fn(&mut Ui, &mut State)) -> Self {
-        Self { explanation, words, head: None, ui }
+    const fn new(explanation: Explanation, words: Words, content: Content) -> Self {
+        Self { explanation, words, head: None, content: Some(content) }
     }
 }
 
@@ -110,9 +121,12 @@ const QUESTIONS: &[QuestionRow] = &[
         question: Question::Able,
         words: |t| (t.question_able, t.question_able_hint),
         answers: &[
+            // Their own feature shows them.
             ExplanationRow {
-                head: Some(exercises::head),
-                ..ExplanationRow::new(Explanation::Exercises, |t| (t.exercises, t.exercises_hint), exercises::ui)
+                explanation: Explanation::Exercises,
+                words: |t| (t.exercises, t.exercises_hint),
+                head: None,
+                content: None,
             },
             ExplanationRow::new(Explanation::Notes, |t| (t.notes, t.notes_hint), notes::ui),
         ],
@@ -128,29 +142,43 @@ pub(super) fn all(t: &Texts) -> impl Iterator<Item = (Explanation, &'static str,
 }
 
 /// Shows the questions, the explanations of the one that is open, and the explanation that is chosen.
-pub fn ui(ui: &mut Ui, state: &mut State) {
-    let t = explain::texts(state.settings.lang);
+pub(super) fn ui(
+    ui: &mut Ui,
+    model: &mut Model,
+    explain: &mut Explain,
+    exercises: &mut dyn FnMut(&mut Ui, &mut Model, Part),
+) {
+    let t = explain::texts(model.settings.lang);
     ui.add_space(2.0);
-    questions(ui, t, state);
-    let Some(question) = QUESTIONS.iter().find(|row| row.question == state.explain.question()) else { return };
+    questions(ui, t, model);
+    let Some(question) = QUESTIONS.iter().find(|row| row.question == model.explained.question()) else { return };
     ui.horizontal_wrapped(|ui| {
         for row in question.answers {
             let (name, hint) = (row.words)(t);
-            let chosen = state.explain.shown() == row.explanation;
+            let chosen = model.explained.shown() == row.explanation;
             let button = Button::selectable(chosen, name).frame_when_inactive(true);
             if ui.add(button).explained(hint).clicked() {
-                state.explain.show(row.explanation);
+                model.explained.show(row.explanation);
             }
         }
     });
     ui.add_space(2.0);
-    let Some(row) = question.answers.iter().find(|row| row.explanation == state.explain.shown()) else { return };
-    if let Some(head) = row.head {
-        head(ui, state);
+    let Some(row) = question.answers.iter().find(|row| row.explanation == model.explained.shown()) else {
+        return;
+    };
+    match row.head {
+        Some(head) => head(ui, model, explain),
+        None if row.content.is_none() => exercises(ui, model, Part::Head),
+        None => {}
+    }
+    if row.head.is_some() || row.content.is_none() {
         ui.separator();
     }
     egui::ScrollArea::vertical().id_salt(("explain", row.explanation)).auto_shrink(false).show(ui, |ui| {
-        (row.ui)(ui, state);
+        match row.content {
+            Some(content) => content(ui, model, explain),
+            None => exercises(ui, model, Part::Content),
+        }
         keep_in_sight(ui);
     });
 }
@@ -159,7 +187,7 @@ pub fn ui(ui: &mut Ui, state: &mut State) {
 const PADDING: f32 = 3.0;
 
 /// The four questions, two in a row. Each opens at the explanation that was read last.
-fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
+fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
     let gap = 4.0;
     let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);
     let font = TextStyle::Small;
@@ -180,12 +208,12 @@ fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
             for (row, share) in two.iter().zip(shares) {
                 let size = vec2((room * share).floor(), height);
                 let (name, hint) = (row.words)(t);
-                let open = state.explain.question() == row.question;
+                let open = model.explained.question() == row.question;
                 let text = RichText::new(name).text_style(font.clone());
                 let text = if open { text.strong() } else { text };
                 let button = Button::selectable(open, text).frame_when_inactive(true).wrap().min_size(size);
                 if ui.add_sized(size, button).explained(hint).clicked() {
-                    state.explain.ask(row.question);
+                    model.explained.ask(row.question);
                 }
             }
         });

@@ -11,7 +11,9 @@ use crate::gui::kit::mathematics;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Notes, State};
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
+use crate::gui::why::state::notes::Notes;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;
 use crate::i18n::why::notes;
@@ -27,18 +29,18 @@ const SIZE: f32 = 14.0;
 const LIST: f32 = 0.36;
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    let t = words::texts(model.settings.lang);
     let height = (ui.ctx().content_rect().height() * LIST).max(96.0);
-    search(ui, t, &mut state.explain.notes);
+    search(ui, t, &mut explain.notes);
     ScrollArea::vertical().id_salt("list of notes").max_height(height).auto_shrink([false, true]).show(ui, |ui| {
-        list(ui, t, &mut state.explain.notes);
+        list(ui, t, &mut explain.notes);
     });
     ui.separator();
     let all = notes::notes(t.lang);
-    let chosen = state.explain.notes.chosen;
+    let chosen = explain.notes.chosen;
     let Some(note) = notes::note(t.lang, chosen).or_else(|| all.first()) else { return };
-    heading(ui, t, note, &mut state.explain.notes);
+    heading(ui, t, note, &mut explain.notes);
     for latex in &note.equations {
         ScrollArea::horizontal().id_salt(latex).show(ui, |ui| {
             mathematics::show(ui, latex, &notes::plain(latex), SIZE);
@@ -50,12 +52,12 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     for erratum in &note.errata {
         words_of(ui, "≠ ", erratum, ui.visuals().warn_fg_color);
     }
-    numbers(ui, state, note);
-    links(ui, t, note, &mut state.explain.notes);
+    numbers(ui, model, note);
+    links(ui, t, note, &mut explain.notes);
     if !note.source.is_empty() {
         // A stranger hasn't the texts at hand: one page says what they are.
         if ui.link(RichText::new(note.source).small()).explained(with_titles(note.source)).clicked() {
-            state.explain.notes.go_to(notes::SOURCES);
+            explain.notes.go_to(notes::SOURCES);
         }
     }
     if let Some(stage) = Stage::ALL.into_iter().find(|stage| notes::of_stage(*stage) == note.id) {
@@ -148,15 +150,15 @@ fn words_of(ui: &mut Ui, begins: &str, pieces: &[Piece], color: egui::Color32) {
 }
 
 /// The values of a note's symbols in this figure.
-fn numbers(ui: &mut Ui, state: &State, note: &Note) {
+fn numbers(ui: &mut Ui, model: &Model, note: &Note) {
     let symbols: Vec<Symbol> = parameters().filter(|symbol| notes::of_symbol(*symbol) == note.id).collect();
     if symbols.is_empty() {
         return;
     }
-    let t = words::texts(state.settings.lang);
-    let subject = ExplainedSetting::of(state);
-    let setting = subject.setting(state);
-    let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
+    let t = words::texts(model.settings.lang);
+    let subject = ExplainedSetting::of(model);
+    let setting = subject.setting(model);
+    let writing = Writing { setting: &setting, lang: model.settings.lang, digits: model.settings.digits };
     ui.label(RichText::new(t.in_this_figure).small().weak());
     for symbol in symbols {
         answer::of_symbol(ui, writing, symbol);

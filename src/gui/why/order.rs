@@ -14,26 +14,29 @@ use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, excha
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
-use crate::gui::inspector::{choice, complaint, section};
-use crate::gui::kit::mathematics;
-use crate::gui::kit::theme;
+use crate::gui::kit::form::{choice, complaint, section};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Message, Order, Own, Selected, State};
+use crate::gui::kit::{mathematics, theme};
+use crate::gui::model::Model;
+use crate::gui::model::message::Message;
+use crate::gui::model::scene_tree::Selected;
+use crate::gui::why::state::explain::Explain;
+use crate::gui::why::state::order::{Order, Own};
 use crate::i18n::why::order as words;
 use crate::i18n::why::order::Texts;
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
 
 /// Shows the part that stays in sight above the list: its object, and the button that applies the list.
-pub(super) fn head(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    let selected = subject::selected(state);
-    state.explain.order.follow(own(selected.as_ref()));
-    let calls = state.explain.order.calls();
+pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    let t = words::texts(model.settings.lang);
+    let selected = subject::selected(model);
+    explain.order.follow(own(selected.as_ref()));
+    let calls = explain.order.calls();
     let links = chain(&calls);
     let wanted = ui
         .horizontal_wrapped(|ui| {
-            let wanted = take(ui, state, t, links.as_ref().err().copied());
+            let wanted = take(ui, model, t, links.as_ref().err().copied());
             match &selected {
                 None => drop(ui.label(t.example)),
                 Some((name, _)) => drop(ui.label(format!("{} {}", t.object, crate::sanitize::escaped(name)))),
@@ -49,19 +52,19 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
     };
     ui.add(egui::Label::new(RichText::new(holds).small().weak()).wrap());
     if let Some(name) = wanted {
-        take_over(state, t, &name, &links);
+        take_over(model, t, &name, &links);
     }
 }
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    let selected = subject::selected(state);
-    state.explain.placed.clear();
-    let mut order = std::mem::take(&mut state.explain.order);
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    let t = words::texts(model.settings.lang);
+    let selected = subject::selected(model);
+    model.explained.placed.clear();
+    let mut order = std::mem::take(&mut explain.order);
     order.follow(own(selected.as_ref()));
-    tab(ui, state, t, (&mut order, selected.as_ref()));
-    state.explain.order = order;
+    tab(ui, model, t, (&mut order, selected.as_ref()));
+    explain.order = order;
 }
 
 fn own(selected: Option<&(String, Placement)>) -> Own {
@@ -75,7 +78,7 @@ fn own(selected: Option<&(String, Placement)>) -> Own {
 
 type OrderedObject<'a> = Option<&'a (String, Placement)>;
 
-fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&mut Order, OrderedObject<'_>)) {
+fn tab(ui: &mut Ui, model: &mut Model, t: &'static Texts, (order, selected): (&mut Order, OrderedObject<'_>)) {
     ui.label(RichText::new(t.list).strong()).explained(t.list_hint);
     let stages = read(&order.calls(), order.reading);
     let included: Vec<usize> = match &stages {
@@ -94,10 +97,10 @@ fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&m
     };
     slider(ui, t, order, &stages);
     let k = done(order, &stages);
-    part(ui, state, t, (order.reading, &calls), &stages[..=k]);
-    place(state, selected, stages[k], false);
+    part(ui, model, t, (order.reading, &calls), &stages[..=k]);
+    place(model, selected, stages[k], false);
     section(ui, t.other, "other order", true, |ui| {
-        other(ui, state, t, (order, selected), (&calls, &stages));
+        other(ui, model, t, (order, selected), (&calls, &stages));
     });
 }
 
@@ -166,8 +169,8 @@ fn slider(ui: &mut Ui, t: &Texts, order: &mut Order, stages: &[Stage]) {
 }
 
 /// The effect of the last call of a part, its matrix, and the matrix of the part.
-fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Reading, &[Call]), stages: &[Stage]) {
-    let number = writer(state);
+fn part(ui: &mut Ui, model: &Model, t: &'static Texts, (reading, calls): (Reading, &[Call]), stages: &[Stage]) {
+    let number = writer(model);
     let Some((stage, last)) = stages.last().and_then(|stage| Some((stage, stage.call?))) else {
         ui.label(t.nothing);
         return;
@@ -177,9 +180,9 @@ fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Readin
     if let Some(matrix) = call.matrix() {
         ui.label(RichText::new(t.this_step).weak());
         equation(ui, "", &[call]);
-        let subject = ExplainedSetting::of(state);
-        let setting = subject.setting(state);
-        let writing = Writing { setting: &setting, lang: t.lang, digits: state.settings.digits.min(5) };
+        let subject = ExplainedSetting::of(model);
+        let setting = subject.setting(model);
+        let writing = Writing { setting: &setting, lang: t.lang, digits: model.settings.digits.min(5) };
         let entries = call.entries();
         numbers(ui, &matrix, &number, |i, j| {
             let formula = &entries.as_ref()?[i][j];
@@ -193,8 +196,8 @@ fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Readin
 }
 
 /// A number with few digits. A matrix has to fit.
-fn writer(state: &State) -> impl Fn(f64) -> String {
-    let (mark, digits) = (state.settings.lang.mark(), state.settings.digits.min(5));
+fn writer(model: &Model) -> impl Fn(f64) -> String {
+    let (mark, digits) = (model.settings.lang.mark(), model.settings.digits.min(5));
     move |value: f64| mark.number(value, digits)
 }
 
@@ -226,8 +229,8 @@ fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
 }
 
 /// Shows an object in the world where a part of the list puts it; without one, a cube.
-fn place(state: &mut State, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
-    let scene = &state.document.figure().scene;
+fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
+    let scene = &model.document.figure().scene;
     let (parent, now, objects) = match selected {
         None => (DMat4::IDENTITY, DMat4::IDENTITY, BTreeSet::new()),
         Some((name, placement)) => {
@@ -243,14 +246,14 @@ fn place(state: &mut State, selected: OrderedObject<'_>, stage: Stage, wrong: bo
         Some(Ray { origin: parent.transform_point3(axis.origin), direction })
     });
     if change.is_finite() {
-        state.explain.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
+        model.explained.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
     }
 }
 
 /// The list with two calls exchanged: where it leads, and whether that is the same.
 fn other(
     ui: &mut Ui,
-    state: &mut State,
+    model: &mut Model,
     t: &'static Texts,
     (order, selected): (&mut Order, OrderedObject<'_>),
     (calls, stages): (&[Call], &[Stage]),
@@ -279,20 +282,20 @@ fn other(
     let matters = !same(&end.matrix, &other_end.matrix);
     let now = same(&stages[done(order, stages)].matrix, &other[k].matrix);
     equation(ui, "M' = ", &factors(order.reading, &other_calls, &other[..=k]));
-    numbers(ui, &other[k].matrix, writer(state), |_, _| None);
+    numbers(ui, &other[k].matrix, writer(model), |_, _| None);
     let verdict = match (matters, now) {
         (false, _) => t.same,
         (true, true) => t.so_far_same,
         (true, false) => t.differs,
     };
     ui.add(egui::Label::new(RichText::new(verdict).strong()).wrap());
-    place(state, selected, other[k], true);
+    place(model, selected, other[k], true);
 }
 
 /// The button. The object that is to get the list. Greyed with the reason where there is none, or the list is not one
 /// of transforms.
-fn take(ui: &mut Ui, state: &State, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
-    let (name, why) = match state.tree.selected(&state.document.figure().scene) {
+fn take(ui: &mut Ui, model: &Model, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
+    let (name, why) = match model.tree.selected(&model.document.figure().scene) {
         Some(Selected::Object(name)) => (Some(name.clone()), String::new()),
         Some(Selected::OfPreset(_)) => (None, t.take_preset.to_owned()),
         Some(Selected::Light(_)) | None => (None, t.take_nothing.to_owned()),
@@ -304,11 +307,11 @@ fn take(ui: &mut Ui, state: &State, t: &'static Texts, unbalanced: Option<Unbala
 }
 
 /// Gives the object of the figure the whole list, with groups above it where it needs them.
-fn take_over(state: &mut State, t: &'static Texts, name: &str, links: &[Link]) {
+fn take_over(model: &mut Model, t: &'static Texts, name: &str, links: &[Link]) {
     let trs: Vec<Trs> = links.iter().map(|link| link.trs).collect();
-    let mut changed = state.document.figure().scene.clone();
+    let mut changed = model.document.figure().scene.clone();
     match put_on_chain(&mut changed, name, &trs, t.group) {
-        Ok(()) => state.document.edit(|figure| figure.scene = changed),
-        Err(error) => state.say(Message::Scene(error)),
+        Ok(()) => model.document.edit(|figure| figure.scene = changed),
+        Err(error) => model.say(Message::Scene(error)),
     }
 }

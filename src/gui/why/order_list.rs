@@ -6,12 +6,12 @@ use eframe::egui::{
 use glam::DVec3;
 
 use crate::explain::order::Call;
-use crate::gui::app::focus::at_right;
+use crate::gui::kit::context_help::help_topic_row;
+use crate::gui::kit::focus::at_right;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::Order;
-use crate::gui::why::context_help::help_topic_row;
+use crate::gui::why::state::order::Order;
 use crate::i18n::why::order as words;
 use crate::i18n::why::order::Texts;
 use crate::i18n::window;

@@ -8,12 +8,14 @@ use super::subject::ExplainedSetting;
 use crate::camera::{NotProjectable, Place};
 use crate::explain::{Component, Setting, Symbol};
 use crate::figure::points::may_be_named;
-use crate::gui::inspector::complaint;
+use crate::gui::kit::context_help::help_topic_row;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Space, State};
-use crate::gui::why::context_help::help_topic_row;
+use crate::gui::model::Model;
+use crate::gui::model::follow::Space;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain_point;
 use crate::i18n::why::explain_point::Texts;
 use crate::i18n::why::notes;
@@ -23,107 +25,107 @@ use crate::sanitize::escaped;
 use crate::views::{Probe, shadows_at, texel_at};
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = explain_point::texts(state.settings.lang);
-    choose(ui, state, t);
-    let Some(index) = state.follow.index(&state.document.figure().points) else {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
+    let t = explain_point::texts(model.settings.lang);
+    choose(ui, model, t);
+    let Some(index) = model.follow.index(&model.document.figure().points) else {
         ui.add(egui::Label::new(t.no_points).wrap());
         return;
     };
-    name(ui, state, t, index);
-    let position = state.document.figure().points[index].position;
-    let subject = ExplainedSetting::of(state);
-    let setting = subject.setting(state).with_point_seen_from_object(position);
-    let moved = places(ui, state, t, &setting);
+    name(ui, model, t, index);
+    let position = model.document.figure().points[index].position;
+    let subject = ExplainedSetting::of(model);
+    let setting = subject.setting(model).with_point_seen_from_object(position);
+    let moved = places(ui, model, t, &setting);
     if let Some(position) = moved {
-        state.document.edit(|figure| figure.points[index].position = position);
+        model.document.edit(|figure| figure.points[index].position = position);
         ui.ctx().request_repaint();
     }
     ui.separator();
-    let name = state.document.figure().points[index].name.clone();
-    arithmetic::ui(ui, &setting, &name, (t, state.settings.digits));
-    texture(ui, state, position);
-    shadows(ui, state, position);
+    let name = model.document.figure().points[index].name.clone();
+    arithmetic::ui(ui, &setting, &name, (t, model.settings.digits));
+    texture(ui, model, position);
+    shadows(ui, model, position);
 }
 
 /// The depths that each light with shadows compares at the point.
-fn shadows(ui: &mut egui::Ui, state: &State, position: DVec3) {
-    let (lang, digits) = (state.settings.lang, state.settings.digits);
-    for at in shadows_at(state.scene_cache.scene(), position) {
+fn shadows(ui: &mut egui::Ui, model: &Model, position: DVec3) {
+    let (lang, digits) = (model.settings.lang, model.settings.digits);
+    for at in shadows_at(model.scene_cache.scene(), position) {
         let label = ui.add(egui::Label::new(explain_point::in_shadow(lang, &at, digits)).wrap());
         help_topic_row(ui, label.rect, "stage-shadow");
     }
 }
 
 /// The place of the point in a texture, where it is on a surface that has one.
-fn texture(ui: &mut egui::Ui, state: &State, position: DVec3) {
-    let (lang, digits) = (state.settings.lang, state.settings.digits);
-    let Some(at) = texel_at(state.scene_cache.scene(), state.document.camera(), position) else { return };
+fn texture(ui: &mut egui::Ui, model: &Model, position: DVec3) {
+    let (lang, digits) = (model.settings.lang, model.settings.digits);
+    let Some(at) = texel_at(model.scene_cache.scene(), model.document.camera(), position) else { return };
     let label = ui.add(egui::Label::new(explain_point::on_texture(lang, &at, digits)).wrap());
     help_topic_row(ui, label.rect, "stage-texture");
 }
 
 /// The points, one of them chosen, and the buttons that add and delete them.
-fn choose(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let points = state.document.figure().points.clone();
-    let chosen = state.follow.index(&points);
+fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
+    let points = model.document.figure().points.clone();
+    let chosen = model.follow.index(&points);
     ui.horizontal_wrapped(|ui| {
         for (i, point) in points.iter().enumerate() {
             let button = egui::Button::selectable(chosen == Some(i), escaped(&point.name)).frame_when_inactive(true);
             if ui.add(button).clicked() {
-                state.follow.choose(&point.name);
+                model.follow.choose(&point.name);
             }
         }
         let is_room = points.len() < MAX_NAMED_POINTS;
         let add = ui.add_enabled(is_room, egui::Button::new(t.add));
         if add.explained(t.add_hint).explained_disabled(t.too_many).clicked() {
-            let at = match state.probe {
+            let at = match model.probe {
                 Some(Probe::Point(p)) => p,
-                Some(Probe::Window(_)) | None => state.document.camera().focal_point(),
+                Some(Probe::Window(_)) | None => model.document.camera().focal_point(),
             };
             // One more at the same place, rather than the one that is there.
             let taken = points.iter().any(|point| point.position == at);
-            let step = DVec3::X * (0.1 * state.document.camera().distance());
-            state.follow_point(if taken { at + step } else { at });
+            let step = DVec3::X * (0.1 * model.document.camera().distance());
+            model.follow_point(if taken { at + step } else { at });
         }
         if let Some(index) = chosen
             && ui.button(t.delete).explained(t.delete_hint).clicked()
         {
-            state.document.edit(|figure| drop(figure.points.remove(index)));
-            state.follow = Default::default();
+            model.document.edit(|figure| drop(figure.points.remove(index)));
+            model.follow = Default::default();
         }
     });
 }
 
 /// The field of the name. It takes effect with Enter, or when it is left; one that is wrong stays with its reason until
 /// it is mended.
-fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
-    let points = &state.document.figure().points;
+fn name(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
+    let points = &model.document.figure().points;
     let old = points[index].name.clone();
-    let kept = state.follow.typing.take().filter(|(of, ..)| *of == old);
+    let kept = model.follow.typing.take().filter(|(of, ..)| *of == old);
     let (_, mut text, was_left) = kept.unwrap_or_else(|| (old.clone(), old.clone(), false));
     let field = TextField::line(&mut text, MAX_TYPED_NAME);
     let field = field.with(|edit| edit.id(egui::Id::unique(("point name", &old))).desired_width(150.0));
-    let response = field.show(ui, state.settings.lang).explained(t.name_hint).accessible_name(t.name);
+    let response = field.show(ui, model.settings.lang).explained(t.name_hint).accessible_name(t.name);
     let left = response.lost_focus();
     let wanted = text.trim().to_owned();
     if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {
         if response.has_focus() {
-            state.follow.typing = Some((old, text, false));
+            model.follow.typing = Some((old, text, false));
         }
         return;
     }
     let others = points.iter().filter(|point| point.name != old);
     let good = may_be_named(&wanted, others);
     if good && left {
-        state.document.edit(|figure| figure.points[index].name.clone_from(&wanted));
-        state.follow.choose(&wanted);
+        model.document.edit(|figure| figure.points[index].name.clone_from(&wanted));
+        model.follow.choose(&wanted);
         return;
     }
     if !good && (left || was_left) {
         complaint(ui, if wanted.is_empty() { t.name_empty } else { t.name_taken });
     }
-    state.follow.typing = Some((old, text, left || was_left));
+    model.follow.typing = Some((old, text, left || was_left));
 }
 
 /// The coordinates in one space: their name, and their symbols.
@@ -166,9 +168,9 @@ fn rows(t: &Texts, setting: &Setting<'_>) -> Vec<TraceRow> {
 }
 
 /// The point in each of its spaces, to be typed; where it goes when something was.
-fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>) -> Option<DVec3> {
-    let words = window::texts(state.settings.lang);
-    let step = crate::numbers::power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0);
+fn places(ui: &mut egui::Ui, model: &mut Model, t: &Texts, setting: &Setting<'_>) -> Option<DVec3> {
+    let words = window::texts(model.settings.lang);
+    let step = crate::numbers::power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0);
     let mut moved = None;
     for row in rows(t, setting) {
         let caption = if row.more.is_empty() { row.name.to_owned() } else { format!("{} {}", row.name, row.more) };
@@ -203,13 +205,13 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
             match place(row.space, after, setting) {
                 Ok(world) => {
                     moved = Some(world);
-                    state.follow.refused = None;
+                    model.follow.refused = None;
                 }
-                Err(why) => state.follow.refused = Some((row.space, why)),
+                Err(why) => model.follow.refused = Some((row.space, why)),
             }
         }
-        if let Some((_, why)) = state.follow.refused.filter(|(space, _)| *space == row.space) {
-            complaint(ui, &messages::no_way_back(state.settings.lang, why));
+        if let Some((_, why)) = model.follow.refused.filter(|(space, _)| *space == row.space) {
+            complaint(ui, &messages::no_way_back(model.settings.lang, why));
             if row.space == Space::Pixel && matches!(why, NotProjectable::BeyondInfinity { .. }) {
                 ui.add(egui::Label::new(RichText::new(t.behind_pixel).small().weak()).wrap());
             }

@@ -2,32 +2,33 @@
 
 use eframe::egui::{self, RichText, Ui};
 
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::help_topic;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::sources::with_titles;
 use crate::i18n::why::{notes, pipeline, stages};
 use crate::pipeline::Stage;
 
 /// Shows them.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = stages::texts(state.settings.lang);
-    shown(ui, t, state);
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
+    let t = stages::texts(model.settings.lang);
+    shown(ui, t, model);
     ui.separator();
-    list(ui, t, state);
-    ui.checkbox(&mut state.layout.strip, t.strip).explained(t.strip_hint);
+    list(ui, t, model);
+    ui.checkbox(&mut model.layout.strip, t.strip).explained(t.strip_hint);
 }
 
 /// The stage that is shown. Its name, its purpose, and its report, or the reason why it was left out.
-fn shown(ui: &mut Ui, t: &stages::Texts, state: &State) {
-    let Some(stage) = state.shown_stage() else {
+fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
+    let Some(stage) = model.shown_stage() else {
         ui.label(RichText::new(t.none_shown).weak());
         return;
     };
-    let lang = state.settings.lang;
+    let lang = model.settings.lang;
     ui.label(RichText::new(format!("{}: {}", t.shown, pipeline::stage(lang, stage))).strong());
     ui.label(with_titles(pipeline::purpose(lang, stage)));
-    if let Some(report) = state.explain.reports.iter().find(|report| report.stage == stage) {
+    if let Some(report) = model.explained.reports.iter().find(|report| report.stage == stage) {
         ui.label(pipeline::line(lang, report));
         if report.ran {
             ui.label(RichText::new(stages::in_and_out(t, stage)).weak());
@@ -43,19 +44,19 @@ pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
 }
 
 /// All stages. A click shows one in the picture of the strip.
-fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
-    let lang = state.settings.lang;
+fn list(ui: &mut Ui, t: &stages::Texts, model: &mut Model) {
+    let lang = model.settings.lang;
     for (i, stage) in Stage::ALL.into_iter().enumerate() {
         let name = pipeline::stage(lang, stage);
-        let report = state.explain.reports.iter().find(|report| report.stage == stage);
+        let report = model.explained.reports.iter().find(|report| report.stage == stage);
         let text = RichText::new(format!("{}. {name}", i + 1));
         let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
-        let button = egui::Button::selectable(state.shown_stage() == Some(stage), text);
+        let button = egui::Button::selectable(model.shown_stage() == Some(stage), text);
         let response = ui.add(button);
         help_topic(&response, notes::of_stage(stage));
         let said = report.map(|report| pipeline::line(lang, report)).unwrap_or_default();
         if response.explained(format!("{}\n{said}\n{}", pipeline::purpose(lang, stage), t.show)).clicked() {
-            state.toggle_stage(stage);
+            model.toggle_stage(stage);
         }
     }
 }

@@ -10,15 +10,18 @@ use super::answer::{self, Writing};
 use crate::camera::{Camera, Decomposition, Factor};
 use crate::explain::{EntryFormula, Setting, entry_product, factor_entries};
 use crate::figure::ShownStep;
-use crate::gui::files::file_flow;
 use crate::gui::inspector::values::brackets;
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::Both;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Purpose, Reading, State, Steps, end_of, step_at, time_of};
-use crate::gui::why::context_help::help_topic;
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::matrices::Reading;
+use crate::gui::model::steps::{Steps, end_of, step_at, time_of};
 use crate::gui::why::matrix::entries;
 use crate::gui::why::matrix::matrices::{cells, reading};
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;
 use crate::i18n::why::notes;
@@ -27,41 +30,41 @@ use crate::numbers::without_rests;
 use crate::views::View;
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let lang = state.settings.lang;
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
-    let camera = state.document.camera().clone();
+    let camera = model.document.camera().clone();
     let now = ui.input(|input| input.time);
-    let now_shown = state.shown().step.map_or(state.explain.steps.way, |step| step.way);
+    let now_shown = model.shown().step.map_or(model.explained.steps.way, |step| step.way);
     let way = sources(ui, lang, &camera, now_shown);
-    let mut shown = state.shown().step.filter(|step| step.way == way).unwrap_or(ShownStep { way, at: None });
-    state.explain.steps.way = way;
+    let mut shown = model.shown().step.filter(|step| step.way == way).unwrap_or(ShownStep { way, at: None });
+    model.explained.steps.way = way;
     let Some(factors) = camera.decomposed(way) else {
         ui.label(command_line::no_steps(lang, way));
-        state.document.show_mut().step = Some(shown);
+        model.document.show_mut().step = Some(shown);
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        file_flow::ask(ui.ctx(), state, Purpose::Animation(way));
+        model.actions.push(Action::Animation(way));
     }
-    let steps = &mut state.explain.steps;
+    let steps = &mut model.explained.steps;
     shown = steps.advance(shown, now, &camera);
     controls(ui, t, &camera, (steps, &mut shown), now);
     if steps.plays() {
         // Whole steps do not move in between.
-        let pause = if state.settings.reduce_motion { 200 } else { 0 };
+        let pause = if model.settings.reduce_motion { 200 } else { 0 };
         ui.ctx().request_repaint_after(Duration::from_millis(pause));
     }
-    if !state.layout.is_shown(View::Canonical) {
+    if !model.layout.is_shown(View::Canonical) {
         ui.label(t.steps_hidden);
     }
-    list(ui, lang, &camera, &factors, (&mut state.explain.steps, &mut shown));
-    state.document.show_mut().step = Some(shown);
+    list(ui, lang, &camera, &factors, (&mut model.explained.steps, &mut shown));
+    model.document.show_mut().step = Some(shown);
     let time = time_of(shown, &camera);
     ui.separator();
     match running(time).checked_sub(1) {
         None => drop(ui.label(t.nothing_done)),
-        Some(last) => matrices_of(ui, state, &camera, (way, &factors, last), time),
+        Some(last) => matrices_of(ui, model, &camera, (way, &factors, last), time),
     }
     ui.separator();
     let ndc = way.ndc();
@@ -80,21 +83,21 @@ fn running(time: f64) -> usize {
 /// The matrix of the step that runs, the product as far as steps are done, and the explanation of the chosen entry.
 fn matrices_of(
     ui: &mut Ui,
-    state: &mut State,
+    model: &mut Model,
     camera: &Camera,
     (way, factors, last): (Decomposition, &[Factor], usize),
     time: f64,
 ) {
-    let lang = state.settings.lang;
-    let figure = state.document.figure();
+    let lang = model.settings.lang;
+    let figure = model.document.figure();
     let setting = Setting::new(camera.possible_clip_space(way.ndc()), figure.image, figure.viewport);
-    let writing = Writing { setting: &setting, lang, digits: state.settings.digits.min(5) };
+    let writing = Writing { setting: &setting, lang, digits: model.settings.digits.min(5) };
     let done = factors.iter().take(last + usize::from((last + 1) as f64 <= time + 1e-9)).copied().collect::<Vec<_>>();
     let formulas: Vec<EntryFormula> =
         factors.iter().take(last + 1).map(|factor| factor_entries(factor.step, &setting)).collect();
     let (Some(factor), Some(of_factor)) = (factors.get(last), formulas.last()) else { return };
     let shown = [
-        Some((words::factor(lang, last + 1), of_factor.clone(), factor.matrix, state.explain.matrices.reading)),
+        Some((words::factor(lang, last + 1), of_factor.clone(), factor.matrix, model.explained.matrices.reading)),
         (done.len() > 1).then(|| {
             let formulas =
                 formulas.iter().take(done.len()).cloned().reduce(|before, next| entry_product(&next, &before));
@@ -106,25 +109,25 @@ fn matrices_of(
             )
         }),
     ];
-    reading(ui, words::texts(lang), &mut state.explain.matrices.reading);
+    reading(ui, words::texts(lang), &mut model.explained.matrices.reading);
     for (place, (name, formulas, matrix, reading)) in shown.into_iter().flatten().enumerate() {
         ui.push_id(("step", place), |ui| {
             ui.label(RichText::new(&name).strong());
             let rows = matrix.transpose().to_cols_array_2d().map(|row| without_rests(&row, writing.digits));
             let values = rows.map(|row| std::array::from_fn(|j| row[j] + 0.0));
-            let cells = cells(state, writing, (&name, &formulas, reading), &values, |_| 0.0);
-            let chosen = state.explain.steps.entry.filter(|(of, _)| *of == place).map(|(_, entry)| entry);
+            let cells = cells(model, writing, (&name, &formulas, reading), &values, |_| 0.0);
+            let chosen = model.explained.steps.entry.filter(|(of, _)| *of == place).map(|(_, entry)| entry);
             let pointed =
                 entries::show(ui, &cells, (chosen.unwrap_or([usize::MAX; 2]), false), notes::of_step(factor.step));
             if let Some(entry) = pointed.chosen {
-                state.explain.steps.entry = Some((place, entry));
+                model.explained.steps.entry = Some((place, entry));
             }
             if let Some([row, column]) = pointed.hovered.or(chosen) {
                 let (text, place) = (format!("m_{}{}", row + 1, column + 1), format!("{}{}", row + 1, column + 1));
                 let name = Both { latex: format!("m_{{{place}}}"), text };
                 let entry = (&formulas[row][column], values[row][column]);
-                let lit = answer::show(ui, writing, &name, entry, &mut state.explain.matrices);
-                state.hover.measured.extend(answer::lights(entry.0, lit));
+                let lit = answer::show(ui, writing, &name, entry, &mut model.explained.matrices);
+                model.hover.measured.extend(answer::lights(entry.0, lit));
             } else {
                 ui.label(RichText::new(words::texts(lang).click_an_entry).small().weak());
             }

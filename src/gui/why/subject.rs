@@ -5,7 +5,8 @@ use glam::DMat4;
 use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
 use crate::figure::Measured;
-use crate::gui::state::{Selected, State, preset_objects};
+use crate::gui::model::Model;
+use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::scene::edit::placement;
 use crate::scene::transform::Trs;
 use crate::views::ObjectTransform;
@@ -19,14 +20,14 @@ pub(super) struct ExplainedSetting {
 
 impl ExplainedSetting {
     /// The camera of the figure, and the object that is selected, if one is.
-    pub(super) fn of(state: &State) -> Self {
-        Self { camera: state.document.camera().clone(), object: selected(state) }
+    pub(super) fn of(model: &Model) -> Self {
+        Self { camera: model.document.camera().clone(), object: selected(model) }
     }
 
     /// The setting in the convention, image and viewport of the window.
-    pub(super) fn setting(&self, state: &State) -> Setting<'_> {
-        let figure = state.document.figure();
-        let space = self.camera.possible_clip_space(state.settings.conventions.ndc);
+    pub(super) fn setting(&self, model: &Model) -> Setting<'_> {
+        let figure = model.document.figure();
+        let space = self.camera.possible_clip_space(model.settings.conventions.ndc);
         let setting = Setting::new(space, figure.image, figure.viewport);
         match &self.object {
             Some((_, placement)) => setting.with_placement(*placement),
@@ -36,18 +37,18 @@ impl ExplainedSetting {
 }
 
 /// The transform of the selected object, where a part of it is pointed at.
-pub(in crate::gui) fn object_transform(state: &State) -> Option<ObjectTransform> {
+pub(in crate::gui) fn object_transform(model: &Model) -> Option<ObjectTransform> {
     let of_object = |m: &Measured| matches!(m, Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_));
     let (_, Placement { translate, rotate, scale, parent, .. }) =
-        state.hover.measured.iter().any(of_object).then(|| selected(state)).flatten()?;
+        model.hover.measured.iter().any(of_object).then(|| selected(model)).flatten()?;
     let world_from_parent = parent.unwrap_or(DMat4::IDENTITY);
     Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
 }
 
 /// The placement of the selected object in the world; `None` if none is selected, or the scene is impossible.
-pub(super) fn selected(state: &State) -> Option<(String, Placement)> {
-    let scene = &state.document.figure().scene;
-    let (name, spec) = match state.tree.selected(scene)? {
+pub(super) fn selected(model: &Model) -> Option<(String, Placement)> {
+    let scene = &model.document.figure().scene;
+    let (name, spec) = match model.tree.selected(scene)? {
         Selected::Object(name) => (name, scene.objects.iter().find(|o| o.name == *name)?.clone()),
         Selected::OfPreset(name) => (name, preset_objects(scene.preset).into_iter().find(|o| o.name == *name)?),
         Selected::Light(_) => return None,

@@ -5,11 +5,13 @@ use glam::DVec3;
 
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
-use crate::gui::inspector::complaint;
+use crate::gui::kit::context_help::{help_topic, help_topic_row};
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Covered, State};
-use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
+use crate::gui::why::state::triangle::Covered;
 use crate::i18n::pictures::labels;
 use crate::i18n::why::notes;
 use crate::i18n::why::triangle as words;
@@ -46,23 +48,23 @@ fn whole_number(ui: &mut Ui, lang: Lang, (name, hint): (&str, &str), now: u32, l
 }
 
 /// Shows the chooser, and the steps of the chosen triangle.
-pub(super) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    let t = words::texts(model.settings.lang);
     ui.label(RichText::new(t.heading).strong());
     ui.label(RichText::new(t.hint).weak());
-    let labels = labels(state.settings.lang);
-    chooser(ui, t, state);
-    let Some((steps, covered)) = found(ui.ctx(), state) else { return };
-    let Some(mut shown) = state.shown().triangle.clone() else { return };
+    let labels = labels(model.settings.lang);
+    chooser(ui, t, model);
+    let Some((steps, covered)) = found(ui.ctx(), model, explain) else { return };
+    let Some(mut shown) = model.shown().triangle.clone() else { return };
     choose_step(ui, t, &mut shown.step);
-    let page = Page { t, labels, mark: state.settings.lang.mark(), digits: state.settings.digits };
+    let page = Page { t, labels, mark: model.settings.lang.mark(), digits: model.settings.digits };
     let step = shown.step;
     let top = ui.cursor().min;
     let pixels = match covered {
         Covered::Found(pixels) => pixels,
         Covered::Searched => {
             ui.label(RichText::new(t.being_found).weak());
-            return follow(ui, state, shown);
+            return follow(ui, model, shown);
         }
     };
     match step {
@@ -73,28 +75,28 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         TriangleStep::Divide => page.divide(ui, &steps),
         TriangleStep::Viewport => page.viewport(ui, &steps),
         TriangleStep::Pixels => page.pixels(ui, pixels.as_deref()),
-        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), state.document.figure().image, &mut shown.pixel),
+        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), model.document.figure().image, &mut shown.pixel),
     }
     let row = egui::Rect::from_min_max(top, egui::pos2(ui.max_rect().right(), ui.cursor().min.y));
     help_topic_row(ui, row, notes::of_stage(stage_of(step)));
-    follow(ui, state, shown);
+    follow(ui, model, shown);
 }
 
 /// Goes on with the chosen step, or pixel.
-fn follow(ui: &Ui, state: &mut State, shown: ShownTriangle) {
-    if state.shown().triangle.as_ref() != Some(&shown) {
-        state.document.show_mut().triangle = Some(shown);
+fn follow(ui: &Ui, model: &mut Model, shown: ShownTriangle) {
+    if model.shown().triangle.as_ref() != Some(&shown) {
+        model.document.show_mut().triangle = Some(shown);
         ui.ctx().request_repaint();
     }
 }
 
 /// The numbers of the triangle that the image shows.
-fn found(ctx: &egui::Context, state: &mut State) -> Option<(TriangleSteps, Covered)> {
+fn found(ctx: &egui::Context, model: &Model, explain: &mut Explain) -> Option<(TriangleSteps, Covered)> {
     // They do not depend on the size.
     let size = Size { width: 1, height: 1, scale: 1.0 };
-    let (document, scene, labels) = (&state.document, state.scene_cache.scene(), labels(state.settings.lang));
+    let (document, scene, labels) = (&model.document, model.scene_cache.scene(), labels(model.settings.lang));
     let request = Request::of(document.figure(), View::Image, document.camera(), scene, labels, size);
-    state.explain.triangle.found(ctx, &request)
+    explain.triangle.found(ctx, &request)
 }
 
 /// The stage that does a step.
@@ -110,15 +112,15 @@ fn stage_of(step: TriangleStep) -> Stage {
     }
 }
 
-fn chooser(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let scene = state.scene_cache.scene().clone();
+fn chooser(ui: &mut Ui, t: &Texts, model: &mut Model) {
+    let scene = model.scene_cache.scene().clone();
     let objects: Vec<(&str, usize)> = scene
         .objects
         .iter()
         .filter(|object| object.faces && !object.mesh.triangles.is_empty())
         .map(|object| (object.name.as_str(), object.mesh.triangles.len()))
         .collect();
-    let shown = state.shown().triangle.clone();
+    let shown = model.shown().triangle.clone();
     let mut chosen = shown.as_ref().map(|shown| (shown.object.clone(), shown.index));
     ui.horizontal_wrapped(|ui| {
         let name = chosen.as_ref().map_or("–", |(name, _)| name).to_owned();
@@ -146,16 +148,16 @@ fn chooser(ui: &mut Ui, t: &Texts, state: &mut State) {
         }
     });
     if chosen != shown.as_ref().map(|shown| (shown.object.clone(), shown.index)) {
-        choose(state, chosen);
+        choose(model, chosen);
         ui.ctx().request_repaint();
     }
 }
 
 /// Follows another triangle at the same step, or none.
-fn choose(state: &mut State, chosen: Option<(String, u32)>) {
-    let step = state.shown().triangle.as_ref().map(|shown| shown.step).unwrap_or_default();
+fn choose(model: &mut Model, chosen: Option<(String, u32)>) {
+    let step = model.shown().triangle.as_ref().map(|shown| shown.step).unwrap_or_default();
     let triangle = chosen.map(|(object, index)| ShownTriangle { object, index, step, pixel: None });
-    state.document.show_mut().triangle = triangle;
+    model.document.show_mut().triangle = triangle;
 }
 
 fn choose_step(ui: &mut Ui, t: &Texts, step: &mut TriangleStep) {
@@ -339,27 +341,29 @@ impl Page<'_> {
 /// the depth test it chooses a pixel of the triangle that is followed, else the one it has found. Returns false where
 /// there is neither.
 pub(in crate::gui) fn clicked(
-    (ctx, state): (&egui::Context, &mut State),
+    ctx: &egui::Context,
+    model: &mut Model,
+    explain: &mut Explain,
     request: &Request,
     pointer: glam::DVec2,
     triangle: Option<(usize, u32)>,
 ) -> bool {
     let pixel = image_pixel(request, pointer);
-    let shown = state.shown().triangle.clone();
+    let shown = model.shown().triangle.clone();
     let at_depth = shown.filter(|shown| shown.step == TriangleStep::Depth);
-    let covered = at_depth.and_then(|shown| match found(ctx, state)?.1 {
+    let covered = at_depth.and_then(|shown| match found(ctx, model, explain)?.1 {
         Covered::Found(Some(pixels)) if pixel.is_some_and(|pixel| pixels.covers(pixel)) => Some(shown),
         Covered::Found(_) | Covered::Searched => None,
     });
     if let Some(shown) = covered {
-        state.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
+        model.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
     } else if let Some((object, index)) = triangle {
         let name = &request.scene.objects[object].name;
         if request.scene.place_of(name) != Some(object) {
             // The name is that of another object: nothing can say which one is meant.
             return false;
         }
-        choose(state, Some((name.clone(), index)));
+        choose(model, Some((name.clone(), index)));
     } else {
         return false;
     }

@@ -6,16 +6,21 @@ use super::Command::{self, *};
 use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
+use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
-use crate::gui::export::handout_dialog::HandoutForm;
+use crate::gui::export::handout_form::HandoutForm;
 use crate::gui::files::file_flow;
-use crate::gui::files::title_dialog::TitleForm;
+use crate::gui::files::questions::{Agreed, Dialog, Purpose, TitleForm};
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare as kept_camera;
-use crate::gui::state::{
-    self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Panels, Purpose, Side, State, ViewHistory,
-};
+use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::learn::Learn;
+use crate::gui::learn::lesson::state::Playing;
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
+use crate::gui::model::message::Message;
+use crate::gui::model::view_history::ViewHistory;
 use crate::i18n::Lang;
 use crate::i18n::learn::{handouts, lessons};
 use crate::i18n::window::Texts;
@@ -30,16 +35,16 @@ macro_rules! row {
         row!($command, $keys, $label, $hint, |s, _| s.$($flag)+ ^= true).on(|s| s.$($flag)+)
     };
     (tab $tab:ident, $keys:expr, $label:ident, $hint:ident) => {
-        row!(Tab(state::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(s, state::Tab::$tab))
-            .on(|s| s.settings.tab == state::Tab::$tab && s.settings.panels().is_shown(Side::Left))
+        row!(Tab(layout::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(s, layout::Tab::$tab))
+            .on(|s| s.model.settings.tab == layout::Tab::$tab && s.model.settings.panels().is_shown(Side::Left))
     };
     (panel $command:ident, $side:ident, $keys:expr, $label:ident, $hint:ident) => {
-        row!($command, $keys, $label, $hint, |s, _| s.settings.panels_mut().toggle(Side::$side))
-            .on(|s| s.settings.panels().is_shown(Side::$side))
+        row!($command, $keys, $label, $hint, |s, _| s.model.settings.panels_mut().toggle(Side::$side))
+            .on(|s| s.model.settings.panels().is_shown(Side::$side))
     };
     (picture $view:ident, $keys:expr, $label:ident) => {
-        row!(Show(View::$view), $keys, $label, show_picture_hint, |s, _| s.layout.toggle(View::$view))
-            .on(|s| s.layout.is_shown(View::$view))
+        row!(Show(View::$view), $keys, $label, show_picture_hint, |s, _| s.model.layout.toggle(View::$view))
+            .on(|s| s.model.layout.is_shown(View::$view))
     };
     (arrangement $arrangement:expr, $keys:expr) => {
         Row::new(
@@ -47,14 +52,14 @@ macro_rules! row {
             $keys,
             |t| (canvas::texts(t.lang).arrangement($arrangement), t.arrange_hint),
             |s, _| {
-                s.layout.arrangement = $arrangement;
-                s.layout.maximized = None;
+                s.model.layout.arrangement = $arrangement;
+                s.model.layout.maximized = None;
             },
         )
-        .on(|s| s.layout.arrangement == $arrangement)
+        .on(|s| s.model.layout.arrangement == $arrangement)
     };
     (look $change:expr, $keys:expr, $label:ident, $hint:ident) => {
-        row!(Observe($change), $keys, $label, $hint, |s, _| s.observer_change = Some($change))
+        row!(Observe($change), $keys, $label, $hint, |s, _| s.model.observer_change = Some($change))
     };
     ($command:expr, $keys:expr, $label:ident, $hint:ident, $run:expr) => {
         Row::new($command, $keys, |t| (t.$label, t.$hint), $run)
@@ -101,7 +106,7 @@ pub const MENUS: &[Menu] = &[
                 s.family = std::mem::take(&mut s.family).or_last();
                 show_export(s);
             }),
-            Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| s.ask_for_code()),
+            Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| show_code(s)),
         ]],
     },
     Menu {
@@ -109,14 +114,14 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[
-                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.undo())
-                    .enabled(|s| s.document.can_undo() || s.can_undo_lesson(true)),
-                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.redo())
+                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.learn.undo(&mut s.model))
+                    .enabled(|s| s.model.document.can_undo() || s.learn.can_undo_lesson(&s.model, true)),
+                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.redo(&mut s.model))
                     .or(ctrl(Key::Y))
-                    .enabled(|s| s.document.can_redo() || s.can_undo_lesson(false)),
+                    .enabled(|s| s.model.document.can_redo() || s.learn.can_undo_lesson(&s.model, false)),
             ],
-            &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.document.reset())
-                .enabled(|s| s.document.can_reset())
+            &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.document.reset())
+                .enabled(|s| s.model.document.can_reset())
                 .browsers_keys()],
             &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, copy_numbers)],
         ],
@@ -139,22 +144,26 @@ pub const MENUS: &[Menu] = &[
             ],
             &[
                 row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, ViewHistory::back))
-                    .enabled(|s| s.views.can_go_back(s.document.figure().observers)),
+                    .enabled(|s| s.model.views.can_go_back(s.model.document.figure().observers)),
                 row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(
                     s,
                     ViewHistory::forward
                 ))
-                .enabled(|s| s.views.can_go_forward(s.document.figure().observers)),
+                .enabled(|s| s.model.views.can_go_forward(s.model.document.figure().observers)),
                 row!(Section, alt(Key::Num8), section_view, section_view_hint, |s, _| toggle_section(s))
-                    .on(|s| s.document.figure().world.section),
+                    .on(|s| s.model.document.figure().world.section),
                 row!(Dimensions, alt(Key::Num9), dimensions, dimensions_hint, |s, _| toggle_dimensions(s))
-                    .on(|s| s.document.figure().world.dimensions)
-                    .enabled(|s| !s.document.figure().world.section)
+                    .on(|s| s.model.document.figure().world.dimensions)
+                    .enabled(|s| !s.model.document.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
                 Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
-                Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| kept_camera::keep_as_a(s)),
-                Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| kept_camera::swap(s)),
-                row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch layout.linked),
+                Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| {
+                    kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
+                }),
+                Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| {
+                    kept_camera::swap(&mut s.model, &s.camera_a);
+                }),
+                row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
                 Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),
             ],
         ],
@@ -184,17 +193,17 @@ pub const MENUS: &[Menu] = &[
                 row!(panel ParametersPanel, Left, plain(Key::F8), parameters_panel, parameters_panel_hint),
                 row!(panel NumbersPanel, Right, plain(Key::F9), numbers_panel, numbers_panel_hint),
                 row!(Explain, alt(Key::E), explain_panel, explain_panel_hint, |s, _| toggle_explain(s))
-                    .on(|s| s.settings.panels().is_shown(Side::Explain) && !s.shows_exercises()),
+                    .on(|s| s.model.settings.panels().is_shown(Side::Explain) && !s.model.shows_exercises()),
                 row!(Exercises, alt(Key::X), exercises, exercises_hint, |s, _| toggle_exercises(s))
-                    .on(State::shows_exercises),
-                row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch layout.strip),
+                    .on(|s| s.model.shows_exercises()),
+                row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch model.layout.strip),
                 row!(Numerics, ctrl(Key::Num9), numerics, numerics_hint, switch numerics.shown),
             ],
             &[
                 row!(Theme, ctrl(Key::T), theme, theme_hint, |s, _| toggle_theme(s))
-                    .on(|s| s.settings.theme == appearance::Theme::Dark)
+                    .on(|s| s.model.settings.theme == appearance::Theme::Dark)
                     .browsers_keys(),
-                row!(ReduceMotion, alt(Key::M), reduce_motion, reduce_motion_hint, switch settings.reduce_motion),
+                row!(ReduceMotion, alt(Key::M), reduce_motion, reduce_motion_hint, switch model.settings.reduce_motion),
             ],
             &[
                 row!(ZoomIn, ctrl(Key::Plus), zoom_in, zoom_in_hint, |s, _| zoom_by(s, 0.1))
@@ -202,7 +211,7 @@ pub const MENUS: &[Menu] = &[
                     .or(ctrl(Key::Equals))
                     .browsers_keys(),
                 row!(ZoomOut, ctrl(Key::Minus), zoom_out, zoom_out_hint, |s, _| zoom_by(s, -0.1)).browsers_keys(),
-                row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.settings.zoom = 1.0)
+                row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.model.settings.zoom = 1.0)
                     .browsers_keys(),
             ],
             &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| toggle_language(s)).browsers_keys()],
@@ -213,7 +222,7 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[row!(Presentation, plain(Key::F11), presentation, presentation_hint, toggle_presentation)
-                .on(|s| s.settings.presentation)],
+                .on(|s| s.model.settings.presentation)],
             &[
                 Row::step(NextFigure, ctrl(Key::PageDown), |t| (t.next_figure, t.next_figure_hint), true),
                 Row::step(PreviousFigure, ctrl(Key::PageUp), |t| (t.previous_figure, t.previous_figure_hint), false),
@@ -236,40 +245,40 @@ pub const MENUS: &[Menu] = &[
                     StepAgain,
                     alt(Key::Z),
                     |t| lesson_words(t, |t| (t.again, t.again_hint)),
-                    |s, _| s.step_again(),
+                    |s, _| s.learn.step_again(&mut s.model),
                 )
-                .in_lesson(|s| s.lesson.is_some()),
+                .in_lesson(|s| s.learn.lesson.is_some()),
                 Row::new(
                     StepText,
                     alt(Key::C),
                     |t| lesson_words(t, |t| (t.text_command, t.text_hint)),
                     |s, _| {
-                        change_lesson(s, |playing| playing.shows_text ^= true);
+                        change_lesson(&mut s.learn, |playing| playing.shows_text ^= true);
                     },
                 )
-                .in_lesson(|s| s.lesson.is_some())
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
+                .in_lesson(|s| s.learn.lesson.is_some())
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
                 Row::new(
                     StepQuestion,
                     alt(Key::A),
                     |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
                     |s, _| {
-                        let presents = s.settings.presentation;
-                        change_lesson(s, |playing| playing.go_on_asking(presents));
+                        let presents = s.model.settings.presentation;
+                        change_lesson(&mut s.learn, |playing| playing.go_on_asking(presents));
                     },
                 )
-                .in_lesson(|s| s.lesson.is_some())
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
+                .in_lesson(|s| s.learn.lesson.is_some())
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
                 Row::new(
                     StepNotes,
                     alt(Key::N),
                     |t| lesson_words(t, |t| (t.notes_command, t.notes_hint)),
                     |s, _| {
-                        change_lesson(s, |playing| playing.shows_notes ^= true);
+                        change_lesson(&mut s.learn, |playing| playing.shows_notes ^= true);
                     },
                 )
-                .in_lesson(|s| s.lesson.is_some())
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
+                .in_lesson(|s| s.learn.lesson.is_some())
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
                 Row::new(
                     WriteLesson,
                     alt(Key::R),
@@ -277,14 +286,14 @@ pub const MENUS: &[Menu] = &[
                     write_lesson,
                 )
                 .not_in_browser()
-                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
+                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
                 Row::new(
                     LeaveLesson,
                     alt(Key::W),
                     |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
                     |s, ctx| file_flow::begin(ctx, s, AfterSave::LeaveLesson),
                 )
-                .in_lesson(|s| s.lesson.is_some()),
+                .in_lesson(|s| s.learn.lesson.is_some()),
             ],
             &[row!(ClearAnnotations, alt(Key::Backspace), clear_annotations, clear_annotations_hint, |s, _| s
                 .annotations
@@ -300,7 +309,7 @@ pub const MENUS: &[Menu] = &[
                 Lessons,
                 ctrl_shift(Key::L),
                 |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
-                |s, _| s.list_lessons(),
+                |s, _| show_lessons(s),
             ),
             row!(Search, ctrl(Key::F), search, search_hint, |s, _| show_search(s))
                 .or(ctrl_shift(Key::P))
@@ -440,8 +449,8 @@ fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static st
 
 /// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
 fn record_step(state: &mut State, ctx: &Context) {
-    match state.lesson_file.clone() {
-        Some(path) => state.add_step(&path, &state::Agreed::default()),
+    match state.learn.file.clone() {
+        Some(path) => state.learn.add_step(&mut state.model, &path, &Agreed::default()),
         None => file_flow::ask(ctx, state, Purpose::Step),
     }
 }
@@ -449,35 +458,36 @@ fn record_step(state: &mut State, ctx: &Context) {
 /// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
 /// were added last, or a new one that begins with what is on the screen.
 fn write_lesson(state: &mut State, ctx: &Context) {
-    if state.lesson.is_none() && state.lesson_file.is_none() {
+    if state.learn.lesson.is_none() && state.learn.file.is_none() {
         file_flow::ask(ctx, state, Purpose::NewLesson);
-    } else if state.lesson.is_none() {
+    } else if state.learn.lesson.is_none() {
         file_flow::begin(ctx, state, AfterSave::WriteRecorded);
-    } else if state.plays_own_lesson() {
-        state.write_lesson();
+    } else if state.learn.plays_own_lesson(&state.model) {
+        state.learn.write_lesson(&mut state.model);
     } else {
         file_flow::ask(ctx, state, Purpose::OwnLesson);
     }
 }
 
-fn change_lesson(state: &mut State, change: impl FnOnce(&mut state::Playing)) {
-    if let Some(playing) = &mut state.lesson {
+fn change_lesson(learn: &mut Learn, change: impl FnOnce(&mut Playing)) {
+    if let Some(playing) = &mut learn.lesson {
         change(playing);
     }
 }
 
 fn show_compare(state: &mut State) {
-    let form = CompareForm::of(state.document.figure());
+    let form = CompareForm::of(state.model.document.figure());
     show_dialog(state, Dialog::Compare(form));
 }
 
 /// Saves what is typed in the lesson, or the figure.
 fn save(state: &mut State, ctx: &Context) {
-    let writing = state.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
+    let writing =
+        state.learn.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
     match writing.filter(|(_, writing)| writing.is_ahead()) {
         Some((path, _)) => {
-            if state.save_text() {
-                state.say(Message::Saved(path));
+            if state.learn.save_text(&mut state.model) {
+                state.model.say(Message::Saved(path));
             }
         }
         None => file_flow::save(ctx, state, None),
@@ -503,78 +513,91 @@ fn save_as(state: &mut State, ctx: &Context) {
 }
 
 fn show_title(state: &mut State, _: &Context) {
-    let form = TitleForm::of(state, None);
+    let form = TitleForm::of(&state.model, None);
     show_dialog(state, Dialog::Title(form));
 }
 
+/// Opens the list of lessons, with those of the folder of figures too.
+fn show_lessons(state: &mut State) {
+    state.learn.look_for_lessons(&state.model, state.gallery.folder());
+    show_dialog(state, Dialog::Lessons);
+}
+
+/// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
+fn show_code(state: &mut State) {
+    let has_address = state.own_address.is_some() || !state.page_address.is_empty();
+    show_dialog(state, if has_address { Dialog::Qr } else { Dialog::Link });
+    state.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
+}
+
 fn show_handout(state: &mut State, is_lesson: bool) {
-    state.look_for_lessons();
-    let form = HandoutForm::of(state, is_lesson);
+    state.learn.look_for_lessons(&state.model, state.gallery.folder());
+    let form = HandoutForm::of(&state.learn, state.model.settings.lang, is_lesson);
     show_dialog(state, Dialog::Handout(form));
 }
 
 /// Opens the export dialog for the views that are shown.
 fn show_export(state: &mut State) {
-    state.export.what = state.layout.views();
-    state.export.fit_screen(state.picture_sizes, state.screen_scale);
+    state.export.what = state.model.layout.views();
+    state.export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
     show_dialog(state, Dialog::Export(state.export));
 }
 
 fn copy_numbers(state: &mut State, ctx: &Context) {
-    ctx.copy_text(number_tables::text(state));
-    state.say(Message::NumbersCopied);
+    ctx.copy_text(number_tables::text(&state.model));
+    state.model.say(Message::NumbersCopied);
 }
 
 /// Shows the 3D pictures as they were seen at another time, where there is one.
 fn see_as(state: &mut State, find: fn(&mut ViewHistory, Observers) -> Option<Observers>) {
-    if let Some(observers) = find(&mut state.views, state.document.figure().observers) {
-        *state.document.observers_mut() = observers;
+    if let Some(observers) = find(&mut state.model.views, state.model.document.figure().observers) {
+        *state.model.document.observers_mut() = observers;
     }
 }
 
 fn toggle_section(state: &mut State) {
-    state.document.edit(|figure| figure.world.section ^= true);
+    state.model.document.edit(|figure| figure.world.section ^= true);
 }
 
 fn toggle_dimensions(state: &mut State) {
-    state.document.edit(|figure| figure.world.dimensions ^= true);
+    state.model.document.edit(|figure| figure.world.dimensions ^= true);
 }
 
-fn show_tab(state: &mut State, tab: state::Tab) {
-    state.settings.tab = tab;
-    state.settings.panels_mut().show(Side::Left);
+fn show_tab(state: &mut State, tab: layout::Tab) {
+    state.model.settings.tab = tab;
+    state.model.settings.panels_mut().show(Side::Left);
 }
 
 fn toggle_exercises(state: &mut State) {
-    if state.shows_exercises() && state.exercises.was_called {
-        state.settings.panels_mut().toggle(Side::Explain);
+    if state.model.shows_exercises() && state.learn.exercises.was_called {
+        state.model.settings.panels_mut().toggle(Side::Explain);
     } else {
-        state.show_explanation(Explanation::Exercises);
-        state.exercises.call();
+        state.model.show_explanation(Explanation::Exercises);
+        state.learn.exercises.call();
     }
 }
 
 /// The explanations and the exercises share a panel. One of them is on.
 fn toggle_explain(state: &mut State) {
-    if state.shows_exercises() {
-        let [last, ..] = state.explain.last();
-        state.explain.show(last);
+    if state.model.shows_exercises() {
+        let [last, ..] = state.model.explained.last();
+        state.model.explained.show(last);
     } else {
-        state.settings.panels_mut().toggle(Side::Explain);
+        state.model.settings.panels_mut().toggle(Side::Explain);
     }
 }
 
 fn toggle_theme(state: &mut State) {
-    let theme = &mut state.settings.theme;
+    let theme = &mut state.model.settings.theme;
     *theme = if *theme == appearance::Theme::Dark { appearance::Theme::Light } else { appearance::Theme::Dark };
 }
 
 fn zoom_by(state: &mut State, more: f32) {
-    state.settings.zoom = (state.settings.zoom + more).clamp(0.5, 3.0);
+    state.model.settings.zoom = (state.model.settings.zoom + more).clamp(0.5, 3.0);
 }
 
 fn toggle_language(state: &mut State) {
-    state.settings.lang = match state.settings.lang {
+    state.model.settings.lang = match state.model.settings.lang {
         Lang::En => Lang::PtBr,
         Lang::PtBr => Lang::En,
     };
@@ -582,16 +605,17 @@ fn toggle_language(state: &mut State) {
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {
     // What the figure wants to be explained is open in the presentation too, where it is open now.
-    let explained = state.document.figure().screen.panel.flatten().filter(|panel| state.shows_explanation(*panel));
-    state.layout.turn_presentation(!state.settings.presentation);
-    state.settings.presentation ^= true;
+    let explained =
+        state.model.document.figure().screen.panel.flatten().filter(|panel| state.model.shows_explanation(*panel));
+    state.model.layout.turn_presentation(!state.model.settings.presentation);
+    state.model.settings.presentation ^= true;
     // A panel that was opened before a class is none of the next one.
-    state.settings.presentation_panels = Panels::default();
-    if let Some(playing) = &mut state.lesson {
-        playing.shows_question = !state.settings.presentation;
+    state.model.settings.presentation_panels = Panels::default();
+    if let Some(playing) = &mut state.learn.lesson {
+        playing.shows_question = !state.model.settings.presentation;
     }
-    explained.into_iter().for_each(|panel| state.show_explanation(panel));
-    ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
-    state.message = None;
+    explained.into_iter().for_each(|panel| state.model.show_explanation(panel));
+    ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.model.settings.presentation));
+    state.model.message = None;
     state.annotations.keys_since = Some(ctx.input(|input| input.time));
 }

@@ -7,10 +7,10 @@ use super::{Number, ParameterForm, VectorParameter, lens_menu, row};
 use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::help_topic;
+use crate::gui::model::Model;
 use crate::i18n::window::Texts;
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
@@ -61,7 +61,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
 }
 
 /// The kind of projection, θ or H, A, F and B.
-pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mut State) {
+pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Model) {
     let t = form.t;
     section(ui, t.projection, "projection", true, |ui| {
         kind(ui, form);
@@ -70,7 +70,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
             if form.preset == Preset::Exercise52 && form.parameters.projection == Projection::Parallel {
                 erratum(ui, t, t.erratum_52);
             }
-            let follows = state.settings.aspect_follows_image;
+            let follows = model.settings.aspect_follows_image;
             ui.add_enabled_ui(!follows, |ui| {
                 form.number(
                     ui,

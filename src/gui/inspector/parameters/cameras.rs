@@ -7,10 +7,11 @@ use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
 use crate::figure::{Comparison, NamedCamera};
 use crate::gui::inspector::section;
+use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::window;
 use crate::i18n::window::cameras::{self, Texts};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
@@ -18,35 +19,35 @@ use crate::sanitize::escaped;
 use crate::views::{OtherCamera, Palette};
 
 /// Shows the list, and the buttons that add to it.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = cameras::texts(state.settings.lang);
-    let count = state.document.figure().cameras.len();
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList) {
+    let t = cameras::texts(model.settings.lang);
+    let count = model.document.figure().cameras.len();
     // It opens when the first camera comes, or when one of its buttons was searched for.
-    let (id, opens) = match (count > 0, state.cameras.was_called) {
+    let (id, opens) = match (count > 0, cameras.was_called) {
         (true, _) => ("cameras", true),
         (false, true) => ("called cameras", true),
         (false, false) => ("no other cameras", false),
     };
     section(ui, t.cameras, id, opens, |ui| {
         if count > 0 {
-            name(ui, state, t, None);
+            name(ui, model, cameras, t, None);
         }
         for index in 0..count {
             // A camera that is removed leaves the list shorter in the same frame.
-            if index < state.document.figure().cameras.len() {
-                other(ui, state, t, index);
+            if index < model.document.figure().cameras.len() {
+                other(ui, model, cameras, t, index);
             }
         }
-        add(ui, state, t, count < MAX_CAMERAS);
+        add(ui, model, cameras, t, count < MAX_CAMERAS);
     });
 }
 
 /// One of the other cameras: its color, its name, and the buttons that look through it and remove it.
-fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
+fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: usize) {
     let mut asked = (false, false);
-    let mut is_beside = is_beside(state, index);
-    let own = state.document.figure().cameras[index].name.clone();
-    name_row(ui, state, t, Some(index), |ui| {
+    let mut is_beside = is_beside(model, index);
+    let own = model.document.figure().cameras[index].name.clone();
+    name_row(ui, model, cameras, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
         let look = ui.button(t.look).explained(t.look_hint).accessible_name(of(t.look));
         let remove = ui.button("✖").explained(t.remove_hint).accessible_name(of(t.remove));
@@ -54,35 +55,36 @@ fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     });
     let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
     if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
-        let compare = is_beside.then(|| Comparison::of_camera(&state.document.figure().cameras[index].name));
-        state.document.edit_cameras(|figure| figure.compare = compare);
+        let compare = is_beside.then(|| Comparison::of_camera(&model.document.figure().cameras[index].name));
+        model.document.edit_cameras(|figure| figure.compare = compare);
     }
     match asked {
-        (true, _) => state.look_through(index),
+        (true, _) => cameras.look_through(model, index),
         (_, true) => {
-            state.cameras.typing = None;
-            state.document.edit_cameras(|figure| figure.remove_camera(index));
+            cameras.typing = None;
+            model.document.edit_cameras(|figure| figure.remove_camera(index));
         }
         _ => {}
     }
 }
 
 /// True if the image of this camera stands beside that of the current one.
-fn is_beside(state: &State, index: usize) -> bool {
-    let figure = state.document.figure();
+fn is_beside(model: &Model, index: usize) -> bool {
+    let figure = model.document.figure();
     let name = figure.compare.as_ref().and_then(|comparison| comparison.camera.as_ref());
     name.is_some_and(|name| figure.cameras[index].name == *name)
 }
 
 /// The current camera.
-fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) {
-    name_row(ui, state, t, index, |ui| drop(ui.weak(t.current)));
+fn name(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: Option<usize>) {
+    name_row(ui, model, cameras, t, index, |ui| drop(ui.weak(t.current)));
 }
 
 /// Color, name, and the controls at the right.
 fn name_row(
     ui: &mut egui::Ui,
-    state: &mut State,
+    model: &mut Model,
+    cameras: &mut CameraList,
     t: &Texts,
     index: Option<usize>,
     at_right: impl FnOnce(&mut egui::Ui),
@@ -90,30 +92,30 @@ fn name_row(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().interact_size.x = 20.0;
-        color(ui, state, t, index);
-        name_field(ui, state, t, index);
-        crate::gui::app::focus::at_right(ui, at_right);
+        color(ui, model, t, index);
+        name_field(ui, model, cameras, t, index);
+        crate::gui::kit::focus::at_right(ui, at_right);
     });
-    if is_refused(state, index) {
+    if is_refused(model, cameras, index) {
         complaint(ui, t.name_bad);
     }
 }
 
 /// True for a name that was left and cannot be taken.
-fn is_refused(state: &State, index: Option<usize>) -> bool {
-    let typing = state.cameras.typing.as_ref().filter(|(of, ..)| *of == index);
-    typing.is_some_and(|(_, text, left)| *left && !is_free(state, text.trim(), index))
+fn is_refused(model: &Model, cameras: &CameraList, index: Option<usize>) -> bool {
+    let typing = cameras.typing.as_ref().filter(|(of, ..)| *of == index);
+    typing.is_some_and(|(_, text, left)| *left && !is_free(model, text.trim(), index))
 }
 
-fn is_free(state: &State, name: &str, index: Option<usize>) -> bool {
-    let figure = state.document.figure();
+fn is_free(model: &Model, name: &str, index: Option<usize>) -> bool {
+    let figure = model.document.figure();
     let is_own = index.is_none() && figure.tag.name.as_deref() == Some(name);
     is_own || figure.may_name_camera(name, index)
 }
 
-fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) {
-    let palette = Palette::of(state.settings.theme);
-    let figure = state.document.figure();
+fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) {
+    let palette = Palette::of(model.settings.theme);
+    let figure = model.document.figure();
     let given = index.map_or(figure.tag.color, |i| figure.cameras[i].color);
     let now = match index {
         Some(i) => OtherCamera::color_at(given, i, palette),
@@ -126,7 +128,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
     if picker.changed() {
         let [r, g, b] = chosen;
         let chosen = Some(Rgba::rgb(r, g, b));
-        state.document.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
+        model.document.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
             Some(NamedCamera { color, .. }) => *color = chosen,
             None => figure.tag.color = chosen,
         });
@@ -134,31 +136,31 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
 }
 
 /// The field of a name. It takes effect with Enter, or when it is left.
-fn name_field(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) {
-    let figure = state.document.figure();
+fn name_field(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: Option<usize>) {
+    let figure = model.document.figure();
     let old = index.map_or_else(|| figure.tag.name.clone(), |i| Some(figure.cameras[i].name.clone()));
     let old = old.unwrap_or_default();
-    let kept = state.cameras.typing.take_if(|(of, ..)| *of == index);
+    let kept = cameras.typing.take_if(|(of, ..)| *of == index);
     let (_, mut text, was_left) = kept.unwrap_or_else(|| (index, old.clone(), false));
     let id = egui::Id::unique(("camera name", index));
     let field = TextField::line(&mut text, MAX_CAMERA_NAME).with(|edit| edit.id(id).desired_width(98.0));
-    let response = field.show(ui, state.settings.lang).explained(t.name_hint);
+    let response = field.show(ui, model.settings.lang).explained(t.name_hint);
     let response = response.accessible_name(format!("{}: {}", t.name, escaped(&old)));
     let left = response.lost_focus();
     let wanted = text.trim().to_owned();
     if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {
         if response.has_focus() {
-            state.cameras.typing = Some((index, text, false));
+            cameras.typing = Some((index, text, false));
         }
-    } else if left && is_free(state, &wanted, index) {
-        state.document.edit_cameras(|figure| figure.rename_camera(index, &wanted));
+    } else if left && is_free(model, &wanted, index) {
+        model.document.edit_cameras(|figure| figure.rename_camera(index, &wanted));
     } else if response.has_focus() || left || was_left {
-        state.cameras.typing = Some((index, text, left || was_left));
+        cameras.typing = Some((index, text, left || was_left));
     }
 }
 
 /// The buttons that add cameras.
-fn add(ui: &mut egui::Ui, state: &mut State, t: &Texts, has_room: bool) {
+fn add(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, has_room: bool) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let button = |ui: &mut egui::Ui, text: &str, hint: &str| {
@@ -167,41 +169,41 @@ fn add(ui: &mut egui::Ui, state: &mut State, t: &Texts, has_room: bool) {
             button.explained(hint).explained_disabled(t.full)
         };
         if button(ui, t.add, t.add_hint).clicked() {
-            let name = state.document.figure().free_camera_name();
-            state.keep_camera(&name);
+            let name = model.document.figure().free_camera_name();
+            model.keep_camera(&name);
         }
         if button(ui, t.before, t.before_hint).clicked() {
-            state.keep_camera(t.before_name);
+            model.keep_camera(t.before_name);
         }
-        let is_perspective = state.document.camera().projection() == Projection::Perspective;
+        let is_perspective = model.document.camera().projection() == Projection::Perspective;
         let pair = ui.add_enabled(has_room && is_perspective, egui::Button::new(format!("{} ▾", t.pair)));
         let pair = pair.explained(t.pair_hint).accessible_name(t.pair);
         number_field::answer_call(ui, &pair, t.pair);
         let popup = Popup::from_toggle_button_response(&pair).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
             ui.set_width(240.0);
-            stereo(ui, state, t);
+            stereo(ui, model, cameras, t);
         });
     });
 }
 
 /// The menu of the stereo pair: its baseline and its two kinds.
-fn stereo(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let words = window::texts(state.settings.lang);
-    let mut baseline = state.cameras.baseline.unwrap_or(state.document.camera().distance() / 30.0);
+fn stereo(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts) {
+    let words = window::texts(model.settings.lang);
+    let mut baseline = cameras.baseline.unwrap_or(model.document.camera().distance() / 30.0);
     row(ui, "", t.baseline, t.baseline_hint, |ui| {
         let field = NumberField::new(t.baseline, Step::Multiply(1.1)).positive().hint(t.baseline_hint).width(92.0);
         let before = baseline;
         field.show(ui, words, &mut baseline);
         if baseline != before {
-            state.cameras.baseline = Some(baseline);
+            cameras.baseline = Some(baseline);
         }
     });
     for (convergence, text, hint) in
         [(Convergence::ShiftedWindows, t.shifted, t.shifted_hint), (Convergence::ToeIn, t.toe_in, t.toe_in_hint)]
     {
         if ui.button(text).explained(hint).clicked() {
-            state.make_stereo(baseline, convergence);
+            model.make_stereo(baseline, convergence);
             ui.close();
         }
     }

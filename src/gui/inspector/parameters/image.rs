@@ -8,10 +8,11 @@ use super::{complaint, photograph, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
 use crate::gui::inspector::{more, section};
+use crate::gui::kit::context_help::{has_focus, help_topic_row};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::{has_focus, help_topic_row};
+use crate::gui::model::Model;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
 use crate::limits;
@@ -20,10 +21,10 @@ const MAX_SIDE: f64 = limits::MAX_SIDE as f64;
 const MAX_OFFSET: f64 = limits::MAX_OFFSET as f64;
 
 /// Image size and, closed at first, the viewport.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool) {
+    let t = window::texts(model.settings.lang);
     section(ui, t.image, "image", true, |ui| {
-        let ImageSize { width, height } = state.document.figure().image;
+        let ImageSize { width, height } = model.document.figure().image;
         let [mut m, mut n] = [f64::from(width), f64::from(height)];
         let size = ui.scope(|ui| {
             row(ui, "m × n", t.image_size, t.image_size_hint, |ui| {
@@ -38,36 +39,36 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             })
         });
         let mut symbols = vec![Symbol::ImageWidth, Symbol::ImageHeight];
-        if state.document.figure().viewport.is_none() {
+        if model.document.figure().viewport.is_none() {
             symbols.extend([Symbol::ViewportWidth, Symbol::ViewportHeight]);
         }
-        if state.settings.aspect_follows_image && state.document.draft().window.is_none() {
+        if model.settings.aspect_follows_image && model.document.draft().window.is_none() {
             symbols.push(Symbol::Aspect);
         }
-        point_at(ui, &mut state.hover.pointed, size.response.rect, &symbols);
+        point_at(ui, &mut model.hover.pointed, size.response.rect, &symbols);
         complain(ui, t, &size.inner);
         let size = ImageSize { width: to_side(m), height: to_side(n) };
-        if size != state.document.figure().image {
-            state.document.edit(|figure| figure.image = size);
+        if size != model.document.figure().image {
+            model.document.edit(|figure| figure.image = size);
         }
-        let symmetric = state.document.draft().window.is_none();
-        let mut follows = state.settings.aspect_follows_image && symmetric;
+        let symmetric = model.document.draft().window.is_none();
+        let mut follows = model.settings.aspect_follows_image && symmetric;
         let follow = ui.add_enabled(symmetric, egui::Checkbox::new(&mut follows, t.aspect_follows));
         let follow = follow.explained(t.aspect_follows_hint).explained_disabled(t.aspect_follows_not);
         if follow.changed() {
-            state.settings.aspect_follows_image = follows;
+            model.settings.aspect_follows_image = follows;
         }
         if follows {
             let aspect = f64::from(size.width) / f64::from(size.height);
-            let mut parameters = *state.document.draft();
+            let mut parameters = *model.document.draft();
             if parameters.aspect != aspect {
                 parameters.aspect = aspect;
-                state.document.set_parameters(parameters);
+                model.document.set_parameters(parameters);
             }
         }
-        photograph::ui(ui, state);
+        photograph::ui(ui, model, photograph);
     });
-    more(ui, t, t.viewport, |ui| viewport(ui, state, t));
+    more(ui, t, t.viewport, |ui| viewport(ui, model, t));
 }
 
 /// The note on a row; while it is under the pointer, or has the focus, the explanations mark the entries that depend on
@@ -102,8 +103,8 @@ fn to_corner(value: f64) -> i32 {
     value as i32
 }
 
-fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let figure = state.document.figure();
+fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
+    let figure = model.document.figure();
     let image = figure.image;
     let whole = Viewport { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 };
     let old = figure.viewport;
@@ -129,7 +130,7 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
                     [field(of[0].1).show(ui, t, first), field(of[1].1).show(ui, t, second)]
                 })
             });
-            point_at(ui, &mut state.hover.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
+            point_at(ui, &mut model.hover.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
             complain(ui, t, &pair.inner);
         };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];
@@ -149,6 +150,6 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     }
     let new = (!is_whole).then_some(new);
     if new != old {
-        state.document.edit(|figure| figure.viewport = new);
+        model.document.edit(|figure| figure.viewport = new);
     }
 }

@@ -17,12 +17,16 @@ use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, Para
 use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
-use crate::gui::app::focus::keep_in_sight;
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::kit::context_help::{has_focus, help_topic_row};
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{State, Tab, symbols_of};
-use crate::gui::why::context_help::{has_focus, help_topic_row};
+use crate::gui::model::Model;
+use crate::gui::model::layout::Tab;
+use crate::gui::model::matrices::symbols_of;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
 use crate::i18n::why::{explain_point, notes};
@@ -32,21 +36,21 @@ use crate::numbers;
 use crate::scene::Preset;
 
 /// Shows the panel's content: one of its tabs.
-pub fn ui(ui: &mut egui::Ui, state: &mut State) {
-    tabs(ui, state);
-    let scroll = egui::ScrollArea::vertical().id_salt(state.settings.tab).auto_shrink(false);
-    match state.settings.tab {
+pub fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
+    tabs(ui, model);
+    let scroll = egui::ScrollArea::vertical().id_salt(model.settings.tab).auto_shrink(false);
+    match model.settings.tab {
         Tab::Camera => {
             scroll.show(ui, |ui| {
-                camera_tab(ui, state);
+                camera_tab(ui, model, photograph, cameras);
                 keep_in_sight(ui);
             });
         }
-        Tab::Scene => super::scene::ui(ui, state),
+        Tab::Scene => super::scene::ui(ui, model),
         Tab::Drawing => {
             scroll.show(ui, |ui| {
-                style::ui(ui, state);
-                world_section::ui(ui, state);
+                style::ui(ui, model);
+                world_section::ui(ui, model);
                 keep_in_sight(ui);
             });
         }
@@ -54,22 +58,22 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 }
 
 /// The heads of the tabs, side by side.
-fn tabs(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let drawing = scenes::texts(state.settings.lang).drawing;
+fn tabs(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let drawing = scenes::texts(model.settings.lang).drawing;
     ui.add_space(2.0);
     ui.columns(3, |columns| {
         let all = [(Tab::Camera, t.camera), (Tab::Scene, t.scene), (Tab::Drawing, drawing)];
         for (column, (tab, text)) in columns.iter_mut().zip(all) {
             let command = Command::Tab(tab);
-            let keys = written(column.ctx(), &command.shortcut(), state.settings.lang);
+            let keys = written(column.ctx(), &command.shortcut(), model.settings.lang);
             let hint = format!("{} ({keys})", command.hint(t));
-            let impossible = tab == Tab::Camera && state.document.problem().is_some();
+            let impossible = tab == Tab::Camera && model.document.problem().is_some();
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
             column.vertical_centered_justified(|ui| {
-                let button = egui::Button::selectable(state.settings.tab == tab, text).frame_when_inactive(true);
+                let button = egui::Button::selectable(model.settings.tab == tab, text).frame_when_inactive(true);
                 if ui.add(button).explained(hint).accessible_name(command.label(t)).clicked() {
-                    state.settings.tab = tab;
+                    model.settings.tab = tab;
                 }
             });
         }
@@ -77,35 +81,35 @@ fn tabs(ui: &mut egui::Ui, state: &mut State) {
     ui.add_space(2.0);
 }
 
-fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
-    let mut form = ParameterForm::new(state);
-    if form.error.is_some() && state.problem_out_of_sight {
+fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
+    let mut form = ParameterForm::new(model);
+    if form.error.is_some() && model.problem_out_of_sight {
         form.problem(ui);
         form.said = false;
     }
     camera::placement(ui, &mut form);
-    camera::projection(ui, &mut form, state);
+    camera::projection(ui, &mut form, model);
     camera::window(ui, &mut form);
-    state.hover.measured = form.measured;
-    state.hover.pointed = form.pointed;
-    state.problem_out_of_sight = form.error.is_some() && !form.said;
+    model.hover.measured = form.measured;
+    model.hover.pointed = form.pointed;
+    model.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
-        Some(camera) => state.document.set_camera(camera),
-        None => state.document.set_parameters(form.parameters),
+        Some(camera) => model.document.set_camera(camera),
+        None => model.document.set_parameters(form.parameters),
     }
     if let Some(lens) = form.new_lens {
-        state.document.set_lens(lens);
+        model.document.set_lens(lens);
     }
     if let Some(point) = form.follows {
-        state.follow_point(point);
-        state.show_explanation(Explanation::Point);
+        model.follow_point(point);
+        model.show_explanation(Explanation::Point);
     }
     if let Some(measure) = form.keeps {
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
-        state.document.edit_labels(|labels| labels.measure(measure, shown));
+        model.document.edit_labels(|labels| labels.measure(measure, shown));
     }
-    cameras::ui(ui, state);
-    image::ui(ui, state);
+    cameras::ui(ui, model, cameras);
+    image::ui(ui, model, photograph);
 }
 
 /// The camera's parameters while their fields are shown, and their faults.
@@ -137,22 +141,22 @@ struct ParameterForm {
 }
 
 impl ParameterForm {
-    fn new(state: &State) -> Self {
+    fn new(model: &Model) -> Self {
         Self {
-            t: window::texts(state.settings.lang),
-            lang: state.settings.lang,
-            preset: state.document.figure().scene.preset,
-            parameters: *state.document.draft(),
-            error: state.document.problem().cloned(),
-            good: state.document.camera().clone(),
-            lens: state.document.figure().lens_in_force(),
+            t: window::texts(model.settings.lang),
+            lang: model.settings.lang,
+            preset: model.document.figure().scene.preset,
+            parameters: *model.document.draft(),
+            error: model.document.problem().cloned(),
+            good: model.document.camera().clone(),
+            lens: model.document.figure().lens_in_force(),
             new_lens: None,
-            image: state.document.figure().image,
+            image: model.document.figure().image,
             replaced: None,
             said: false,
             measured: Vec::new(),
             pointed: Vec::new(),
-            kept: state.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
+            kept: model.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
             keeps: None,
             follows: None,
         }

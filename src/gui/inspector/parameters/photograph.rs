@@ -5,11 +5,12 @@ use eframe::egui::{self, Label, RichText};
 use super::row;
 use crate::camera::ImageSize;
 use crate::figure::Photograph;
-use crate::gui::files::file_flow;
 use crate::gui::inspector::scene;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Purpose, State};
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::i18n::window::photograph::{self as words, Texts};
 use crate::i18n::{messages, window};
 use crate::sanitize;
@@ -17,13 +18,13 @@ use crate::scene::MeshNotice;
 use crate::views::View;
 
 /// The rows of the photograph, in the section of the image.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    let photograph = state.document.figure().photograph.clone();
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut PhotographTool) {
+    let t = words::texts(model.settings.lang);
+    let photograph = model.document.figure().photograph.clone();
     row(ui, "", t.photograph, t.hint, |ui| {
         if photograph.is_some() && ui.button("✖").explained(t.remove).accessible_name(t.remove).clicked() {
-            state.document.edit(|figure| figure.photograph = None);
-            state.photograph.on = false;
+            model.document.edit(|figure| figure.photograph = None);
+            photograph_state.on = false;
         }
         let name = photograph.as_ref().map_or_else(|| t.choose.to_owned(), |photograph| file_name(&photograph.file));
         let button = egui::Button::new(name).truncate();
@@ -31,18 +32,18 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let response = ui.add(button).explained(hint).accessible_name(t.choose_title);
         number_field::answer_call(ui, &response, t.choose_title);
         if response.clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Photograph);
+            model.actions.push(Action::Photograph);
         }
     });
     if let Some(photograph) = &photograph {
-        opacity(ui, state, t, photograph);
-        notice(ui, state);
-        size(ui, state, t);
+        opacity(ui, model, t, photograph);
+        notice(ui, model);
+        size(ui, model, t);
     }
-    let find = ui.add_enabled(photograph.is_some(), egui::Button::new(t.find).selected(state.photograph.on));
+    let find = ui.add_enabled(photograph.is_some(), egui::Button::new(t.find).selected(photograph_state.on));
     if find.explained(t.find_hint).explained_disabled(t.find_first).clicked() {
-        state.photograph.on ^= true;
-        state.layout.shown[View::Image.index()] = true;
+        photograph_state.on ^= true;
+        model.layout.shown[View::Image.index()] = true;
     }
 }
 
@@ -51,14 +52,14 @@ fn file_name(path: &str) -> String {
     sanitize::escaped(path.rsplit(['/', '\\']).next().unwrap_or(path))
 }
 
-fn opacity(ui: &mut egui::Ui, state: &mut State, t: &Texts, photograph: &Photograph) {
+fn opacity(ui: &mut egui::Ui, model: &mut Model, t: &Texts, photograph: &Photograph) {
     let mut opacity = photograph.opacity;
     row(ui, "", t.opacity, t.opacity_hint, |ui| {
         let field = NumberField::new(t.opacity, Step::Add(0.1)).within(0.0..=1.0).hint(t.opacity_hint).width(62.0);
-        field.show(ui, window::texts(state.settings.lang), &mut opacity)
+        field.show(ui, window::texts(model.settings.lang), &mut opacity)
     });
     if opacity != photograph.opacity {
-        state.document.edit(|figure| {
+        model.document.edit(|figure| {
             if let Some(photograph) = &mut figure.photograph {
                 photograph.opacity = opacity;
             }
@@ -67,32 +68,32 @@ fn opacity(ui: &mut egui::Ui, state: &mut State, t: &Texts, photograph: &Photogr
 }
 
 /// Why the photograph can't be shown, and what mends it.
-fn notice(ui: &mut egui::Ui, state: &mut State) {
-    let notices = &state.scene_cache.scene().notices;
+fn notice(ui: &mut egui::Ui, model: &mut Model) {
+    let notices = &model.scene_cache.scene().notices;
     let found = notices.iter().find_map(|(_, notice)| match notice {
-        MeshNotice::Photograph(error) => Some((messages::mesh_notice(state.settings.lang, notice), error.is_outside())),
+        MeshNotice::Photograph(error) => Some((messages::mesh_notice(model.settings.lang, notice), error.is_outside())),
         _ => None,
     });
     if let Some((text, is_outside)) = found {
         ui.add(Label::new(RichText::new(format!("⚠ {text}")).weak()).wrap());
-        scene::mend(ui, state, [is_outside, true]);
+        scene::mend(ui, model, [is_outside, true]);
     }
 }
 
 /// The button that gives the image the size of a photograph with another aspect.
-fn size(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+fn size(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let Some([width, height]) =
-        state.scene_cache.scene().photograph.as_ref().map(|photograph| [photograph.width(), photograph.height()])
+        model.scene_cache.scene().photograph.as_ref().map(|photograph| [photograph.width(), photograph.height()])
     else {
         return;
     };
-    let image = state.document.figure().image;
+    let image = model.document.figure().image;
     if u64::from(width) * u64::from(image.height) == u64::from(height) * u64::from(image.width) {
         return;
     }
-    let text = words::size(state.settings.lang, [width, height]);
+    let text = words::size(model.settings.lang, [width, height]);
     ui.add(Label::new(RichText::new(format!("⚠ {text}")).weak()).wrap());
     if ui.button(t.size).explained(t.size_hint).clicked() {
-        state.document.edit(|figure| figure.image = ImageSize { width, height });
+        model.document.edit(|figure| figure.image = ImageSize { width, height });
     }
 }

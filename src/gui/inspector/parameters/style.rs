@@ -7,13 +7,13 @@ use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
 use crate::gui::inspector::{choice, more, section};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().style;
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let old = model.document.figure().style;
     let mut style = old;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
@@ -54,9 +54,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         });
     });
     if style != old {
-        state.document.edit(|figure| figure.style = style);
+        model.document.edit(|figure| figure.style = style);
     }
     if opens {
-        state.show_explanation(Explanation::HiddenSurfaces);
+        model.show_explanation(Explanation::HiddenSurfaces);
     }
 }

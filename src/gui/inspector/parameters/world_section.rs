@@ -6,7 +6,7 @@ use super::row;
 use crate::figure::{WorldPart, WorldParts};
 use crate::gui::inspector::{choice, section};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::pictures::labels;
 use crate::i18n::{Lang, window};
 use crate::numbers::significant;
@@ -34,9 +34,9 @@ fn parts(ui: &mut egui::Ui, lang: Lang, parts: &mut WorldParts) {
 }
 
 /// One control for each key of `[world]`.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().world;
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let old = model.document.figure().world;
     let mut world = old;
     section(ui, t.in_world, "world", true, |ui| {
         let mut steps: Vec<f64> = STEPS.map(|percent| f64::from(percent) / 100.0).to_vec();
@@ -61,9 +61,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             .explained_disabled(t.dimensions_in_section);
         ui.checkbox(&mut world.section, t.section_view).explained(t.section_view_hint);
         ui.label(t.world_parts).explained(t.world_parts_hint);
-        parts(ui, state.settings.lang, &mut world.parts);
+        parts(ui, model.settings.lang, &mut world.parts);
     });
     if world != old {
-        state.document.edit(|figure| figure.world = world);
+        model.document.edit(|figure| figure.world = world);
     }
 }

@@ -4,21 +4,23 @@ use eframe::egui;
 use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
-use crate::gui::files::file_flow;
+use crate::gui::inspector::state::insert::{free_place, rounded};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, MeshFor};
+use crate::gui::model::scene_tree::Selected;
 use crate::i18n::window::scenes::Texts;
 use crate::numbers;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
 
 /// The menu of objects and lights to add.
-pub(super) fn menu(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+pub(super) fn menu(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let button = egui::Button::new(format!("+ {}", t.add));
-    let response = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| entries(ui, state, t)).0;
+    let response = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| entries(ui, model, t)).0;
     response.explained(t.add_hint).accessible_name(t.add);
 }
 
-fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+fn entries(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let solids = [
         Shape::Box,
         Shape::Prism,
@@ -33,28 +35,28 @@ fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     ui.set_min_width(170.0);
     for shape in solids {
         if chosen(ui, t.shape(Some(&shape))) {
-            add(state, ObjectSpec::new(t.shape(Some(&shape)), shape));
+            add(model, ObjectSpec::new(t.shape(Some(&shape)), shape));
         }
     }
     ui.separator();
     for shape in flat {
         if chosen(ui, t.shape(Some(&shape))) {
-            add(state, ObjectSpec::new(t.shape(Some(&shape)), shape));
+            add(model, ObjectSpec::new(t.shape(Some(&shape)), shape));
         }
     }
     if chosen(ui, t.shape_mesh_file) {
-        file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::New));
+        model.actions.push(Action::Mesh(MeshFor::New));
     }
     ui.separator();
     if chosen(ui, t.group) {
-        add(state, ObjectSpec { scale: DVec3::ONE, ..ObjectSpec::group(t.group) });
+        add(model, ObjectSpec { scale: DVec3::ONE, ..ObjectSpec::group(t.group) });
     }
     ui.separator();
     for (name, light) in
         [(t.directional_light, Light::directional(DEFAULT_LIGHT)), (t.point_light, Light::point(DVec3::ZERO))]
     {
         if chosen(ui, name) {
-            add_light(state, light);
+            add_light(model, light);
         }
     }
 }
@@ -69,20 +71,20 @@ fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
 }
 
 /// Adds an object at PF, in a size that suits the view.
-fn add(state: &mut State, object: ObjectSpec) {
-    let camera = state.document.camera();
+fn add(model: &mut Model, object: ObjectSpec) {
+    let camera = model.document.camera();
     let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
     let place = match object.shape {
         // A grid lies where the scene stands, and a group has no body.
         None | Some(Shape::Grid) => rounded(camera.focal_point(), size / 10.0),
-        Some(_) => free_place(camera, state.scene_cache.scene(), size),
+        Some(_) => free_place(camera, model.scene_cache.scene(), size),
     };
     let object = ObjectSpec { translate: place, scale: DVec3::splat(size), ..object };
-    state.insert(object);
+    model.insert(object);
 }
 
-fn add_light(state: &mut State, light: Light) {
-    let camera = state.document.camera();
+fn add_light(model: &mut Model, light: Light) {
+    let camera = model.document.camera();
     let light = match light.kind {
         LightKind::Directional => light,
         // Above the focal point, as a lamp hangs.
@@ -91,9 +93,9 @@ fn add_light(state: &mut State, light: Light) {
             Light::point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
         }
     };
-    let index = state.document.figure().scene.lights.len();
-    state.document.edit(|figure| figure.scene.lights.push(light));
-    state.tree.select(Some(Selected::Light(index)));
+    let index = model.document.figure().scene.lights.len();
+    model.document.edit(|figure| figure.scene.lights.push(light));
+    model.tree.select(Some(Selected::Light(index)));
 }
 
 /// 1, 2 or 5 times a power of ten, about a fifth of the visible height at PF above the middle.

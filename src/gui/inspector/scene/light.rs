@@ -8,12 +8,12 @@ use crate::figure::ShadowReveal;
 use crate::gui::inspector::{VectorField, choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::window::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
 /// Kind, direction or position. Returns the request of the button.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
     let mut kind = light.kind;
@@ -42,15 +42,15 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
     let shadows = shadows(ui, form, &owner, light.shadows);
     form.scene.lights[index] = Light { kind, vector, shadows };
     if shadows.cast {
-        reveal(ui, state, form.t);
+        reveal(ui, model, form.t);
     }
     ui.add_space(2.0);
     ui.button(t.delete).explained(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
 }
 
 /// The inner work of shadows, in all pictures.
-fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let now = state.document.figure().reveal.shadows;
+fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
+    let now = model.document.figure().reveal.shadows;
     let mut chosen = now;
     let all = [
         (None, t.shadow_plain),
@@ -62,7 +62,7 @@ fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         choice(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
     });
     if chosen != now {
-        state.document.edit(|figure| figure.reveal.shadows = chosen);
+        model.document.edit(|figure| figure.reveal.shadows = chosen);
     }
 }
 

@@ -13,12 +13,15 @@ use eframe::egui::{self, RichText};
 use super::{choice, row, section};
 use crate::explain::{Component, Symbol};
 use crate::figure::Measured;
-use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::context_help::{has_focus, help_topic_row};
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::number_field::FieldOutput;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Draft, Message, Selected, State, Typing};
-use crate::gui::why::context_help::{has_focus, help_topic_row};
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::message::Message;
+use crate::gui::model::scene_tree::{Draft, Selected, Typing};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
 use crate::i18n::why::notes;
@@ -47,28 +50,28 @@ enum Edit {
 }
 
 /// Shows the tab.
-pub(in crate::gui) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = scenes::texts(state.settings.lang);
-    named_scene(ui, state);
+pub(in crate::gui) fn ui(ui: &mut egui::Ui, model: &mut Model) {
+    let t = scenes::texts(model.settings.lang);
+    named_scene(ui, model);
     ui.horizontal(|ui| {
-        add::menu(ui, state, t);
-        edit_a_copy(ui, state, t);
+        add::menu(ui, model, t);
+        edit_a_copy(ui, model, t);
     });
     let half = (ui.available_height() * 0.42).max(120.0);
-    let mut edits = tree::ui(ui, state, t, half);
+    let mut edits = tree::ui(ui, model, t, half);
     ui.add_space(2.0);
     egui::ScrollArea::vertical().id_salt("selected").auto_shrink(false).show(ui, |ui| {
-        edits.extend(selected(ui, state, t));
+        edits.extend(selected(ui, model, t));
         keep_in_sight(ui);
     });
     for edit in edits {
-        perform(state, edit);
+        perform(model, edit);
     }
 }
 
-fn named_scene(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.settings.lang);
-    let old = state.document.figure().scene.preset;
+fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
+    let t = window::texts(model.settings.lang);
+    let old = model.document.figure().scene.preset;
     let mut preset = old;
     let presets = [
         (Preset::Empty, t.scene_empty),
@@ -84,73 +87,73 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
     ];
     row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
     if preset != old {
-        state.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
+        model.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
         // An empty scene has nothing to frame: the viewpoint stays.
         if preset != Preset::Empty {
-            show_from_its_best_side(state, preset);
+            show_from_its_best_side(model, preset);
         }
     }
 }
 
 /// A scene of another size would be out of sight. Each preset comes with its camera, and with an image of the same
 /// aspect.
-fn show_from_its_best_side(state: &mut State, preset: Preset) {
+fn show_from_its_best_side(model: &mut Model, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
-    if state.settings.aspect_follows_image {
-        let n = state.document.figure().image.height;
+    if model.settings.aspect_follows_image {
+        let n = model.document.figure().image.height;
         let m = (f64::from(n) * camera.aspect).round();
         // An image that would be too wide stays as it is, and A follows it.
         if (1.0..=f64::from(MAX_SIDE)).contains(&m) {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-            state.document.edit(|figure| figure.image.width = m as u32);
+            model.document.edit(|figure| figure.image.width = m as u32);
         }
-        camera.aspect = f64::from(state.document.figure().image.width) / f64::from(n);
+        camera.aspect = f64::from(model.document.figure().image.width) / f64::from(n);
     }
-    state.document.set_parameters(camera);
-    *state.document.observers_mut() = Default::default();
+    model.document.set_parameters(camera);
+    *model.document.observers_mut() = Default::default();
 }
 
 /// The button that expands the named scene into a list of objects. It tells before and after what the list cannot
 /// express.
-fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let preset = state.document.figure().scene.preset;
+fn edit_a_copy(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
+    let preset = model.document.figure().scene.preset;
     if preset == Preset::Empty {
         return;
     }
-    let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(state.settings.lang, preset));
+    let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(model.settings.lang, preset));
     if !ui.button(t.edit_copy).explained(hint.trim()).clicked() {
         return;
     }
-    let (theme, lang) = (state.settings.theme, state.settings.lang);
+    let (theme, lang) = (model.settings.theme, model.settings.lang);
     let called = |name: &str| scenes::preset_object(lang, name);
     let mut names = BTreeMap::new();
-    state.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
-    if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
-        state.tree.select(names.remove(&name).map(Selected::Object));
+    model.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
+    if let Some(Selected::OfPreset(name)) = model.tree.selected.clone() {
+        model.tree.select(names.remove(&name).map(Selected::Object));
     }
-    state.say(Message::WrittenOut(preset));
+    model.say(Message::WrittenOut(preset));
 }
 
 /// The selection, with its fields. Returns the request of its buttons.
-fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
-    let scene = &state.document.figure().scene;
-    let mut form = SceneForm::new(state);
-    let asked = match state.tree.selected(scene).cloned() {
+fn selected(ui: &mut egui::Ui, model: &mut Model, t: &Texts) -> Option<Edit> {
+    let scene = &model.document.figure().scene;
+    let mut form = SceneForm::new(model);
+    let asked = match model.tree.selected(scene).cloned() {
         None => {
             ui.add(egui::Label::new(RichText::new(t.nothing_selected).weak()).wrap());
             None
         }
         Some(Selected::Object(name)) => {
             let index = form.scene.objects.iter().position(|o| o.name == name)?;
-            section_of(ui, t.object, |ui| object::ui(ui, state, &mut form, index)).flatten()
+            section_of(ui, t.object, |ui| object::ui(ui, model, &mut form, index)).flatten()
         }
         Some(Selected::OfPreset(name)) => {
-            section_of(ui, t.object, |ui| object::of_preset(ui, state, &mut form, &name));
+            section_of(ui, t.object, |ui| object::of_preset(ui, model, &mut form, &name));
             None
         }
-        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, state, &mut form, index)).flatten(),
+        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, model, &mut form, index)).flatten(),
     };
-    form.finish(state);
+    form.finish(model);
     asked
 }
 
@@ -177,10 +180,10 @@ struct SceneForm {
 }
 
 impl SceneForm {
-    fn new(state: &State) -> Self {
-        let lang = state.settings.lang;
-        let base = state.document.figure().scene.clone();
-        let draft = state.tree.draft.as_ref().filter(|draft| draft.base == base);
+    fn new(model: &Model) -> Self {
+        let lang = model.settings.lang;
+        let base = model.document.figure().scene.clone();
+        let draft = model.tree.draft.as_ref().filter(|draft| draft.base == base);
         Self {
             t: scenes::texts(lang),
             window: window::texts(lang),
@@ -188,7 +191,7 @@ impl SceneForm {
             scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
             error: draft.map(|draft| draft.error.clone()),
             base,
-            step: crate::numbers::power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0),
+            step: crate::numbers::power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0),
             measured: Vec::new(),
             pointed: Vec::new(),
         }
@@ -225,19 +228,19 @@ impl SceneForm {
     }
 
     /// Takes the scene over where it is possible. Otherwise the fields keep it, and the figure the last one that was.
-    fn finish(self, state: &mut State) {
-        state.hover.measured.extend_from_slice(&self.measured);
-        state.hover.pointed.extend_from_slice(&self.pointed);
+    fn finish(self, model: &mut Model) {
+        model.hover.measured.extend_from_slice(&self.measured);
+        model.hover.pointed.extend_from_slice(&self.pointed);
         if self.scene == self.base {
-            state.tree.draft = None;
+            model.tree.draft = None;
             return;
         }
         match check(&self.scene) {
             Ok(()) => {
-                state.tree.draft = None;
-                state.document.edit(|figure| figure.scene = self.scene);
+                model.tree.draft = None;
+                model.document.edit(|figure| figure.scene = self.scene);
             }
-            Err(error) => state.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
+            Err(error) => model.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
         }
     }
 }
@@ -256,8 +259,8 @@ const ROTATE: TransformPart = TransformPart { key: "rotate", symbol: Symbol::Rot
 const SCALE: TransformPart = TransformPart { key: "scale", symbol: Symbol::Scale, measure: Measured::Scale };
 
 /// Deletes an object, reports it, and selects its parent.
-pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, children: Children) {
-    let mut scene = state.document.figure().scene.clone();
+pub(in crate::gui) fn remove(model: &mut Model, names: &BTreeSet<String>, children: Children) {
+    let mut scene = model.document.figure().scene.clone();
     let before = scene.objects.len();
     let tops = topmost(&scene, names);
     let Some(name) = tops.first() else { return };
@@ -271,43 +274,43 @@ pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, childr
     }
     let others = before - scene.objects.len();
     let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
-    state.document.edit(|figure| figure.scene = scene);
-    state.tree.select(selected.map(Selected::Object));
-    state.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
+    model.document.edit(|figure| figure.scene = scene);
+    model.tree.select(selected.map(Selected::Object));
+    model.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
 }
 
-fn perform(state: &mut State, edit: Edit) {
+fn perform(model: &mut Model, edit: Edit) {
     match edit {
         Edit::Hang { name, parent } => {
-            let mut scene = state.document.figure().scene.clone();
-            let stay = !state.tree.moves_with_parent;
+            let mut scene = model.document.figure().scene.clone();
+            let stay = !model.tree.moves_with_parent;
             // A parent that it cannot hang on is not offered.
             let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
-            state.document.edit(|figure| figure.scene = scene);
+            model.document.edit(|figure| figure.scene = scene);
             if !stayed {
-                state.say(Message::Shear);
+                model.say(Message::Shear);
             }
             if let Some(parent) = parent {
-                state.tree.folded.remove(&parent);
+                model.tree.folded.remove(&parent);
             }
         }
-        Edit::Remove { names, children } => remove(state, &names, children),
+        Edit::Remove { names, children } => remove(model, &names, children),
         Edit::AskRemove(names) => {
-            let below = below(&state.document.figure().scene, &names);
+            let below = below(&model.document.figure().scene, &names);
             if below == 0 {
-                remove(state, &names, Children::Removed);
+                remove(model, &names, Children::Removed);
             } else {
-                state.file_flow.dialog = Some(Dialog::Delete { names, below });
+                model.actions.push(Action::Delete { names, below });
             }
         }
         Edit::RemoveLight(index) => {
-            state.document.edit(|figure| {
+            model.document.edit(|figure| {
                 if index < figure.scene.lights.len() {
                     figure.scene.lights.remove(index);
                 }
             });
-            state.tree.select(None);
-            state.say(Message::LightDeleted(index));
+            model.tree.select(None);
+            model.say(Message::LightDeleted(index));
         }
     }
 }
@@ -328,7 +331,7 @@ fn text_field(
 }
 
 /// The text being typed for an object.
-fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
+fn typing(model: &mut Model, owner: &str, key: &'static str) -> Option<Typing> {
     let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
-    if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
+    if model.tree.typing.as_ref().is_some_and(is_it) { model.tree.typing.take() } else { None }
 }

@@ -8,12 +8,13 @@ use glam::DVec3;
 use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, text_field, texture, typing};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
-use crate::gui::files::file_flow;
 use crate::gui::inspector::{VectorField, complaint, row};
+use crate::gui::kit::context_help::{help_topic, help_topic_row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
-use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, MeshFor};
+use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
 use crate::i18n::messages;
 use crate::i18n::messages::faults;
 use crate::i18n::why::notes;
@@ -28,39 +29,39 @@ use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
 use crate::views::Transforming;
 
 /// The fields of the object at this place of the list. Returns the request of its buttons.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
-    let together = state.tree.names(&form.scene).len();
+    let together = model.tree.names(&form.scene).len();
     if together > 1 {
         let words = format!("{together} {} {}", t.several, escaped(&name));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
     }
-    rename(ui, state, form, &name);
+    rename(ui, model, form, &name);
     kind(ui, form, index);
-    let mut asked = parent(ui, state, form, index);
-    transform_fields(ui, form, index, &mut state.tree.transforming);
+    let mut asked = parent(ui, model, form, index);
+    transform_fields(ui, form, index, &mut model.tree.transforming);
     if form.scene.objects[index].shape.is_some() || !descendants(&form.scene, &name).is_empty() {
-        color(ui, state, form, index);
+        color(ui, model, form, index);
     }
-    texture::ui(ui, state, form, index);
+    texture::ui(ui, model, form, index);
     segments(ui, form, index);
-    data(ui, state, form, index);
+    data(ui, model, form, index);
     ui.add_space(3.0);
     ui.horizontal(|ui| {
         if ui.button(t.duplicate).explained(t.duplicate_hint).clicked() {
-            duplicate(state, form);
+            duplicate(model, form);
         }
-        asked = asked.take().or(delete(ui, form, &state.tree.names(&form.scene)));
+        asked = asked.take().or(delete(ui, form, &model.tree.names(&form.scene)));
     });
     matrix(ui, form, &name);
     asked
 }
 
 /// The properties of an object of the named scene, which cannot be edited.
-pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, name: &str) {
-    let t = scenes::texts(state.settings.lang);
-    let preset = preset_objects(state.document.figure().scene.preset);
+pub(super) fn of_preset(ui: &mut egui::Ui, model: &Model, form: &mut SceneForm, name: &str) {
+    let t = scenes::texts(model.settings.lang);
+    let preset = preset_objects(model.document.figure().scene.preset);
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
     ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
     row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
@@ -73,7 +74,7 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, 
         (ROTATE, "R", t.rotate, t.rotate_hint, object.rotate, "°"),
         (SCALE, "S", t.scale, t.scale_hint, object.scale, ""),
     ] {
-        let mark = state.settings.lang.mark();
+        let mark = model.settings.lang.mark();
         let components = v.to_array().map(|x| format!("{}{unit}", mark.number(x, 5)));
         let text = format!("({})", components.join(mark.separator()));
         let place = ui.scope(|ui| row(ui, symbol, name, hint, |ui| ui.label(text)));
@@ -83,9 +84,9 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, 
 
 /// A name takes effect with Enter, or when its field is left. One that is wrong stays with its reason until it is
 /// mended.
-fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str) {
+fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str) {
     let t = form.t;
-    let mut typing = typing(state, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));
+    let mut typing = typing(model, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));
     let mut left = false;
     row(ui, "", t.name, t.name_hint, |ui| {
         let id = egui::Id::unique(("object name", name));
@@ -103,7 +104,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
         Some(t.name_empty.to_owned())
     } else {
         let renamed = edit::rename(&mut form.scene.clone(), name, &wanted);
-        renamed.err().map(|error| faults::scene_error(state.settings.lang, &error))
+        renamed.err().map(|error| faults::scene_error(model.settings.lang, &error))
     };
     typing.left |= left;
     match problem {
@@ -112,17 +113,17 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
             // The draft of impossible numbers, if there is one, goes on under the new name.
             let mut base = form.base.clone();
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
-                state.document.edit(|figure| figure.scene = base.clone());
-                state.document.show_mut().rename_object(name, &wanted);
-                state.document.edit_labels(|labels| labels.rename_object(name, &wanted));
+                model.document.edit(|figure| figure.scene = base.clone());
+                model.document.show_mut().rename_object(name, &wanted);
+                model.document.edit_labels(|labels| labels.rename_object(name, &wanted));
                 form.base = base;
-                state.tree.select(Some(Selected::Object(wanted)));
+                model.tree.select(Some(Selected::Object(wanted)));
             }
             return;
         }
         _ => {}
     }
-    state.tree.typing = Some(typing);
+    model.tree.typing = Some(typing);
 }
 
 /// Another shape with the same transform. A shape with data of its own is not offered.
@@ -161,7 +162,7 @@ fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
 }
 
 /// The parent: any object but itself and those that hang on it.
-fn parent(ui: &mut egui::Ui, state: &mut State, form: &SceneForm, index: usize) -> Option<Edit> {
+fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let object = &form.scene.objects[index];
     let below = descendants(&form.scene, &object.name);
@@ -190,9 +191,9 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &SceneForm, index: usize) 
         });
     });
     help_topic_row(ui, place.response.rect, notes::of_matrix(Matrix::Model));
-    let mut stay = !state.tree.moves_with_parent;
+    let mut stay = !model.tree.moves_with_parent;
     ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
-    state.tree.moves_with_parent = !stay;
+    model.tree.moves_with_parent = !stay;
     (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
 }
 
@@ -235,10 +236,10 @@ fn gizmo(ui: &mut egui::Ui, form: &SceneForm, transforming: &mut Transforming) {
     });
 }
 
-fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
+fn color(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
-    let shown = state.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
+    let shown = model.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
         ObjectPaint::Solid(color) if o.owner() == owner => Some(color),
         ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => None,
     });
@@ -246,7 +247,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usiz
     let now = form.scene.objects[index].color.or(shown).unwrap_or(crate::scene::palette::BLUE);
     let mut chosen = form.scene.objects[index].color;
     let mut is_automatic = automatic;
-    let mut typing = typing(state, &owner, "color").unwrap_or_else(|| Typing::of(&owner, "color", &now.to_string()));
+    let mut typing = typing(model, &owner, "color").unwrap_or_else(|| Typing::of(&owner, "color", &now.to_string()));
     let (mut editing, mut left) = (false, false);
     row(ui, "", t.color, t.color_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -270,9 +271,9 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usiz
             Ok(color) if left => chosen = Some(color),
             Err(_) if left || typing.left => {
                 complaint(ui, t.color_bad);
-                state.tree.typing = Some(Typing { left: true, ..typing });
+                model.tree.typing = Some(Typing { left: true, ..typing });
             }
-            _ if editing || typing.left => state.tree.typing = Some(typing),
+            _ if editing || typing.left => model.tree.typing = Some(typing),
             _ => {}
         }
     }
@@ -306,7 +307,7 @@ fn segments(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
 }
 
 /// The points of points and segments, the file of a mesh.
-fn data(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
+fn data(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let (window, step) = (form.window, form.step);
@@ -326,7 +327,7 @@ fn data(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
                 segments.push([from, from + DVec3::X * step]);
             }
         }
-        Some(Shape::Mesh { path }) => mesh_file(ui, state, t, &owner, path),
+        Some(Shape::Mesh { path }) => mesh_file(ui, model, t, &owner, path),
         // Shapes without data to edit here.
         Some(_) | None => {}
     }
@@ -377,8 +378,8 @@ fn point_list(
     }
 }
 
-fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path: &mut String) {
-    let mut typing = typing(state, owner, "path").unwrap_or_else(|| Typing::of(owner, "path", path));
+fn mesh_file(ui: &mut egui::Ui, model: &mut Model, t: &Texts, owner: &str, path: &mut String) {
+    let mut typing = typing(model, owner, "path").unwrap_or_else(|| Typing::of(owner, "path", path));
     let mut left = false;
     row(ui, "", t.path, t.path_hint, |ui| {
         let id = egui::Id::unique(("object file", owner));
@@ -386,7 +387,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
             .explained(t.path_hint)
             .accessible_name(t.path);
         if ui.button(t.browse).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
+            model.actions.push(Action::Mesh(MeshFor::Object(owner.to_owned())));
         }
         left = response.lost_focus();
     });
@@ -394,29 +395,29 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
         *path = text;
     } else if !left && text != *path {
-        state.tree.typing = Some(typing);
+        model.tree.typing = Some(typing);
     }
-    let problem = state.scene_cache.problem_of(owner);
-    let unread = state.scene_cache.unread_of(owner);
+    let problem = model.scene_cache.problem_of(owner);
+    let unread = model.scene_cache.unread_of(owner);
     let mut is_outside = matches!(&problem, Some(SceneError::Mesh { error, .. }) if error.is_outside());
     for error in unread {
-        complaint(ui, &messages::without_colors(state.settings.lang, error));
+        complaint(ui, &messages::without_colors(model.settings.lang, error));
         is_outside |= error.is_outside();
     }
     let is_lacking = problem.is_some() || !unread.is_empty();
     if let Some(error) = problem {
-        complaint(ui, &faults::scene_error(state.settings.lang, &error));
+        complaint(ui, &faults::scene_error(model.settings.lang, &error));
     }
-    let [outside, lacking] = texture::notices(ui, state, owner);
-    texture::mend(ui, state, [is_outside || outside, is_lacking || lacking]);
+    let [outside, lacking] = texture::notices(ui, model, owner);
+    texture::mend(ui, model, [is_outside || outside, is_lacking || lacking]);
 }
 
 /// Duplicates the selection. The copies are selected then.
-fn duplicate(state: &mut State, form: &mut SceneForm) {
-    let names = state.tree.names(&form.scene);
+fn duplicate(model: &mut Model, form: &mut SceneForm) {
+    let names = model.tree.names(&form.scene);
     let mut copies = transform::duplicate(&mut form.scene, &names);
     let first = copies.pop_first();
-    state.tree.select_all(first.map(Selected::Object), copies);
+    model.tree.select_all(first.map(Selected::Object), copies);
 }
 
 /// The delete button. A menu where the selection has children.

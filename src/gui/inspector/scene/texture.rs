@@ -4,34 +4,35 @@ use eframe::egui::{self, Key, RichText};
 
 use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
-use crate::gui::files::file_flow;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Purpose, State, Typing};
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::scene_tree::Typing;
 use crate::i18n::messages;
 use crate::limits::{MAX_TEXTURE_SCALE, MAX_TYPED};
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
 
 /// The fields of the texture of the object at this place of the list.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) {
     let object = &form.scene.objects[index];
     let Some(shape) = object.shape.as_ref().filter(|shape| has_faces(shape)) else { return };
     let (is_mesh, owner) = (shape.mesh_file().is_some(), object.name.clone());
     source(ui, form, index, is_mesh);
     if let Some(TextureSource::File(_)) = &form.scene.objects[index].texture {
-        file(ui, state, form, index);
+        file(ui, model, form, index);
     }
-    let scene = state.scene_cache.scene();
+    let scene = model.scene_cache.scene();
     let is_textured = |object: &crate::scene::Object| matches!(object.paint, ObjectPaint::Texture(_));
     if scene.objects.iter().any(|object| object.owner() == owner && is_textured(object)) {
         wrap_and_filter(ui, form, index, is_mesh);
         scale(ui, form, index);
-        reveal(ui, state, form.t);
+        reveal(ui, model, form.t);
     }
     if !is_mesh {
-        let found = notices(ui, state, &owner);
-        mend(ui, state, found);
+        let found = notices(ui, model, &owner);
+        mend(ui, model, found);
     }
 }
 
@@ -42,10 +43,10 @@ fn has_faces(shape: &Shape) -> bool {
 
 /// Notices about what cannot be used for an object. Gives whether the user can allow files, and whether they can be
 /// read again.
-pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2] {
+pub(super) fn notices(ui: &mut egui::Ui, model: &Model, owner: &str) -> [bool; 2] {
     let mut found = [false; 2];
-    for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
-        let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
+    for (_, notice) in model.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
+        let words = format!("⚠ {}", messages::mesh_notice(model.settings.lang, notice));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
         if let MeshNotice::Texture(error) = notice {
             found = [found[0] || error.is_outside(), true];
@@ -55,15 +56,15 @@ pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2
 }
 
 /// The buttons by which the user mends what could not be read.
-pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
-    let t = crate::i18n::window::scenes::texts(state.settings.lang);
+pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, model: &mut Model, [is_outside, is_lacking]: [bool; 2]) {
+    let t = crate::i18n::window::scenes::texts(model.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
-        state.document.allow_files();
-        state.message = None;
+        model.document.allow_files();
+        model.message = None;
     }
     if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-        state.scene_cache.read_again();
-        state.message = None;
+        model.scene_cache.read_again();
+        model.message = None;
     }
 }
 
@@ -104,11 +105,11 @@ fn source(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) 
 }
 
 /// The file, typed or chosen.
-fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
+fn file(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let Some(TextureSource::File(path)) = &mut form.scene.objects[index].texture else { return };
-    let mut typing = typing(state, &owner, "texture").unwrap_or_else(|| Typing::of(&owner, "texture", path));
+    let mut typing = typing(model, &owner, "texture").unwrap_or_else(|| Typing::of(&owner, "texture", path));
     let mut left = false;
     row(ui, "", t.path, t.texture_file_hint, |ui| {
         let id = egui::Id::unique(("texture file", &owner));
@@ -116,7 +117,7 @@ fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
             .explained(t.texture_file_hint)
             .accessible_name(t.texture_file);
         if ui.button(t.browse).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Texture(owner.clone()));
+            model.actions.push(Action::Texture(owner.clone()));
         }
         left = response.lost_focus();
     });
@@ -124,7 +125,7 @@ fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
     if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
         *path = text;
     } else if !left && text != *path {
-        state.tree.typing = Some(typing);
+        model.tree.typing = Some(typing);
     }
 }
 
@@ -162,8 +163,8 @@ fn or_unsaid<T: Copy + PartialEq>(
 }
 
 /// The inner work of texturing, in all pictures.
-fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::window::scenes::Texts) {
-    let now = state.document.figure().reveal.texture;
+fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &crate::i18n::window::scenes::Texts) {
+    let now = model.document.figure().reveal.texture;
     let mut chosen = now;
     let all = [
         (TextureReveal::Affine, t.texture_affine),
@@ -175,7 +176,7 @@ fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::window::scenes:
         choice(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
     });
     if chosen != now {
-        state.document.edit(|figure| figure.reveal.texture = chosen);
+        model.document.edit(|figure| figure.reveal.texture = chosen);
     }
 }
 

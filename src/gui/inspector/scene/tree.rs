@@ -10,9 +10,10 @@ use eframe::egui::{
 
 use super::Edit;
 use crate::appearance::Rgba;
-use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Selected, State, preset_objects};
+use crate::gui::model::Model;
+use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::i18n::window::scenes::{Texts, preset_object};
 use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
@@ -44,11 +45,11 @@ const FAR: f32 = 150.0;
 struct Dragged(String);
 
 /// Shows the tree, up to `height`, and returns the edits.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height: f32) -> Vec<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height: f32) -> Vec<Edit> {
     let mut edits = Vec::new();
-    let scene = state.document.figure().scene.clone();
-    let rows = rows(&scene, state.scene_cache.scene(), &state.tree.folded, t);
-    let selected = state.tree.selected(&scene).cloned();
+    let scene = model.document.figure().scene.clone();
+    let rows = rows(&scene, model.scene_cache.scene(), &model.tree.folded, t);
+    let selected = model.tree.selected(&scene).cloned();
     let dragged = egui::DragAndDrop::payload::<Dragged>(ui.ctx());
     let frame = egui::Frame::NONE
         .fill(ui.visuals().extreme_bg_color)
@@ -63,7 +64,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
                     ui.advance_cursor_after_rect(place);
                     continue;
                 }
-                let is_also = matches!(&row.what, Some(Selected::Object(name)) if state.tree.also().contains(name));
+                let is_also = matches!(&row.what, Some(Selected::Object(name)) if model.tree.also().contains(name));
                 let is_selected = row.what.is_some() && row.what == selected || is_also;
                 let response = show(ui, row, is_selected);
                 if let (Selected::Object(name), true) =
@@ -74,7 +75,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
                 if let Some(edit) = dropped(ui, row, &response, &scene, dragged.as_deref()) {
                     edits.push(edit);
                 }
-                clicks_and_keys(ui, state, row, &response, &mut edits);
+                clicks_and_keys(ui, model, row, &response, &mut edits);
             }
             keep_in_sight(ui);
             if scene.objects.is_empty() && scene.preset == Preset::Empty {
@@ -89,9 +90,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
 }
 
 /// Clicks and keys on a row.
-fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &Response, edits: &mut Vec<Edit>) {
+fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &Response, edits: &mut Vec<Edit>) {
     if response.clicked() {
-        state.select(row.what.clone(), ui.input(|input| input.modifiers.command));
+        model.select(row.what.clone(), ui.input(|input| input.modifiers.command));
         response.request_focus();
         ui.ctx().request_repaint();
     }
@@ -105,7 +106,7 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &R
     if let Some(open) = row.open.filter(|_| row.what.is_some()) {
         let triangle = ui.interact(triangle_place(row, response.rect), response.id.with("fold"), Sense::CLICK);
         if triangle.clicked() || response.double_clicked() {
-            fold(&mut state.tree.folded, open);
+            fold(&mut model.tree.folded, open);
             ui.ctx().request_repaint();
         }
     }
@@ -116,13 +117,13 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &R
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let pressed = |key| ui.input(|input| input.key_pressed(key));
     if row.open.is_some() && (pressed(Key::ArrowLeft) || pressed(Key::ArrowRight)) {
-        fold(&mut state.tree.folded, pressed(Key::ArrowLeft));
+        fold(&mut model.tree.folded, pressed(Key::ArrowLeft));
         ui.ctx().request_repaint();
     }
     if pressed(Key::Delete) {
         match &row.what {
             Some(Selected::Object(name)) => {
-                let mut names = state.tree.names(&state.document.figure().scene);
+                let mut names = model.tree.names(&model.document.figure().scene);
                 if !names.contains(name) {
                     names = BTreeSet::from([name.clone()]);
                 }

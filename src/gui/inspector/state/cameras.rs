@@ -2,7 +2,7 @@
 
 use crate::camera::Convergence;
 use crate::figure::NamedCamera;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::window::cameras;
 
 /// The list of cameras.
@@ -17,19 +17,21 @@ pub struct CameraList {
     pub(in crate::gui) was_called: bool,
 }
 
-impl State {
+impl CameraList {
     /// Looks through one of the other cameras of the figure.
-    pub(in crate::gui) fn look_through(&mut self, index: usize) {
-        self.cameras.typing = None;
-        self.document.commit();
-        self.document.look_through(index);
+    pub(in crate::gui) fn look_through(&mut self, model: &mut Model, index: usize) {
+        self.typing = None;
+        model.document.commit();
+        model.document.look_through(index);
         // Its aspect is its own.
-        let camera = self.document.draft();
-        let image = self.document.figure().image;
+        let camera = model.document.draft();
+        let image = model.document.figure().image;
         let is_of_image = camera.aspect == f64::from(image.width) / f64::from(image.height);
-        self.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
+        model.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
     }
+}
 
+impl Model {
     /// Keeps the current camera in the list under a name, or one like it.
     pub(in crate::gui) fn keep_camera(&mut self, name: &str) {
         let figure = self.document.figure();

@@ -9,7 +9,7 @@ use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, Reveal};
 use crate::gui::background::memo::Latest;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::numerics::diagnosis::{
     Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
 };
@@ -44,8 +44,6 @@ pub struct Advice {
 #[derive(Debug)]
 pub struct Coach {
     advice: Latest<HealthRequest, Advice>,
-    /// The gap between two surfaces, in scene units, for the test whether they can be told apart.
-    pub gap: f64,
 }
 
 impl Default for Coach {
@@ -65,7 +63,7 @@ impl Default for Coach {
                 }
             }
         });
-        Self { advice, gap: 0.01 }
+        Self { advice }
     }
 }
 
@@ -88,29 +86,31 @@ impl Coach {
     }
 }
 
-impl State {
+impl Coach {
     /// Has the coach look at the figure, where it has changed. Not while the hand moves.
-    pub(in crate::gui) fn check_camera(&mut self, ctx: &egui::Context) {
-        self.coach.take(Duration::ZERO);
-        if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {
+    pub(in crate::gui) fn check_camera(&mut self, model: &Model, ctx: &egui::Context) {
+        self.take(Duration::ZERO);
+        if ctx.input(|input| input.pointer.any_down()) || model.motion.is_some() {
             return;
         }
         // Until then the scene is not whole.
-        if self.scene_cache.loading().is_empty() {
-            let Figure { style, reveal, image, .. } = *self.document.figure();
-            let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
+        if model.scene_cache.loading().is_empty() {
+            let Figure { style, reveal, image, .. } = *model.document.figure();
+            let impossible = model.document.problem().cloned().map(|error| ImpossibleCamera {
                 error,
-                parameters: *self.document.draft(),
+                parameters: *model.document.draft(),
                 style,
                 reveal,
                 image,
             });
-            let (camera, scene) = (self.document.camera().clone(), self.scene_cache.scene().clone());
+            let (camera, scene) = (model.document.camera().clone(), model.scene_cache.scene().clone());
             let request = HealthRequest { camera, scene, style, reveal, image, impossible };
-            self.coach.advice.ask(ctx, request);
+            self.advice.ask(ctx, request);
         }
     }
+}
 
+impl Model {
     /// Changes the figure as a repair has it, as one step that can be undone.
     pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
         self.apply_camera(repair.camera);

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
 use crate::files;
-use crate::gui::state::{Dialog, Message, State};
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::message::Message;
 
 /// The values of the dialog that no figure has yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,75 +35,75 @@ impl CompareForm {
 }
 
 /// Ends the comparison: the views show the figure alone, framed as before.
-pub(in crate::gui) fn end(state: &mut State) {
-    if state.document.figure().compare.is_some() {
-        state.document.edit(|figure| figure.compare = None);
-        state.document.commit();
+pub(in crate::gui) fn end(model: &mut Model) {
+    if model.document.figure().compare.is_some() {
+        model.document.edit(|figure| figure.compare = None);
+        model.document.commit();
     }
 }
 
 /// Keeps the camera of the figure as A.
-pub(in crate::gui) fn keep_as_a(state: &mut State) {
-    state.camera_a = Some(Arc::new(state.document.figure().clone()));
-    state.say(Message::CameraKept);
+pub(in crate::gui) fn keep_as_a(model: &mut Model, camera_a: &mut Option<Arc<Figure>>) {
+    *camera_a = Some(Arc::new(model.document.figure().clone()));
+    model.say(Message::CameraKept);
 }
 
 /// Swaps the sides of the comparison; without one, compares with A.
-pub(in crate::gui) fn swap(state: &mut State) {
-    let figure = in_window(state);
-    let swapped = match (&figure.compare, state.camera_a.clone()) {
+pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
+    let figure = in_window(model);
+    let swapped = match (&figure.compare, camera_a.clone()) {
         (Some(comparison), _) => comparison.swapped(&figure),
-        (None, Some(a)) => Some(compared_with(state, &a)),
-        (None, None) => return state.say(Message::NothingToSwap),
+        (None, Some(a)) => Some(compared_with(model, &a)),
+        (None, None) => return model.say(Message::NothingToSwap),
     };
     if let Some(figure) = swapped {
-        take(state, figure);
-        state.document.commit();
+        take(model, figure);
+        model.document.commit();
     }
 }
 
 /// Compares with the figure in a file.
-pub(in crate::gui) fn with_file(state: &mut State, path: &Path) {
+pub(in crate::gui) fn with_file(model: &mut Model, path: &Path) {
     match files::open_figure_with_any_camera(path) {
         Ok((opened, _)) => {
-            let is_same_scene = opened.figure.scene == state.document.figure().scene;
-            let figure = compared_with(state, &opened.figure);
-            take(state, figure);
-            state.document.commit();
-            state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+            let is_same_scene = opened.figure.scene == model.document.figure().scene;
+            let figure = compared_with(model, &opened.figure);
+            take(model, figure);
+            model.document.commit();
+            model.actions.push(Action::Compare);
             if !is_same_scene {
-                state.say(Message::OtherScene(path.to_owned()));
+                model.say(Message::OtherScene(path.to_owned()));
             }
         }
-        Err(error) => state.say(Message::File(path.to_owned(), error)),
+        Err(error) => model.say(Message::File(path.to_owned(), error)),
     }
 }
 
 /// The figure compared with the camera and the ways of drawing of another one.
-pub(in crate::gui) fn compared_with(state: &State, other: &Figure) -> Figure {
-    let figure = in_window(state);
+pub(in crate::gui) fn compared_with(model: &Model, other: &Figure) -> Figure {
+    let figure = in_window(model);
     let before = figure.compare.clone().unwrap_or_else(|| Comparison { beside: true, ..Comparison::default() });
     Figure { compare: Some(before.with_figure(&figure, other)), ..figure }
 }
 
 /// The figure with the convention of the window, which is not in it.
-pub(in crate::gui) fn in_window(state: &State) -> Figure {
-    let mut figure = state.document.figure().clone();
-    figure.show.ndc = Some(state.settings.conventions.ndc);
+pub(in crate::gui) fn in_window(model: &Model) -> Figure {
+    let mut figure = model.document.figure().clone();
+    figure.show.ndc = Some(model.settings.conventions.ndc);
     figure
 }
 
 /// Makes a figure that differs in its comparison and in what belongs to it that of the window.
-pub(in crate::gui) fn take(state: &mut State, figure: Figure) {
+pub(in crate::gui) fn take(model: &mut Model, figure: Figure) {
     let Figure { camera, image, undistorted, photograph, viewport, style, reveal, world, show, compare, .. } = figure;
-    if camera != state.document.figure().camera {
+    if camera != model.document.figure().camera {
         // Only then: what is being typed stays.
-        state.document.set_parameters(camera);
+        model.document.set_parameters(camera);
     }
-    state.document.edit(|figure| {
+    model.document.edit(|figure| {
         (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
         figure.photograph = photograph;
         (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
     });
-    *state.document.show_mut() = show;
+    *model.document.show_mut() = show;
 }

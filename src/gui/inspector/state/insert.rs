@@ -4,7 +4,8 @@ use glam::{DMat4, DVec3};
 
 use crate::camera::Camera;
 use crate::geometry::Aabb;
-use crate::gui::state::{Selected, State};
+use crate::gui::model::Model;
+use crate::gui::model::scene_tree::Selected;
 use crate::i18n::window::scenes;
 use crate::numbers;
 use crate::scene::edit::{free_name, placement};
@@ -12,7 +13,7 @@ use crate::scene::palette::least_used;
 use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
 use crate::views::pick::can_be_seen_by;
 
-impl State {
+impl Model {
     /// Adds a mesh file, by its path as the figure names it.
     pub(in crate::gui) fn insert_mesh(&mut self, path: String) {
         let file = path.rsplit(['/', '\\']).next().unwrap_or(&path);

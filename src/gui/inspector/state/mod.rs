@@ -6,4 +6,3 @@ pub(in crate::gui) mod compare;
 pub(in crate::gui) mod insert;
 pub(in crate::gui) mod operations;
 pub(in crate::gui) mod predict;
-pub(in crate::gui) mod scene_tree;

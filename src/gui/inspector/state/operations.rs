@@ -1,10 +1,15 @@
 //! Steps, signs and the slider that is held.
 
 use super::predict::Predict;
-use crate::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
+use crate::camera::{Camera, Convention, Freedom, OPERATIONS, Operation};
 use crate::figure::Show;
 use crate::geometry::Angle;
+use crate::gui::inspector::state::predict::{About, Prediction};
+use crate::gui::learn::exercises::state::{Mark, Placing};
+use crate::gui::model::Model;
+use crate::i18n::window::predict;
 use crate::views::Ghost;
+use crate::views::View;
 
 /// The state of the panel of operations.
 #[derive(Clone, Debug)]
@@ -20,8 +25,6 @@ pub struct Operations {
     /// Whose signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
-    /// A step that is on its way.
-    pub(in crate::gui) motion: Option<Motion>,
     /// The step that was done last, while the world shows it.
     pub(in crate::gui) done: Option<DoneStep>,
     /// The operation that was done last, by a button or a slider.
@@ -93,28 +96,6 @@ pub(in crate::gui) struct Scrub {
     pub(in crate::gui) amount: f64,
 }
 
-/// A step on its way to its end.
-#[derive(Clone, Debug)]
-pub(in crate::gui) struct Motion {
-    pub(in crate::gui) start: Camera,
-    pub(in crate::gui) freedom: Freedom,
-    pub(in crate::gui) amount: f64,
-    pub(in crate::gui) convention: Convention,
-    /// When it began, in seconds; `None` means with the next frame.
-    pub(in crate::gui) began: Option<f64>,
-}
-
-impl Motion {
-    /// The operation up to a share of the way: all of it at 1, exactly.
-    pub(in crate::gui) fn at(&self, share: f64) -> Operation {
-        self.freedom.by(match self.freedom.descriptor().amount {
-            _ if share >= 1.0 => self.amount,
-            Amount::Angle | Amount::Length => self.amount * share,
-            Amount::Factor => self.amount.powf(share),
-        })
-    }
-}
-
 impl Default for Operations {
     fn default() -> Self {
         Self {
@@ -124,10 +105,50 @@ impl Default for Operations {
             predict: Predict::default(),
             convention: Convention::default(),
             scrub: None,
-            motion: None,
             done: None,
             last: None,
             kept_at: None,
         }
+    }
+}
+
+impl Operations {
+    /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.
+    pub fn operate(&self, model: &mut Model, operation: Operation) {
+        let done = model.document.operate(operation, self.convention);
+        model.say_camera_error(done);
+    }
+
+    /// The question of an operation, where a point will go.
+    pub(in crate::gui) fn placing(&self, model: &Model) -> Option<Placing> {
+        let asked = self.predict.asked.as_ref().filter(|asked| asked.document == model.document.id())?;
+        let About::Place { from, to, mark, .. } = asked.about else { return None };
+        let done = |place| Some(place).filter(|_| asked.is_done);
+        Some(Placing {
+            from: Some(from).filter(|_| !asked.is_done),
+            mark,
+            guess: mark.and_then(done),
+            right: done(to),
+            is_open: !asked.is_done,
+            hint: predict::texts(model.settings.lang).mark_here,
+            of: Mark::Operation,
+        })
+    }
+
+    /// Has an operation ask what it will do, where that is wanted. False if it's to be done at once.
+    pub(in crate::gui) fn predict_first(&mut self, model: &mut Model, freedom: Freedom, amount: f64) -> bool {
+        self.predict.asked = None;
+        if !self.predict.on {
+            return false;
+        }
+        let (camera, image) = (model.document.camera(), model.document.figure().image);
+        let subject = (camera, image, &**model.scene_cache.scene());
+        let about = About::of(subject, (freedom, amount), self.convention);
+        let document = model.document.id();
+        let asked = about.map(|about| Prediction { freedom, amount, about, document, is_done: false });
+        let asks = asked.is_some();
+        model.layout.shown[View::Image.index()] |= asks;
+        self.predict.asked = asked;
+        asks
     }
 }

@@ -23,6 +23,15 @@ pub struct Predict {
     pub asked: Option<Prediction>,
 }
 
+impl Predict {
+    /// Puts the mark of the question there.
+    pub(in crate::gui) fn put_mark(&mut self, place: [f64; 2]) {
+        if let Some(Prediction { about: About::Place { mark, .. }, .. }) = &mut self.asked {
+            *mark = Some(place);
+        }
+    }
+}
+
 /// An operation that asks what it will do.
 #[derive(Clone, Debug)]
 pub struct Prediction {

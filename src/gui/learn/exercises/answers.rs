@@ -6,12 +6,13 @@ use super::{Sheet, check};
 use crate::clock;
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::inspector::complaint;
-use crate::gui::kit::mathematics;
-use crate::gui::kit::prose;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{State, is_whole, joined};
+use crate::gui::kit::{mathematics, prose};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{is_whole, joined};
+use crate::gui::model::Model;
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::{Lang, messages};
 use crate::limits::MAX_ANSWER;
@@ -49,17 +50,17 @@ pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Resu
 }
 
 /// Shows the question, its fields and the interpretation. Returns whether one of the fields has the focus.
-pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> bool {
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) -> bool {
     let Sheet { t, exercise, .. } = sheet;
     prose::show(ui, &format!("**{}**", said::ask(t.lang, exercise, ask).replace("**", "")));
     let tolerance = said::tolerance(t.lang, ask);
     if !tolerance.is_empty() {
         ui.add(egui::Label::new(RichText::new(tolerance).small().weak()).wrap());
     }
-    let guesses = state.exercises.asks_for_guess(ask);
-    let guess = state.exercises.guess_at(ask).cloned();
+    let guesses = learn.exercises.asks_for_guess(ask);
+    let guess = learn.exercises.guess_at(ask).cloned();
     if let Some(guess) = guess.as_ref().filter(|_| guesses) {
-        say_guess(ui, state, sheet, ask, guess);
+        say_guess(ui, learn, sheet, ask, guess);
     }
     if ask.places {
         ui.scope(|ui| {
@@ -67,21 +68,21 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
             prose::show(ui, t.place_hint);
         });
     }
-    let mut fields = state.exercises.fields(ask).to_vec();
+    let mut fields = learn.exercises.fields(ask).to_vec();
     let reading = understood(sheet, ask, &fields);
     let broken = reading.as_ref().err().and_then(|unreadable| unreadable.field);
-    let marks = marks(state, ask, &fields);
+    let marks = marks(learn, ask, &fields);
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let mut typing = match &ask.kind {
         Kind::Choice(choices) => choice(ui, t.lang, ask, choices, &mut fields[0]),
-        Kind::Camera => camera(ui, state, sheet, ask, &mut fields[0]),
+        Kind::Camera => camera(ui, model, sheet, ask, &mut fields[0]),
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => {
             numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
         }
     };
-    state.exercises.type_into(ask, fields);
+    learn.exercises.type_into(ask, fields);
     if let Some(first) = &typing.first {
-        state.exercises.give_focus(&ask.name, first);
+        learn.exercises.give_focus(&ask.name, first);
     }
     in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
@@ -96,19 +97,19 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     typing.in_focus |= button.has_focus();
     if button.clicked() || (can && typing.is_done) {
         if is_guess {
-            take_guess(state, sheet, ask);
+            take_guess(model, learn, sheet, ask);
         } else {
-            check(state, sheet, ask);
+            check(learn, sheet, ask);
         }
     }
     typing.in_focus
 }
 
 /// Says what was guessed, and asks what is seen, until that is answered rightly.
-fn say_guess(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, guess: &[String]) {
+fn say_guess(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>, ask: &Ask, guess: &[String]) {
     let t = sheet.t;
-    let is_right = state.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
-    let playing = state.lesson.as_ref();
+    let is_right = learn.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
+    let playing = learn.lesson.as_ref();
     let shows = playing.is_some_and(|playing| playing.lesson.seen_after(playing.step).is_some());
     let question = match (is_right, ask.places, shows) {
         (true, ..) => "",
@@ -123,16 +124,16 @@ fn say_guess(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, guess: &[S
 
 /// Keeps the answer as the guess, and shows the picture that answers the question. What is seen there is asked next. A
 /// place, and a guess without a picture, are judged at once.
-fn take_guess(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
-    let text = joined(ask, state.exercises.fields(ask));
+fn take_guess(model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
+    let text = joined(ask, learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
-    state.exercises.guess(ask, judged.right, clock::seconds_since_1970());
-    let shows = state.show_seen();
+    learn.exercises.guess(ask, judged.right, clock::seconds_since_1970());
+    let shows = learn.show_seen(model);
     if shows && !ask.places {
-        let fields = vec![String::new(); state.exercises.fields(ask).len()];
-        state.exercises.type_into(ask, fields);
+        let fields = vec![String::new(); learn.exercises.fields(ask).len()];
+        learn.exercises.type_into(ask, fields);
     } else {
-        check(state, sheet, ask);
+        check(learn, sheet, ask);
     }
 }
 
@@ -174,10 +175,10 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
 }
 
 /// Right and wrong fields, where they are unchanged since they were judged.
-fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
+fn marks(learn: &Learn, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     let [rows, columns] = ask.shape();
     let none = vec![None; rows * columns];
-    let Some(checked) = state.exercises.checked.get(&ask.name) else { return none };
+    let Some(checked) = learn.exercises.checked.get(&ask.name) else { return none };
     let entries = &checked.judged.entries;
     let fits = entries.len() == rows && entries.iter().all(|row| row.len() == columns);
     let is_same = |k: usize| fields.get(k) == checked.fields.get(k);
@@ -325,13 +326,13 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
 }
 
 /// A camera as text, and the button that takes the one of the window.
-fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
+fn camera(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
     let t = sheet.t;
-    if state.document.figure().scene != sheet.exercise.subject.figure.scene {
+    if model.document.figure().scene != sheet.exercise.subject.figure.scene {
         ui.add(egui::Label::new(RichText::new(t.other_figure).weak()).wrap());
     }
     if ui.button(t.take_camera).explained(t.take_camera_hint).clicked() {
-        let set = Answer::Camera(Box::new(*state.document.camera().parameters()));
+        let set = Answer::Camera(Box::new(*model.document.camera().parameters()));
         *text = said::understood(t.lang, ask, &set);
     }
     let field = TextField::lines(text, MAX_ANSWER).refused_beyond().with(|edit| {

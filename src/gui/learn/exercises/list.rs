@@ -6,7 +6,7 @@ use eframe::egui::{self, Button, Key, RichText, Role, TextStyle, Ui, WidgetInfo}
 use crate::exercises::{Entry, Stage};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Chosen, Exercises};
+use crate::gui::learn::exercises::state::{Chosen, Exercises};
 use crate::i18n::Lang;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::learn::{exercise_messages, exercise_window as words, exercises as said};

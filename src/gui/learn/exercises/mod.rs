@@ -7,7 +7,7 @@ pub(in crate::gui) mod list;
 mod own;
 mod progress;
 mod solution;
-pub(in crate::gui) mod state;
+pub mod state;
 mod statement;
 mod verdict;
 
@@ -19,7 +19,9 @@ use crate::clock;
 use crate::exercises::{self, Ask, Entry, Exercise};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Checked, Chosen, Done, State, joined};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
+use crate::gui::model::Model;
 use crate::i18n::learn::exercise_messages as messages;
 use crate::i18n::learn::exercise_window as words;
 use crate::i18n::learn::exercise_window::Texts;
@@ -34,138 +36,140 @@ struct Sheet<'a> {
 }
 
 /// The part that stays in sight above the list, and above an exercise.
-pub(in crate::gui) fn head(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    let open = state.exercises.open.clone();
+pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) {
+    let t = words::texts(model.settings.lang);
+    let open = learn_state.exercises.open.clone();
     if open.is_none() {
-        list::search(ui, t, &mut state.exercises);
+        list::search(ui, t, &mut learn_state.exercises);
     }
     ui.horizontal_wrapped(|ui| {
-        let is_family = open.as_ref().and_then(|chosen| state.exercises.entry(&chosen.id)).is_some_and(|e| e.is_family);
+        let is_family =
+            open.as_ref().and_then(|chosen| learn_state.exercises.entry(&chosen.id)).is_some_and(|e| e.is_family);
         if open.is_some() {
             let back = ui.button(format!("◀ {}", t.back)).accessible_name(t.back);
-            state.exercises.answer_call(&back);
+            learn_state.exercises.answer_call(&back);
             if back.clicked() {
-                state.exercises.leave();
+                learn_state.exercises.leave();
             }
         }
         if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
-            && let Some((next, why)) = state.exercises.next(clock::seconds_since_1970())
+            && let Some((next, why)) = learn_state.exercises.next(clock::seconds_since_1970())
         {
-            state.exercises.work_on(next.clone());
-            state.exercises.why = Some((next, why));
+            learn_state.exercises.work_on(next.clone());
+            learn_state.exercises.why = Some((next, why));
         }
         if let Some(chosen) = open
             && is_family
             && ui.button(t.new_numbers).explained(t.new_numbers_hint).clicked()
         {
-            state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
+            learn_state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
         }
-        if state.exercises.open.is_none() {
-            list::count(ui, &state.exercises, t.lang);
+        if learn_state.exercises.open.is_none() {
+            list::count(ui, &learn_state.exercises, t.lang);
         }
     });
-    let why = state.exercises.why.as_ref().filter(|(chosen, _)| state.exercises.open.as_ref() == Some(chosen));
+    let why =
+        learn_state.exercises.why.as_ref().filter(|(chosen, _)| learn_state.exercises.open.as_ref() == Some(chosen));
     if let Some((_, why)) = why {
         prose::show(ui, &messages::why(t.lang, *why));
     }
 }
 
 /// Shows the list, or the exercise that is worked on.
-pub(in crate::gui) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    let Some((entry, exercise)) = state.exercises.exercise() else {
-        list::ui(ui, t, &mut state.exercises);
-        own::ui(ui, t, state);
-        return progress::ui(ui, t, state);
+pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
+    let t = words::texts(model.settings.lang);
+    let Some((entry, exercise)) = learn.exercises.exercise() else {
+        list::ui(ui, t, &mut learn.exercises);
+        own::ui(ui, t, model, learn);
+        return progress::ui(ui, t, model, learn);
     };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
     // One thing after the other: what is pinned in the pictures is released by the next one.
-    if state.exercises.described.is_some() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-        state.exercises.described = None;
+    if learn.exercises.described.is_some() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        learn.exercises.described = None;
     }
     let all_wanted = ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Enter));
     let top = ui.cursor().min;
-    if std::mem::take(&mut state.exercises.just_opened) {
+    if std::mem::take(&mut learn.exercises.just_opened) {
         ui.scroll_to_rect(egui::Rect::from_min_size(top, egui::Vec2::ZERO), Some(egui::Align::TOP));
     }
-    let chosen = state.exercises.open.clone();
-    let just_said = state.exercises.take_said();
+    let chosen = learn.exercises.open.clone();
+    let just_said = learn.exercises.take_said();
     if just_said.is_some() {
         ui.ctx().request_repaint();
     }
     ui.push_id(chosen, |ui| {
-        statement::ui(ui, state, sheet);
+        statement::ui(ui, model, learn, sheet);
         let mut in_focus = None;
         for ask in &exercise.asks {
             ui.separator();
-            if question(ui, state, sheet, ask, just_said.as_ref() == Some(&ask.name)) {
+            if question(ui, model, learn, sheet, ask, just_said.as_ref() == Some(&ask.name)) {
                 in_focus = Some(ask);
             }
         }
         if all_wanted {
             let wanted = in_focus.map_or_else(|| exercise.asks.iter().collect(), |ask| vec![ask]);
             // The first one is scrolled into sight.
-            wanted.into_iter().rev().for_each(|ask| check(state, sheet, ask));
+            wanted.into_iter().rev().for_each(|ask| check(learn, sheet, ask));
         }
-        verdict::all(ui, state, sheet);
+        verdict::all(ui, learn, sheet);
         ui.add_space(12.0);
     });
 }
 
 /// Shows a question with its fields and the verdict. Returns whether one of the fields has the focus.
-fn question(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) -> bool {
+fn question(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) -> bool {
     ui.push_id(&ask.name, |ui| {
-        let in_focus = answers::ui(ui, state, sheet, ask);
-        verdict::ui(ui, state, sheet, ask, just_said);
+        let in_focus = answers::ui(ui, model, learn, sheet, ask);
+        verdict::ui(ui, model, learn, sheet, ask, just_said);
         in_focus
     })
     .inner
 }
 
 /// Shows the questions of the exercise that is worked on, without its statement: a step of a lesson asks them.
-pub(in crate::gui) fn questions(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    let Some((entry, exercise)) = state.exercises.exercise() else { return };
+pub(in crate::gui) fn questions(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
+    let t = words::texts(model.settings.lang);
+    let Some((entry, exercise)) = learn.exercises.exercise() else { return };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
-    let just_said = state.exercises.take_said();
+    let just_said = learn.exercises.take_said();
     if just_said.is_some() {
         ui.ctx().request_repaint();
     }
     for ask in &exercise.asks {
-        question(ui, state, sheet, ask, just_said.as_ref() == Some(&ask.name));
+        question(ui, model, learn, sheet, ask, just_said.as_ref() == Some(&ask.name));
     }
 }
 
 /// Judges the typed answer, if it can be read.
-fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
-    let fields = state.exercises.fields(ask).to_vec();
+fn check(learn_state: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
+    let fields = learn_state.exercises.fields(ask).to_vec();
     if answers::understood(sheet, ask, &fields).is_err() {
         return;
     }
-    let judge = |state: &State, ask: &Ask, fields: &[String]| {
-        let beside = state.exercises.answers_beside(ask);
+    let judge = |learn: &Learn, ask: &Ask, fields: &[String]| {
+        let beside = learn.exercises.answers_beside(ask);
         exercises::check_beside(sheet.entry, sheet.exercise, ask, &joined(ask, fields), &beside)
     };
-    let Ok(judged) = judge(state, ask, &fields) else { return };
-    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
-        state.exercises.described = None;
+    let Ok(judged) = judge(learn_state, ask, &fields) else { return };
+    if learn_state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+        learn_state.exercises.described = None;
     }
-    let said_before = state.exercises.checked.get(&ask.name).map(|checked| checked.judged.diagnosis.clone());
+    let said_before = learn_state.exercises.checked.get(&ask.name).map(|checked| checked.judged.diagnosis.clone());
     if said_before.is_some_and(|before| before != judged.diagnosis) {
         // Hints on another mistake.
-        state.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
+        learn_state.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
     }
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
-    state.exercises.note(done);
-    state.exercises.took(ask, Checked { fields, judged });
+    learn_state.exercises.note(done);
+    learn_state.exercises.took(ask, Checked { fields, judged });
     // What is wrong elsewhere may follow from this one, or no longer.
     for other in sheet.exercise.asks.iter().filter(|other| other.name != ask.name) {
-        let wrong = state.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
+        let wrong = learn_state.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
         let Some(fields) = wrong.map(|checked| checked.fields.clone()) else { continue };
-        if let Ok(judged) = judge(state, other, &fields) {
-            state.exercises.checked.insert(other.name.clone(), Checked { fields, judged });
+        if let Ok(judged) = judge(learn_state, other, &fields) {
+            learn_state.exercises.checked.insert(other.name.clone(), Checked { fields, judged });
         }
     }
-    state.exercises.say(ask);
+    learn_state.exercises.say(ask);
 }

@@ -3,21 +3,22 @@
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
 use crate::files::BadExercise;
-use crate::gui::files::file_flow;
-use crate::gui::inspector::complaint;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Purpose, State};
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::messages;
 use crate::sanitize;
 
 /// The part below the list.
-pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
-    if state.in_browser {
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
+    if model.in_browser {
         return;
     }
     ui.add_space(6.0);
-    if let Some(own) = state.exercises.own.clone() {
+    if let Some(own) = learn.exercises.own.clone() {
         match &own.found {
             Ok(found) if found.entries.is_empty() && found.faults.is_empty() => {
                 ui.label(format!("{}: {}", sanitize::path(&own.folder), t.own_none));
@@ -40,14 +41,14 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.own_open).explained(t.own_open_hint).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Exercises);
+            model.actions.push(Action::Exercises);
         }
-        let Some(own) = state.exercises.own.clone() else { return };
+        let Some(own) = learn.exercises.own.clone() else { return };
         if ui.button(t.own_again).explained(t.own_again_hint).clicked() {
-            state.exercises.look_into(Some(own.folder.clone()));
+            learn.exercises.look_into(Some(own.folder.clone()));
         }
         if ui.button(t.own_close).explained(t.own_close_hint).clicked() {
-            state.exercises.look_into(None);
+            learn.exercises.look_into(None);
         }
     });
 }

@@ -3,20 +3,21 @@
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
-use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Dialog, Purpose, State};
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::learn::exercises as said;
 use crate::sanitize;
 
 /// The foot of the list.
-pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Learn) {
     ui.add_space(6.0);
     ui.separator();
     egui::CollapsingHeader::new(t.progress).id_salt("progress").show(ui, |ui| {
-        match &state.exercises.file {
+        match &learn.exercises.file {
             Some(file) => {
                 ui.label(RichText::new(t.progress_kept_in).weak());
                 ui.add(egui::Label::new(RichText::new(sanitize::path(file)).monospace()).wrap().selectable(true));
@@ -24,26 +25,26 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
             None => drop(ui.label(RichText::new(t.progress_not_kept).weak())),
         }
         ui.add_space(4.0);
-        mistakes(ui, t, state);
+        mistakes(ui, t, learn);
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
-            let has_some = !state.exercises.progress.is_empty();
+            let has_some = !learn.exercises.progress.is_empty();
             let export = ui.add_enabled(has_some, egui::Button::new(t.export_progress));
             if export.explained(t.export_progress_hint).clicked() {
-                file_flow::ask(ui.ctx(), state, Purpose::Progress);
+                model.actions.push(Action::Progress);
             }
-            let has_typed = state.exercises.typed.values().any(|typed| !typed.is_empty());
+            let has_typed = learn.exercises.typed.values().any(|typed| !typed.is_empty());
             let delete = ui.add_enabled(has_some || has_typed, egui::Button::new(format!("{}…", t.delete_progress)));
             if delete.explained(t.delete_progress_hint).clicked() {
-                state.file_flow.dialog = Some(Dialog::DeleteProgress);
+                model.actions.push(Action::DeleteProgress);
             }
         });
     });
 }
 
 /// The known mistakes, those made most often first.
-fn mistakes(ui: &mut Ui, t: &Texts, state: &State) {
-    let mut made: Vec<(Mistake, &Made)> = state.exercises.progress.mistakes().collect();
+fn mistakes(ui: &mut Ui, t: &Texts, learn: &Learn) {
+    let mut made: Vec<(Mistake, &Made)> = learn.exercises.progress.mistakes().collect();
     if made.is_empty() {
         ui.label(t.no_mistakes);
         return;

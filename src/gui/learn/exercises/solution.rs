@@ -10,12 +10,14 @@ use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, reco
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::inspector::complaint;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::mathematics::{Both, Links, chain};
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Described, NotCamera, State};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Described, NotCamera};
+use crate::gui::model::Model;
 use crate::i18n::Lang;
 use crate::i18n::learn::{exercise_window as words, exercises as said};
 use crate::i18n::why::dialects;
@@ -31,10 +33,10 @@ pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'sta
 }
 
 /// The button of the next step.
-pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
+pub(super) fn step_button(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
-    let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
+    let opened = learn.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
     let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
     let has_none = match ask.expected() {
         Expected::Choice(_, _, steps) | Expected::Computed(_, steps) => steps.is_empty(),
@@ -47,8 +49,8 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
     let label = if opened.steps == 0 { t.first_step } else { t.next_step };
     let button = help_button(ui, id, (label, t.step_hint, &name));
     if button.clicked() {
-        let progress = &state.exercises.progress;
-        let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
+        let progress = &learn.exercises.progress;
+        let opened = learn.exercises.opened.entry(ask.name.clone()).or_default();
         opened.steps += 1;
         if opened.way.is_none() {
             // What is solved later takes no step away from this solution.
@@ -57,28 +59,28 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
         let way = opened.way.get_or_insert_with(|| ask.steps().into());
         if button.has_focus() && opened.steps >= way.len() {
             // There is no next one: the focus returns to the answer.
-            state.exercises.wants_focus = Some(ask.name.clone());
+            learn.exercises.wants_focus = Some(ask.name.clone());
         }
-        state.exercises.note_opened(exercise, ask);
-        state.exercises.say(ask);
+        learn.exercises.note_opened(exercise, ask);
+        learn.exercises.say(ask);
     }
 }
 
 /// Shows the camera that a wrong answer describes, beside the right one, or takes it away.
-pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
+pub(super) fn camera_button(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let shows = |ui: &mut Ui, label: &str| {
         let own = UiBuilder::new().scope_id(id.with("camera"));
         ui.scope_builder(own, |ui| ui.button(label)).inner.accessible_name(words::of_ask(label, &name))
     };
-    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+    if learn.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
         if shows(ui, t.hide_camera).clicked() {
-            state.exercises.described = None;
+            learn.exercises.described = None;
         }
         return;
     }
-    let Some(judged) = state.exercises.checked.get(&ask.name).map(|checked| &checked.judged) else { return };
+    let Some(judged) = learn.exercises.checked.get(&ask.name).map(|checked| &checked.judged) else { return };
     if judged.right || !describes_camera(ask, judged) {
         return;
     }
@@ -87,10 +89,10 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
     }
     let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
     let camera = camera.map(Box::new);
-    if camera.is_ok() && *state.document.figure() != figure::with_camera(exercise, right) {
-        state.show_figure_of_exercise(figure::with_camera(exercise, right));
+    if camera.is_ok() && *model.document.figure() != figure::with_camera(exercise, right) {
+        model.show_figure_of_exercise(figure::with_camera(exercise, right));
     }
-    state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
+    learn.exercises.described = Some(Described { ask: ask.name.clone(), camera });
 }
 
 /// The quantity of `inspect` that is asked for, where it is one, as a whole.
@@ -182,21 +184,21 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
 }
 
 /// The open steps, set as mathematics, and the reason why there is no camera. Returns the place of the last step.
-pub(super) fn steps(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
+pub(super) fn steps(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
-    let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
+    let described = learn.exercises.described.as_ref().filter(|described| described.ask == ask.name);
     if let Some(Err(error)) = described.map(|described| &described.camera) {
         complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
     }
-    let opened = state.exercises.opened.get(&ask.name)?.clone();
+    let opened = learn.exercises.opened.get(&ask.name)?.clone();
     let way: Option<Arc<[Worked]>> = opened.way.clone();
     let mut last = None;
     for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
         let shown = ui.push_id(("step", k), |ui| {
             let is_to_do = opened.is_to_do(k);
-            self::step(ui, state, sheet, exercise, (step, is_to_do));
+            self::step(ui, model, sheet, exercise, (step, is_to_do));
             if is_to_do {
-                to_do(ui, state, sheet, ask, (k, step));
+                to_do(ui, learn, sheet, ask, (k, step));
             }
         });
         last = Some(shown.response.rect);
@@ -205,9 +207,9 @@ pub(super) fn steps(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask)
 }
 
 /// The field of a step that is to be done: the number of its last row.
-fn to_do(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (k, step): (usize, &Worked)) {
+fn to_do(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (k, step): (usize, &Worked)) {
     let (t, name) = (sheet.t, said::ask(sheet.t.lang, sheet.exercise, ask).replace("**", ""));
-    let Some(opened) = state.exercises.opened.get_mut(&ask.name) else { return };
+    let Some(opened) = learn.exercises.opened.get_mut(&ask.name) else { return };
     let mut is_right = false;
     ui.horizontal_wrapped(|ui| {
         ui.label(t.your_step);
@@ -233,17 +235,17 @@ fn to_do(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (k, step):
     if is_right {
         opened.missed = None;
         opened.filled.insert(k);
-        state.exercises.say(ask);
+        learn.exercises.say(ask);
     }
 }
 
 /// A step: its heading, its equation, and each row: symbol = formula = numbers = value. The last row of one that is to
 /// be done ends with its formula.
-fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, (step, is_to_do): (&Worked, bool)) {
+fn step(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, exercise: &Exercise, (step, is_to_do): (&Worked, bool)) {
     let lang = sheet.t.lang;
     ui.add_space(2.0);
     prose::show(ui, &said::step_heading(lang, exercise, step));
-    let style = |notation| Style { notation, mark: lang.mark(), digits: state.settings.digits };
+    let style = |notation| Style { notation, mark: lang.mark(), digits: model.settings.digits };
     let lines = step.lines(style(Notation::Latex), true);
     let last = lines.len().saturating_sub(1);
     for (k, (latex, text)) in lines.into_iter().zip(step.lines(style(Notation::Text), true)).enumerate() {

@@ -317,6 +317,11 @@ impl Exercises {
         self.just_opened = true;
     }
 
+    /// The camera that an answer describes, as a file can hold it.
+    pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
+        self.described.as_ref()?.camera.as_deref().ok().map(Camera::rounded)
+    }
+
     /// Works on a question that its author is writing. The keyboard stays in the author's field.
     pub(in crate::gui) fn preview(&mut self, entry: Entry) {
         self.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });

@@ -3,18 +3,19 @@
 use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
-use crate::gui::files::file_flow;
-use crate::gui::inspector::complaint;
+use crate::gui::kit::form::complaint;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State};
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
 
 /// Shows the statement.
-pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>) {
     let Sheet { t, entry, exercise } = sheet;
     ui.add(egui::Label::new(RichText::new(said::title(t.lang, entry)).heading().strong()).wrap());
     ui.horizontal_wrapped(|ui| {
@@ -26,10 +27,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
             ui.label(RichText::new(seed).small().weak()).explained(t.seed_hint);
         }
     });
-    lesson(ui, state, sheet);
+    lesson(ui, model, learn, sheet);
     ui.add_space(2.0);
     prose::show(ui, &said::statement(t.lang, exercise).join("\n\n"));
-    target(ui, state, sheet);
+    target(ui, model, sheet);
     let assumptions = said::assumptions(t.lang, exercise);
     if !assumptions.is_empty() {
         CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(true).show(ui, |ui| {
@@ -37,26 +38,26 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
             assumptions.iter().for_each(|text| prose::show(ui, &format!("• {text}")));
         });
     }
-    free(ui, state, sheet);
-    figures(ui, state, sheet);
+    free(ui, learn, sheet);
+    figures(ui, model, learn, sheet);
 }
 
 /// The way to the lesson of the exercise, unless it is being played.
-fn lesson(ui: &mut Ui, state: &mut State, Sheet { t, entry, .. }: Sheet<'_>) {
+fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &Learn, Sheet { t, entry, .. }: Sheet<'_>) {
     let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
-    let plays = |way: &Way| state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
+    let plays = |way: &Way| learn_state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
     let Some(way) = way.filter(|way| !plays(way)) else { return };
     if ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked() {
         let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
-        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+        model.actions.push(Action::Begin(AfterSave::Lesson(open)));
     }
 }
 
 /// The picture that is to be matched.
-fn target(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
+fn target(ui: &mut Ui, model: &Model, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
     let Some(wanted) = exercise.figure_to_match() else { return };
-    if let Some(texture) = figure::target(ui, wanted, (state.settings.theme, t.lang)) {
+    if let Some(texture) = figure::target(ui, wanted, (model.settings.theme, t.lang)) {
         ui.add_space(4.0);
         let name = messages::texts(t.lang).target;
         ui.label(RichText::new(name).small().weak());
@@ -66,12 +67,12 @@ fn target(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
 }
 
 /// Numbers that the source leaves open.
-fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
+fn free(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
     if exercise.free.is_empty() {
         return;
     }
-    let typed = state.exercises.typed_now();
+    let typed = learn.exercises.typed_now();
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(t.free_numbers).small().strong());
         for (name, value) in &exercise.free {
@@ -93,16 +94,16 @@ fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
 }
 
 /// The buttons that put figures into the pictures. What answers a question is shown once all of them have been tried.
-fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
+fn figures(ui: &mut Ui, model: &mut Model, learn: &Learn, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
-    let is_tried = exercise.asks.iter().all(|ask| state.exercises.checked.contains_key(&ask.name));
+    let is_tried = exercise.asks.iter().all(|ask| learn.exercises.checked.contains_key(&ask.name));
     if exercise.is_told_by_figure() && !is_tried {
         ui.label(RichText::new(t.figure_later).weak());
         return;
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.show_figure).explained(t.show_figure_hint).clicked() {
-            state.show_figure_of_exercise(figure::given(exercise, is_tried));
+            model.show_figure_of_exercise(figure::given(exercise, is_tried));
         }
         if exercise.subject.operations.is_empty() {
             return;
@@ -112,7 +113,7 @@ fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
         if done.clicked()
             && let Ok(camera) = exercise.subject.camera()
         {
-            state.show_figure_of_exercise(figure::with_camera(exercise, *camera.parameters()));
+            model.show_figure_of_exercise(figure::with_camera(exercise, *camera.parameters()));
         }
     });
 }

@@ -5,21 +5,23 @@ use eframe::egui::{self, RichText, Ui};
 use super::answers::color;
 use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
-use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
-use crate::gui::state::{AfterSave, Chosen, State, joined};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Chosen, joined};
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, lesson_of};
 
 /// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.
-pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
+pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
     let Sheet { t, exercise, .. } = sheet;
     let top = ui.cursor().top();
-    let checked = state.exercises.checked.get(&ask.name).cloned();
+    let checked = learn.exercises.checked.get(&ask.name).cloned();
     let mut hints = Vec::new();
     if let Some(checked) = &checked {
         let judged = &checked.judged;
-        let is_old = *state.exercises.fields(ask) != *checked.fields;
+        let is_old = *learn.exercises.fields(ask) != *checked.fields;
         // In the line of the verdict: in one of its own it would move the button that it asks for.
         ui.horizontal_wrapped(|ui| {
             // As high as words, not as controls.
@@ -56,28 +58,28 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
             if let Some(place) = place_of(ask).filter(|_| judged.right) {
                 prose::show(ui, &messages::lands(t.lang, place));
             }
-            if let Some(why) = why_guess_was_wrong(state, sheet, ask).filter(|_| judged.right) {
+            if let Some(why) = why_guess_was_wrong(learn, sheet, ask).filter(|_| judged.right) {
                 prose::show(ui, &why);
             }
         });
         hints = messages::hints(t.lang, exercise, ask, judged);
     }
-    let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
+    let opened = learn.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
     for hint in hints.iter().take(opened.hints) {
         prose::show(ui, &format!("**{}:** {hint}", t.hint));
     }
-    let newest = solution::steps(ui, state, sheet, ask).map_or(top, |step| step.top());
+    let newest = solution::steps(ui, model, learn, sheet, ask).map_or(top, |step| step.top());
     let id = ui.scope_id();
     ui.horizontal_wrapped(|ui| {
         if opened.hints < hints.len() {
-            hint_button(ui, state, sheet, ask, (id, opened.hints));
+            hint_button(ui, learn, sheet, ask, (id, opened.hints));
         } else {
-            solution::step_button(ui, state, sheet, ask, id);
+            solution::step_button(ui, learn, sheet, ask, id);
         }
-        solution::camera_button(ui, state, sheet, ask, id);
+        solution::camera_button(ui, model, learn, sheet, ask, id);
     });
     if checked.is_some_and(|checked| !checked.judged.right) {
-        offer(ui, state, sheet);
+        offer(ui, model, learn, sheet);
     }
     if just_said {
         let said = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), newest..=ui.min_rect().bottom());
@@ -87,8 +89,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
 }
 
 /// After several wrong answers in a row: the lesson, or other numbers.
-fn offer(ui: &mut Ui, state: &mut State, Sheet { t, entry, exercise }: Sheet<'_>) {
-    let wrong = state.exercises.progress.tried(&entry.id).map_or(0, |tried| tried.wrong);
+fn offer(ui: &mut Ui, model: &mut Model, learn: &mut Learn, Sheet { t, entry, exercise }: Sheet<'_>) {
+    let wrong = learn.exercises.progress.tried(&entry.id).map_or(0, |tried| tried.wrong);
     let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
     if wrong < MANY_WRONG || way.is_none() && !entry.is_family {
         return;
@@ -99,10 +101,10 @@ fn offer(ui: &mut Ui, state: &mut State, Sheet { t, entry, exercise }: Sheet<'_>
             && ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked()
         {
             let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
-            file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+            model.actions.push(Action::Begin(AfterSave::Lesson(open)));
         }
         if entry.is_family && ui.link(t.new_numbers).clicked() {
-            state.exercises.work_on(Chosen { id: exercise.id.clone(), seed: exercise.seed + 1 });
+            learn.exercises.work_on(Chosen { id: exercise.id.clone(), seed: exercise.seed + 1 });
         }
     });
 }
@@ -113,21 +115,21 @@ fn place_of(ask: &Ask) -> Option<[f64; 2]> {
 }
 
 /// Why the guess was wrong, told when the right answer was seen. Without a picture to see it was told at once.
-fn why_guess_was_wrong(state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<String> {
-    state.lesson.as_ref().filter(|playing| !ask.places && playing.lesson.seen_after(playing.step).is_some())?;
-    let guess = state.exercises.guess_at(ask)?;
+fn why_guess_was_wrong(learn: &Learn, sheet: Sheet<'_>, ask: &Ask) -> Option<String> {
+    learn.lesson.as_ref().filter(|playing| !ask.places && playing.lesson.seen_after(playing.step).is_some())?;
+    let guess = learn.exercises.guess_at(ask)?;
     let judged = exercises::check(sheet.entry, sheet.exercise, ask, &joined(ask, guess)).ok()?;
     said::diagnosis(sheet.t.lang, ask, &judged).filter(|_| !judged.right)
 }
 
-fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id, open): (egui::Id, usize)) {
+fn hint_button(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (id, open): (egui::Id, usize)) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let label = if open == 0 { t.next_hint } else { t.stronger_hint };
     if solution::help_button(ui, id, (label, t.hint_hint, &name)).clicked() {
-        state.exercises.opened.entry(ask.name.clone()).or_default().hints += 1;
-        state.exercises.note_opened(exercise, ask);
-        state.exercises.say(ask);
+        learn.exercises.opened.entry(ask.name.clone()).or_default().hints += 1;
+        learn.exercises.note_opened(exercise, ask);
+        learn.exercises.say(ask);
     }
 }
 
@@ -148,8 +150,8 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, ask: &Ask, judged: &exercises::Judged
 }
 
 /// Says that all is right, once it is.
-pub(super) fn all(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
-    let right = state.exercises.right();
+pub(super) fn all(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>) {
+    let right = learn.exercises.right();
     if sheet.exercise.asks.iter().all(|ask| right.contains(ask.name.as_str())) {
         ui.separator();
         ui.label(RichText::new(format!("✓ {}", sheet.t.all_right)).strong().color(color(ui, true)));

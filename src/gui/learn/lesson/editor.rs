@@ -5,11 +5,13 @@ use eframe::egui::{Button, Id, RichText, Ui};
 
 use super::task_fields;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
-use crate::gui::files::file_flow;
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, State, StepChange};
+use crate::gui::learn::Learn;
+use crate::gui::learn::lesson::writing::StepChange;
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, messages};
@@ -20,8 +22,8 @@ use crate::limits::{MAX_TITLE, MAX_TYPED};
 const PAUSE: f64 = 1.0;
 
 /// One line: changes of the steps.
-pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let Some(playing) = state.lesson.as_ref() else { return };
+pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) {
+    let Some(playing) = learn.lesson.as_ref() else { return };
     let Some(writing) = &playing.writing else { return };
     let (step, count) = (playing.step, playing.lesson.steps.len());
     let (is_ahead, has_no_task) = (writing.is_ahead(), writing.typed.task.kind == TaskKind::None);
@@ -45,29 +47,29 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
         asks = button.explained(task.new_question_hint).explained_disabled(task.has_task).clicked();
         ui.separator();
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-            file_flow::begin(ui.ctx(), state, AfterSave::ReadLesson);
+            model.actions.push(Action::Begin(AfterSave::ReadLesson));
         }
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });
     if let Some(change) = change {
-        state.change_steps(change);
+        learn.change_steps(model, change);
     }
     if asks {
         let now = ui.input(|input| input.time);
-        let writing = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+        let writing = learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
         if let Some(writing) = writing {
             writing.shows = Fields::Task;
             writing.typed.task = std::mem::take(&mut writing.typed.task).with_kind(TaskKind::Choices);
             number_field::take_keyboard(ui.ctx(), task.question_field);
         }
-        state.text_edited(now);
+        learn.text_edited(now);
     }
 }
 
 /// The fields of the step, of its task, or of the whole lesson.
-pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
-    let Some(playing) = state.lesson.as_mut() else { return };
+pub(super) fn fields(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) {
+    let (lang, now) = (model.settings.lang, ui.input(|input| input.time));
+    let Some(playing) = learn.lesson.as_mut() else { return };
     // A task asks about the figure of its step, even while the author tries another camera.
     let figure = playing.now().map(|step| step.figure.clone());
     let Some(writing) = &mut playing.writing else { return };
@@ -104,13 +106,13 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     }
     let has_fault = writing.fault.is_some();
     if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
-        return state.forget_text();
+        return learn.forget_text();
     }
     if is_typed {
-        state.text_edited(now);
+        learn.text_edited(now);
         ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(PAUSE + 0.1));
     } else if waits || is_left && !has_fault {
-        state.save_text();
+        learn.save_text(model);
     }
 }
 

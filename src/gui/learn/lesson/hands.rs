@@ -5,10 +5,12 @@ use std::collections::BTreeMap;
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
+use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::color;
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::i18n::learn::exercises as said;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, told};
@@ -55,9 +57,9 @@ pub(super) fn question_with_choices(step: &Step) -> Option<(Exercise, usize)> {
 }
 
 /// Counts hands by keys: a letter raises one for its choice, Shift and the letter lower one.
-pub(super) fn count(ctx: &Context, state: &mut State) {
-    let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
-    let Some(playing) = state.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
+pub(super) fn count(ctx: &Context, model: &Model, learn: &mut Learn, file_flow: &FileFlow) {
+    let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
+    let Some(playing) = learn.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
     let Some((_, choices)) = playing.now().and_then(question_with_choices) else { return };
     let step = playing.step;
     ctx.input_mut(|input| {
@@ -75,9 +77,9 @@ pub(super) fn count(ctx: &Context, state: &mut State) {
 }
 
 /// Shows the question with its choices to the class. False if the step has no choices.
-pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step) -> bool {
+pub(super) fn show(ui: &mut Ui, t: &Texts, learn: &mut Learn, step: &Step) -> bool {
     let Some((exercise, choices)) = question_with_choices(step) else { return false };
-    let Some(playing) = &mut state.lesson else { return false };
+    let Some(playing) = &mut learn.lesson else { return false };
     let (Some(ask), number) = (exercise.asks.first(), playing.step) else { return false };
     let counts = playing.hands.of(number, choices);
     let is_answered = playing.hands.answered == Some(number);

@@ -2,11 +2,12 @@
 
 use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, Ui};
 
-use crate::gui::app::focus::at_right;
-use crate::gui::files::file_flow;
+use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, Dialog, State};
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::lessons as words;
 use crate::i18n::told;
 use crate::i18n::window::gallery;
@@ -15,33 +16,33 @@ use crate::lessons::{OpenLesson, shipped};
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
 
-/// Shows the list. A lesson that is chosen is played.
-pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
-    let lang = state.settings.lang;
+/// Shows the list. A lesson that is chosen is played. False: the list is to be closed.
+pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> bool {
+    let lang = model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.lessons);
     ui.add_space(4.0);
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
-    let next = state.next_lesson();
+    let next = learn.next_lesson();
     // Always as high, from its first frame on, where it is offered less: what grows moves under the pointer.
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
     area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
-            let is_taken = state.lessons_taken.contains_key(&lesson.id);
-            let (done, all) = state.done_of(lesson);
+            let is_taken = learn.taken.contains_key(&lesson.id);
+            let (done, all) = learn.done_of(lesson);
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
                 if ui.link(title).clicked() {
                     // One goes on where one was, and begins anew what is finished.
-                    let step = if state.is_finished(lesson) { 0 } else { state.step_to_go_on(lesson) };
+                    let step = if learn.is_finished(lesson) { 0 } else { learn.step_to_go_on(lesson) };
                     chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
                 }
                 if is_taken && done == all {
                     ui.label(RichText::new(format!("✓ {}", t.finished)).weak());
                 } else if is_taken {
-                    let place = words::place(lang, state.step_to_go_on(lesson) + 1, lesson.steps.len());
+                    let place = words::place(lang, learn.step_to_go_on(lesson) + 1, lesson.steps.len());
                     ui.label(RichText::new(format!("{place} · {}", words::answered(lang, done, all))).weak());
                 }
                 if next == Some(k) {
@@ -49,7 +50,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
                 }
             });
             // It would answer the questions of a lesson that is to come.
-            let sentence = lesson.sentence.as_ref().filter(|_| state.is_finished(lesson));
+            let sentence = lesson.sentence.as_ref().filter(|_| learn.is_finished(lesson));
             if let Some(sentence) = sentence {
                 prose::show(ui, told(lang, sentence).trim());
             } else if !lesson.aims.is_empty() {
@@ -66,11 +67,11 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
             }
             ui.add_space(6.0);
         }
-        if !state.own_lessons.is_empty() {
+        if !learn.own.is_empty() {
             ui.separator();
             ui.label(RichText::new(t.of_folder).strong());
         }
-        for (path, lesson) in &state.own_lessons {
+        for (path, lesson) in &learn.own {
             let link = ui.link(words::with_minutes(lang, lesson)).explained(crate::sanitize::path(path));
             if link.clicked() {
                 chosen = Some(OpenLesson { lesson: lesson.clone(), path: Some(path.clone()), step: 0 });
@@ -80,9 +81,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     ui.separator();
     let close = ui.horizontal(|ui| at_right(ui, |ui| ui.button(gallery::texts(lang).close))).inner;
     let closes = close.clicked() || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-    match chosen {
-        Some(open) => file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open)),
-        None if closes => {}
-        None => state.file_flow.dialog = Some(Dialog::Lessons),
-    }
+    let stays = chosen.is_none() && !closes;
+    model.actions.extend(chosen.map(|open| Action::Begin(AfterSave::Lesson(open))));
+    stays
 }

@@ -19,13 +19,15 @@ use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 use crate::clock;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::app::command::Command;
-use crate::gui::app::focus;
-use crate::gui::app::focus::Region;
-use crate::gui::files::file_flow;
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
+use crate::gui::files::questions::FileFlow;
+use crate::gui::kit::focus;
+use crate::gui::kit::focus::Region;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, Chosen, Dialog, State};
+use crate::gui::kit::{prose, theme};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::model::Model;
+use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
 use crate::i18n::learn::lessons::Texts;
@@ -60,32 +62,32 @@ const ANSWER: f32 = 0.23;
 const TYPED: f64 = 0.9;
 
 /// Goes on with the move to a step, and with what is typed; at the begin of a frame.
-pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
+pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &FileFlow) {
     let now = ctx.input(|input| input.time);
     let presses = |event: &egui::Event| {
         matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
     };
-    if state.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
+    if learn.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
         // The click is for what the step shows at its end.
-        state.end_move();
+        learn.end_move(model);
     }
-    if state.go_on_moving(now) {
+    if learn.go_on_moving(model, now) {
         ctx.request_repaint();
     }
-    typed_step(ctx, state, now);
-    hands::count(ctx, state);
-    state.check_goal();
+    typed_step(ctx, model, learn, file_flow, now);
+    hands::count(ctx, model, learn, file_flow);
+    learn.check_goal(model);
 }
 
 /// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
 /// command that is to be done.
-pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
-    if !(state.welcome && is_fresh) {
+pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
+    let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
+    if !(learn.welcome && is_fresh) {
         return None;
     }
     let first = lessons::shipped().first()?.lesson.clone();
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(model.settings.lang);
     let mut command = None;
     let shown = egui::Panel::top("welcome").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -97,8 +99,8 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
-                    state.welcome = false;
-                    state.settings.welcomed = true;
+                    learn.welcome = false;
+                    model.settings.welcomed = true;
                 }
             });
             plays
@@ -106,25 +108,23 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
         .inner
     });
     if shown.inner {
-        let open = lessons::OpenLesson { lesson: first, path: None, step: 0 };
-        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+        model.actions.push(Action::Offered(lessons::OpenLesson { lesson: first, path: None, step: 0 }));
     }
-    // It stays if the question about changes does.
-    if state.lesson.is_some() || command.is_some() {
-        (state.welcome, state.settings.welcomed) = (false, true);
+    if command.is_some() {
+        learn.take_offer(model);
     }
     command
 }
 
 /// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
-pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
-    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
-    let next = state.next_lesson().and_then(|place| lessons::shipped().get(place));
-    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.goes_on && is_fresh) else {
+pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
+    let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
+    let next = learn.next_lesson().and_then(|place| lessons::shipped().get(place));
+    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| learn.goes_on && is_fresh) else {
         return;
     };
-    let lang = state.settings.lang;
-    let (t, step) = (words::texts(lang), state.step_to_go_on(&lesson));
+    let lang = model.settings.lang;
+    let (t, step) = (words::texts(lang), learn.step_to_go_on(&lesson));
     let mut open = None;
     egui::Panel::top("go on").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -134,35 +134,31 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
             }
             ui.label("·");
             if ui.link(t.practise).clicked()
-                && let Some((next, why)) = state.exercises.next(clock::seconds_since_1970())
+                && let Some((next, why)) = learn.exercises.next(clock::seconds_since_1970())
             {
-                state.exercises.work_on(next.clone());
-                state.exercises.why = Some((next, why));
-                state.show_explanation(Explanation::Exercises);
-                state.goes_on = false;
+                learn.exercises.work_on(next.clone());
+                learn.exercises.why = Some((next, why));
+                model.show_explanation(Explanation::Exercises);
+                learn.goes_on = false;
             }
             ui.label("·");
             if ui.link(t.lessons).clicked() {
-                state.file_flow.dialog = Some(Dialog::Lessons);
+                model.actions.push(Action::Lessons);
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_go_on).accessible_name(t.no_go_on).clicked() {
-                    state.goes_on = false;
+                    learn.goes_on = false;
                 }
             });
         });
     });
-    if let Some(open) = open {
-        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
-    }
-    // It stays if the question about changes does.
-    state.goes_on &= state.lesson.is_none();
+    model.actions.extend(open.map(Action::Offered));
 }
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
-fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
-    let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
-    let Some(playing) = state.lesson.as_mut().filter(|_| listens) else { return };
+fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &FileFlow, now: f64) {
+    let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
+    let Some(playing) = learn.lesson.as_mut().filter(|_| listens) else { return };
     // In their order, and each as often as it was pressed: a slow frame brings several.
     ctx.input_mut(|input| {
         input.events.retain(|event| {
@@ -180,7 +176,7 @@ fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
     if is_whole {
         playing.typed = None;
         if let Some(step) = number.checked_sub(1) {
-            state.go_to_step(step);
+            learn.go_to_step(model, step);
         }
     } else {
         ctx.request_repaint_after(Duration::from_secs_f64(TYPED - (now - since)));
@@ -192,20 +188,20 @@ const DIGITS: [Key; 10] =
 
 /// The bar of the lesson, and the text and the task of its step, below the pictures. Gives a command that is to be
 /// done. All steps have one height, so that nothing moves under the pointer.
-pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
-    let playing = state.lesson.as_ref()?;
+pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
+    let playing = learn.lesson.as_ref()?;
     let key = (playing.lesson.id.clone(), playing.step);
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(model.settings.lang);
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
-    let (writes, presents) = (state.writes_lesson(), state.settings.presentation);
+    let (writes, presents) = (learn.writes_lesson(model), model.settings.presentation);
     let share = match (writes, presents && asks) {
         (true, _) => SHARE_WRITTEN,
         (false, true) => SHARE_ASKED,
         (false, false) => SHARE,
     };
     let most = share * ctx.content_rect().height();
-    let notes = playing.shows_notes && !speaker::has_window(&ctx, state);
+    let notes = playing.shows_notes && !speaker::has_window(&ctx, model, learn);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
     let asks = (presents && asks).then_some(playing.step);
@@ -214,20 +210,21 @@ pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let mut height = match kept {
         Some(height) => height,
         _ if writes || asks.is_some() => most,
-        _ => first_height(ui, t, state, &fits).min(most),
+        _ => first_height(ui, t, learn, &fits).min(most),
     };
     let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
         focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
-        let command = bar(ui, t, state);
+        let command = bar(ui, t, model, learn);
         if writes {
-            editor::tools(ui, t, state);
+            editor::tools(ui, t, model, learn);
         }
         let mut is_cut = false;
         if shows {
             ui.add_space(2.0);
             // As low as its text: taller than its panel, it would push the bar out of sight.
             let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
-            let shown = area.show(ui, |ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
+            let shown =
+                area.show(ui, |ui| if writes { written(ui, t, model, learn) } else { content(ui, t, model, learn) });
             let room = shown.inner_rect.height();
             is_cut = shown.content_size.y > room;
             if asks.is_some() && kept.is_none() {
@@ -240,7 +237,7 @@ pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         (command, is_cut)
     });
     let (command, is_cut) = panel.inner;
-    if let Some(playing) = &mut state.lesson {
+    if let Some(playing) = &mut learn.lesson {
         playing.is_cut = is_cut;
         playing.height = Some((fits, height));
     }
@@ -261,10 +258,10 @@ pub(in crate::gui) struct Fits {
 }
 
 /// The height for the tallest text of all steps, and with a question for its answer and the verdict.
-fn first_height(ui: &mut Ui, t: &Texts, state: &State, fits: &Fits) -> f32 {
+fn first_height(ui: &mut Ui, t: &Texts, learn: &Learn, fits: &Fits) -> f32 {
     let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum();
     let bar = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y + margin.y + 4.0;
-    let Some(playing) = state.lesson.as_ref().filter(|_| fits.shows) else { return bar };
+    let Some(playing) = learn.lesson.as_ref().filter(|_| fits.shows) else { return bar };
     let line = ui.text_style_height(&egui::TextStyle::Body);
     let width = ui.available_width() - margin.x;
     let tallest = playing.lesson.steps.iter().enumerate().map(|(k, step)| {
@@ -301,17 +298,17 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 }
 
 /// One line: title, number of the step, the ways on.
-fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
+fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<Command> {
     let lang = t.lang;
-    let writes_own = state.plays_own_lesson() && !state.settings.presentation;
-    let playing = state.lesson.as_ref()?;
+    let writes_own = learn.plays_own_lesson(model) && !model.settings.presentation;
+    let playing = learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
     let (step, count, may_go_on, moved) = (
         playing.step,
         lesson.steps.len(),
         playing.may_go_on(),
-        state.document.is_changed() && playing.moving.is_none(),
+        model.document.is_changed() && playing.moving.is_none(),
     );
     let mut command = None;
     let mut go_to = None;
@@ -323,14 +320,14 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         if step + 1 < count {
             let next = Button::new(RichText::new(format!("{label} ▶")).strong());
             if ui.add(next).explained(hint).clicked() {
-                state.pass_over();
+                learn.pass_over();
                 command = Some(Command::NextFigure);
             }
         } else if let Some(next) = after(&lesson) {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
             if ui.button(name).clicked() {
                 let open = lessons::OpenLesson { lesson: next, path: None, step: 0 };
-                file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+                model.actions.push(Action::Begin(AfterSave::Lesson(open)));
             }
         }
         let place = words::place(lang, step + 1, count);
@@ -362,7 +359,7 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         });
     });
     if let Some(step) = go_to {
-        state.go_to_step(step);
+        learn.go_to_step(model, step);
     }
     command
 }
@@ -375,21 +372,21 @@ fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
 }
 
 /// The fields of the step or of the lesson, beside what they look like.
-fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+fn written(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
     ui.horizontal_top(|ui| {
         let half = 0.5 * (ui.available_width() - GUTTER);
         ui.vertical(|ui| {
             ui.set_width(half);
-            editor::fields(ui, t, state);
+            editor::fields(ui, t, model, learn);
         });
         ui.add_space(GUTTER - ui.spacing().item_spacing.x);
         ui.vertical(|ui| {
             ui.set_width(half);
-            match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
+            match learn.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
                 Some((playing, writing)) if writing.shows == writing::Fields::Lesson => {
                     whole(ui, writing.lang, &playing.lesson);
                 }
-                _ => content(ui, t, state),
+                _ => content(ui, t, model, learn),
             }
         });
     });
@@ -404,28 +401,28 @@ fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
 }
 
 /// Text, task, links and notes of the step.
-fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
-    let Some(playing) = state.lesson.as_ref() else { return };
+fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
+    let Some(playing) = learn.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
-    let writing = playing.writing.as_ref().filter(|_| state.writes_lesson());
+    let writing = playing.writing.as_ref().filter(|_| learn.writes_lesson(model));
     let shows_text = playing.shows_text || writing.is_some();
-    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), state) || writing.is_some();
+    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), model, learn) || writing.is_some();
     // What is written is shown in the language of its fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers are those of what is on the screen.
-    let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
         Some(report) => words::filled_from(lang, text, report),
         None => told(lang, text).to_owned(),
     };
-    let presents = state.settings.presentation;
+    let presents = model.settings.presentation;
     let say = |ui: &mut Ui| {
         if !presents {
             ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
         }
         prose::show(ui, text(&step.text).trim());
     };
-    let asks = step.task.is_some() && state.lesson.as_ref().is_some_and(|playing| playing.shows_question);
+    let asks = step.task.is_some() && learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
     let half = column(ui, ui.available_width(), presents, asks);
     if shows_text && asks && half < 0.5 * ui.available_width() {
         // Side by side they leave the pictures more room.
@@ -438,7 +435,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
             ui.vertical(|ui| {
                 // Without a width of its own, a field that wants more would reach out of the window.
                 ui.set_width(half);
-                task::show(ui, t, state, &step, &text);
+                task::show(ui, t, model, learn, &step, &text);
             });
         });
     } else {
@@ -446,9 +443,9 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         if shows_text {
             say(ui);
         }
-        task::show(ui, t, state, &step, &text);
+        task::show(ui, t, model, learn, &step, &text);
     }
-    links(ui, t, state, &step.links);
+    links(ui, t, model, learn, &step.links);
     if let Some(notes) = step.notes.as_ref().filter(|_| shows_notes) {
         ui.separator();
         ui.weak(t.notes_command);
@@ -458,8 +455,8 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
 }
 
 /// Buttons that lead from the step to notes, exercises and lessons.
-fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
-    if links.is_empty() || state.settings.presentation {
+fn links(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn, links: &[Link]) {
+    if links.is_empty() || model.settings.presentation {
         return;
     }
     let lang = t.lang;
@@ -471,21 +468,21 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                     let name = format!("{}: {}", t.read_more, notes::plain(note.title));
                     let job = theme::sentence(ui, &name, &egui::TextStyle::Body, ui.visuals().hyperlink_color);
                     if ui.link(job).accessible_name(name).clicked() {
-                        state.explain_by_note(note.id);
+                        model.actions.push(Action::Note(note.id));
                     }
                 }
                 Link::Exercise(id, seed) => {
                     let Some(entry) = crate::exercises::entry(id) else { continue };
                     if ui.link(format!("{}: {}", t.practise, exercises::title(lang, entry))).clicked() {
-                        state.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
-                        state.show_explanation(Explanation::Exercises);
+                        learn.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
+                        model.show_explanation(Explanation::Exercises);
                     }
                 }
                 Link::Lesson(id, step) => {
                     let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
                     if ui.link(words::lesson_link(lang, &other.lesson, *step)).clicked() {
                         let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: *step };
-                        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+                        model.actions.push(Action::Begin(AfterSave::Lesson(open)));
                     }
                 }
             }

@@ -5,93 +5,85 @@ use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
 use crate::files::{self, FileError};
-use crate::gui::state::{Agreed, Dialog, Message, Side, State};
+use crate::gui::files::questions::Agreed;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::layout::Side;
+use crate::gui::model::message::Message;
 use crate::i18n::learn::lessons as words;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::views::View;
 
-impl State {
+impl Learn {
+    /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
+    pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>) {
+        let folders = [self.file.as_deref().and_then(Path::parent), model.document.folder(), gallery];
+        let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
+        // A folder that cannot be read has none.
+        let found = folder.filter(|_| !model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
+        self.own = found.unwrap_or_default().lessons;
+    }
+
     /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
-    pub(in crate::gui) fn add_step(&mut self, path: &Path, agreed: &Agreed) {
+    pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) {
         if self
             .lesson
             .as_ref()
             .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
         {
             // The window has the text of the file, and knows what it has written.
-            return self.add_to_written(path);
+            return self.add_to_written(model, path);
         }
-        match added(self, path, agreed) {
-            Ok(lesson) => self.step_is_added(path, lesson),
-            Err(error) => self.say(Message::File(path.to_owned(), error)),
+        match added(self, model, path, agreed) {
+            Ok(lesson) => self.step_is_added(model, path, lesson),
+            Err(error) => model.say(Message::File(path.to_owned(), error)),
         }
     }
 
     /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
-    pub(in crate::gui) fn is_recorded(&mut self) -> bool {
-        let Some(path) = self.lesson_file.as_deref().filter(|_| self.document.path().is_none()) else { return false };
+    pub(in crate::gui) fn is_recorded(&self, model: &mut Model) -> bool {
+        let Some(path) = self.file.as_deref().filter(|_| model.document.path().is_none()) else {
+            return false;
+        };
         let Ok((lesson, _)) = files::read_lesson(path) else { return false };
-        if self.title_to_record(Some(&lesson)).is_some() {
+        if self.title_to_record(model, Some(&lesson)).is_some() {
             return false;
         }
-        let here = as_shown(self);
+        let here = as_shown(model);
         let content = |figure: &Figure| (Figure { title: None, ..figure.without_scene() }, figure.scene.clone());
         lesson.steps.last().is_some_and(|step| content(&step.figure) == content(&here))
     }
 
     /// The title that the user gave the figure, if no step of the lesson has it yet.
-    pub(in crate::gui) fn title_to_record(&self, lesson: Option<&Lesson>) -> Option<Bilingual> {
-        let title = self.document.figure().title.as_ref()?;
+    pub(in crate::gui) fn title_to_record(&self, model: &Model, lesson: Option<&Lesson>) -> Option<Bilingual> {
+        let title = model.document.figure().title.as_ref()?;
         let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
-        let is_of_step = self.lesson.is_some() && self.document.saved().title.as_ref() == Some(title);
-        let is_new = !is_of_step && !self.document.has_words_of_card() && steps.all(|step| step.title != *title);
+        let is_of_step = self.lesson.is_some() && model.document.saved().title.as_ref() == Some(title);
+        let is_new = !is_of_step && !model.document.has_words_of_card() && steps.all(|step| step.title != *title);
         is_new.then(|| title.clone())
     }
 
     /// The words of a new step in a lesson. A title that the user gave the figure is the step's.
-    pub(in crate::gui) fn draft_of_step(&self, lesson: Option<&Lesson>) -> Draft {
+    pub(in crate::gui) fn draft_of_step(&self, model: &Model, lesson: Option<&Lesson>) -> Draft {
         let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
-        if let Some(title) = self.title_to_record(lesson) {
+        if let Some(title) = self.title_to_record(model, lesson) {
             draft.title = title;
         }
         draft
     }
 
     /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
-    pub(in crate::gui) fn step_is_added(&mut self, path: &Path, lesson: Lesson) {
-        self.lesson_file = Some(path.to_owned());
-        self.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
+    pub(in crate::gui) fn step_is_added(&mut self, model: &mut Model, path: &Path, lesson: Lesson) {
+        self.file = Some(path.to_owned());
+        model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
         if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
             // The steps before it have their places.
             playing.lesson = Arc::new(lesson);
         }
     }
-
-    /// Opens the list of lessons, with those of the folder of figures too.
-    pub(in crate::gui) fn list_lessons(&mut self) {
-        self.look_for_lessons();
-        self.file_flow.dialog = Some(Dialog::Lessons);
-    }
-
-    /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
-    pub(in crate::gui) fn look_for_lessons(&mut self) {
-        let folders =
-            [self.lesson_file.as_deref().and_then(Path::parent), self.document.folder(), self.gallery.folder()];
-        let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
-        // A folder that cannot be read has none.
-        let found = folder.filter(|_| !self.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
-        self.own_lessons = found.unwrap_or_default().lessons;
-    }
-
-    /// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
-    pub(in crate::gui) fn ask_for_code(&mut self) {
-        let has_address = self.own_address.is_some() || !self.page_address.is_empty();
-        self.file_flow.dialog = Some(if has_address { Dialog::Qr } else { Dialog::Link });
-        self.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
-    }
 }
 
-fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
+fn added(learn: &Learn, model: &mut Model, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
     let (lesson, text) = if files::disk::exists(path) {
         let (lesson, text) = files::read_lesson(path)?;
         (Some(lesson), text)
@@ -99,7 +91,7 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
         (None, String::new())
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let (figure, draft) = (as_shown(state), state.draft_of_step(lesson.as_ref()));
+    let (figure, draft) = (as_shown(model), learn.draft_of_step(model, lesson.as_ref()));
     let (text, lesson) = with_step(&text, &stem, &draft, &figure)?;
     files::save(path, text.as_bytes(), agreed.overwrite())?;
     Ok(lesson)
@@ -107,15 +99,15 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
 
 /// The figure as it is on the screen: explanations, views and panel. If you haven't turned a view, its viewpoint isn't
 /// stored, so that it's fitted when the step is played.
-pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
-    let seen = state.as_seen();
-    let panel = state.settings.panels().is_shown(Side::Explain).then(|| state.explain.shown());
-    let pictures = View::ALL.map(|view| state.layout.is_shown(view));
-    let figure = state.document.figure();
+pub(in crate::gui) fn as_shown(model: &mut Model) -> Figure {
+    let seen = model.as_seen();
+    let panel = model.settings.panels().is_shown(Side::Explain).then(|| model.explained.shown());
+    let pictures = View::ALL.map(|view| model.layout.is_shown(view));
+    let figure = model.document.figure();
     let screen = Screen {
         pictures: Some(pictures),
         panel: Some(panel),
-        arrangement: Some(state.layout.arrangement),
+        arrangement: Some(model.layout.arrangement),
         ..figure.screen
     };
     Figure { show: seen.show, screen, ..figure.clone() }

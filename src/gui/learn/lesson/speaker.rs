@@ -5,10 +5,11 @@ use eframe::egui::{
 };
 
 use crate::gui::app::command::Command;
-use crate::gui::app::focus::at_right;
+use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
 use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
 use crate::lessons::{self, Task};
@@ -18,20 +19,20 @@ const SIZE: [f32; 2] = [520.0, 460.0];
 
 /// True if the notes have a window of their own. In a page of a browser they're below the pictures, and so they are if
 /// the only screen is the projection.
-pub(super) fn has_window(ctx: &Context, state: &State) -> bool {
-    let is_alone = state.settings.presentation && state.other_screen.is_none_or(|screen| screen.is_none());
+pub(super) fn has_window(ctx: &Context, model: &Model, learn: &Learn) -> bool {
+    let is_alone = model.settings.presentation && learn.other_screen.is_none_or(|screen| screen.is_none());
     !ctx.embed_viewports() && !is_alone
 }
 
 /// Shows the notes of the step, where they are wanted. Gives a command that is to be done.
-pub(in crate::gui) fn window(ctx: &Context, state: &mut State) -> Option<Command> {
-    let is_wanted = state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
-    if !is_wanted || !has_window(ctx, state) {
+pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &Learn) -> Option<Command> {
+    let is_wanted = learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
+    if !is_wanted || !has_window(ctx, model, learn) {
         return None;
     }
-    let t = words::texts(state.settings.lang);
+    let t = words::texts(model.settings.lang);
     let mut builder = ViewportBuilder::default().with_title(t.notes_command).with_inner_size(SIZE);
-    if let Some(Some(corner)) = state.other_screen {
+    if let Some(Some(corner)) = learn.other_screen {
         builder = builder.with_position(corner + vec2(60.0, 60.0));
     }
     let id = ViewportId::from_hash_of("notes of the speaker");
@@ -41,7 +42,7 @@ pub(in crate::gui) fn window(ctx: &Context, state: &mut State) -> Option<Command
             command = Some(Command::StepNotes);
         }
         egui::CentralPanel::default().show(ui, |ui| {
-            command = shown(ui, t, state).or(command);
+            command = shown(ui, t, model, learn).or(command);
         });
         command
     })
@@ -61,12 +62,12 @@ fn keys(ctx: &Context) -> Option<Command> {
 
 /// Number and title of the step, a clock, its notes, its question with the answer, its text, the plan of the lesson,
 /// and the title of the next step.
-fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> {
+fn shown(ui: &mut egui::Ui, t: &words::Texts, model: &Model, learn: &Learn) -> Option<Command> {
     let lang = t.lang;
-    let playing = state.lesson.as_ref()?;
+    let playing = learn.lesson.as_ref()?;
     let step = playing.now()?;
     // The numbers are those of what is on the screen.
-    let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let filled =
         |text| report.as_ref().map_or_else(|| told(lang, text).to_owned(), |r| words::filled_from(lang, text, r));
     let mut command = None;

@@ -11,10 +11,20 @@ use crate::camera::{Camera, Operation, Parameters};
 use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
-use crate::gui::gallery::Source;
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Chosen, Mark, Placing};
+use crate::gui::learn::lesson::writing::Writing;
+use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::gui::model::document::Document;
+use crate::gui::model::follow::Follow;
 use crate::gui::model::history::Revision;
-use crate::gui::state::{Chosen, Message, Panels, State, Writing};
+use crate::gui::model::layout::Panels;
+use crate::gui::model::message::Message;
+use crate::gui::model::scene_tree::SceneTree;
+use crate::gui::model::source::Source;
+use crate::i18n::learn::exercise_window;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 use crate::numbers::round_to;
 use crate::share;
@@ -77,7 +87,7 @@ pub struct Playing {
 
 /// A move from one step to another.
 #[derive(Debug)]
-pub struct Moving {
+pub(crate) struct Moving {
     passage: Passage,
     /// The step's document, as it is at the end.
     target: Box<Document>,
@@ -160,12 +170,12 @@ impl Playing {
     }
 }
 
-impl State {
+impl Learn {
     /// Whether the figure has changes that must not be lost; in a step of a lesson not all are, see
     /// `Playing::is_work`.
     #[must_use]
-    pub fn has_unsaved(&self) -> bool {
-        self.is_work(&self.document) || self.is_rearranged()
+    pub fn has_unsaved(&self, model: &Model) -> bool {
+        self.is_work(&model.document) || model.is_rearranged(self.lesson.is_some())
     }
 
     fn is_work(&self, document: &Document) -> bool {
@@ -174,74 +184,52 @@ impl State {
 
     /// The documents with changes that the window holds without showing them: figures and steps that were left, and
     /// those behind the figure of an exercise.
-    pub fn held_documents(&self) -> Vec<&Document> {
-        let left = self.kept.iter().chain(&self.given_up).map(|(_, document)| document);
+    pub fn held_documents<'a>(&'a self, model: &'a Model) -> Vec<&'a Document> {
+        let left = model.kept.iter().chain(&model.given_up).map(|(_, document)| document);
         let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
         let held = left.chain(of_lesson).flat_map(|document| std::iter::once(document).chain(document.behind()));
         held.filter(|document| document.is_changed())
-            .chain(self.document.behind().filter(|document| self.is_work(document)))
+            .chain(model.document.behind().filter(|document| self.is_work(document)))
             .collect()
-    }
-
-    /// Whether closing the window would lose something.
-    #[must_use]
-    pub fn would_lose_something(&self) -> bool {
-        self.has_unsaved()
-            || self.unsaved_text().is_some()
-            || !self.held_documents().is_empty()
-            || !self.file_flow.exporting.is_empty()
     }
 
     /// Takes the documents that wait in steps and behind figures among those that the window asks about when it is
     /// closed.
-    pub(in crate::gui) fn gather_held(&mut self) {
-        self.keep_behind();
+    pub(in crate::gui) fn gather_held(&mut self, model: &mut Model) {
+        self.keep_behind(model);
         let of_lesson = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
-        self.keep(of_lesson.into_iter().flat_map(BTreeMap::into_values).collect());
+        model.keep(of_lesson.into_iter().flat_map(BTreeMap::into_values).collect());
     }
 
     /// Keeps the work behind the figure.
-    pub(in crate::gui) fn keep_behind(&mut self) {
-        let mut behind = self.document.take_behind();
+    pub(in crate::gui) fn keep_behind(&self, model: &mut Model) {
+        let mut behind = model.document.take_behind();
         behind.retain(|document| self.is_work(document));
-        self.keep(behind);
+        model.keep(behind);
     }
 
     /// Has the work in the figure, or behind it, wait in the step that is left.
-    pub(in crate::gui) fn leave_step(&mut self) {
-        let mut left = Some(self.document.clone());
+    pub(in crate::gui) fn leave_step(&mut self, model: &mut Model) {
+        let mut left = Some(model.document.clone());
         while let Some(document) = left.take_if(|document| !self.is_work(document)) {
             left = document.into_behind();
         }
-        self.document.take_behind();
+        model.document.take_behind();
         if let (Some(document), Some(playing)) = (left, &mut self.lesson) {
             playing.worked_on.insert(playing.step, document);
         }
     }
 
-    /// Keeps documents with changes until the window is closed, which asks about them.
-    pub(in crate::gui) fn keep(&mut self, documents: Vec<Document>) {
-        for mut document in documents {
-            let behind = document.take_behind();
-            self.kept.extend(
-                std::iter::once(document)
-                    .chain(behind)
-                    .filter(Document::is_changed)
-                    .map(|document| (Source::of(&document), document)),
-            );
-        }
-    }
-
     /// The panels at the sides as the user wants them without a lesson.
     #[must_use]
-    pub fn own_panels(&self) -> &Panels {
-        self.lesson.as_ref().map_or(&self.settings.panels, |playing| &playing.panels_before)
+    pub fn own_panels<'a>(&'a self, model: &'a Model) -> &'a Panels {
+        self.lesson.as_ref().map_or(&model.settings.panels, |playing| &playing.panels_before)
     }
 
     /// The number of steps of a lesson that ask for something, and of those that are done.
     #[must_use]
     pub fn done_of(&self, lesson: &Lesson) -> (usize, usize) {
-        let done = self.lessons_done.get(&lesson.id);
+        let done = self.done.get(&lesson.id);
         let tasks = lesson.steps.iter().enumerate().filter(|(_, step)| step.task.is_some());
         let (all, is_done): (Vec<usize>, Vec<bool>) =
             tasks.map(|(step, _)| (step, done.is_some_and(|done| done.contains(&step)))).unzip();
@@ -252,7 +240,7 @@ impl State {
     #[must_use]
     pub fn is_finished(&self, lesson: &Lesson) -> bool {
         let (done, all) = self.done_of(lesson);
-        done == all && self.lessons_taken.contains_key(&lesson.id)
+        done == all && self.taken.contains_key(&lesson.id)
     }
 
     /// The lesson of the program to be taken next, by its place: the first that was begun and isn't finished, else the
@@ -260,7 +248,7 @@ impl State {
     #[must_use]
     pub fn next_lesson(&self) -> Option<usize> {
         let open = || shipped().iter().enumerate().filter(|(_, shipped)| !self.is_finished(&shipped.lesson));
-        let mut begun = open().filter(|(_, shipped)| self.lessons_taken.contains_key(&shipped.lesson.id));
+        let mut begun = open().filter(|(_, shipped)| self.taken.contains_key(&shipped.lesson.id));
         begun.next().or_else(|| open().next()).map(|(place, _)| place)
     }
 
@@ -268,8 +256,8 @@ impl State {
     /// left or before.
     #[must_use]
     pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
-        let furthest = self.lessons_taken.get(&lesson.id).copied().unwrap_or_default();
-        let done = self.lessons_done.get(&lesson.id);
+        let furthest = self.taken.get(&lesson.id).copied().unwrap_or_default();
+        let done = self.done.get(&lesson.id);
         let is_open = |step: &usize| lesson.steps[*step].task.is_some() && done.is_none_or(|done| !done.contains(step));
         let last = lesson.steps.len().saturating_sub(1);
         if furthest < last { furthest } else { (0..lesson.steps.len()).find(is_open).unwrap_or_default() }
@@ -277,7 +265,7 @@ impl State {
 
     /// Plays a lesson. The figure is lost. Only the window's start calls this, and
     /// [`file_flow`](crate::gui::files::file_flow) once it has asked.
-    pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
+    pub(in crate::gui) fn play(&mut self, model: &mut Model, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
         if step == 0 {
             let question = |step: &Step| match &step.task {
@@ -294,7 +282,7 @@ impl State {
             step,
             moving: None,
             shows_text: true,
-            shows_question: !self.settings.presentation,
+            shows_question: !model.settings.presentation,
             shows_notes: false,
             writing: None,
             was_written: false,
@@ -311,82 +299,82 @@ impl State {
             typed: None,
             looked_at: None,
             seen: Seen::default(),
-            panels_before: *self.own_panels(),
+            panels_before: *self.own_panels(model),
         };
-        self.show_step(playing, step, false);
+        self.show_step(model, playing, step, false);
     }
 
     /// Ends the lesson. The figure of its step stays.
-    pub(in crate::gui) fn leave_lesson(&mut self) {
-        self.end_move();
-        self.close_lesson();
+    pub(in crate::gui) fn leave_lesson(&mut self, model: &mut Model) {
+        self.end_move(model);
+        self.close_lesson(model);
     }
 
     /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
-    pub(in crate::gui) fn close_lesson(&mut self) {
+    pub(in crate::gui) fn close_lesson(&mut self, model: &mut Model) {
         if let Some(playing) = self.lesson.take() {
-            self.settings.panels.wanted = playing.panels_before.wanted;
-            self.keep(playing.worked_on.into_values().collect());
+            model.settings.panels.wanted = playing.panels_before.wanted;
+            model.keep(playing.worked_on.into_values().collect());
         }
         self.exercises.of_lesson.clear();
         self.exercises.leave_unknown();
     }
 
     /// Shows the figure of the step as it was at first. Undoing brings the changed one back.
-    pub fn step_again(&mut self) {
-        self.end_move();
+    pub fn step_again(&mut self, model: &mut Model) {
+        self.end_move(model);
         let Some(playing) = self.lesson.take() else { return };
-        let mut document = self.document.clone();
+        let mut document = model.document.clone();
         if let Some(step) = playing.now()
             && document.replace((*step.figure).clone()).is_ok()
         {
             let step = playing.step;
-            self.show_in_step(playing, step, document, false);
+            self.show_in_step(model, playing, step, document, false);
         } else {
             self.lesson = Some(playing);
         }
     }
 
     /// Goes to a step, from 0. Nothing if there is none. Work in the step that is left waits there.
-    pub fn go_to_step(&mut self, step: usize) {
-        if !self.save_text() {
+    pub fn go_to_step(&mut self, model: &mut Model, step: usize) {
+        if !self.save_text(model) {
             return;
         }
-        self.end_move();
+        self.end_move(model);
         if self.lesson.as_ref().is_none_or(|playing| step >= playing.lesson.steps.len()) {
             return;
         }
-        self.leave_step();
+        self.leave_step(model);
         let Some(playing) = self.lesson.take() else { return };
         let moves = step == playing.step + 1;
-        self.show_step(playing, step, moves);
+        self.show_step(model, playing, step, moves);
     }
 
     /// Goes on to the next step, or back to the one before. What is to be done first is said once, and passed over
     /// then.
-    pub fn step_lesson(&mut self, forwards: bool) {
-        if self.end_move() && forwards {
+    pub fn step_lesson(&mut self, model: &mut Model, forwards: bool) {
+        if self.end_move(model) && forwards {
             return;
         }
         let Some(playing) = &mut self.lesson else { return };
         let step = playing.step;
         if !forwards {
             match step.checked_sub(1) {
-                Some(before) => self.go_to_step(before),
-                None => self.say(Message::FirstStep),
+                Some(before) => self.go_to_step(model, before),
+                None => model.say(Message::FirstStep),
             }
             return;
         }
         if !playing.may_go_on() && playing.warned != Some(step) {
             playing.warned = Some(step);
             playing.shows_question = true;
-            return self.say(Message::TaskFirst);
+            return model.say(Message::TaskFirst);
         }
         playing.passed.insert(step);
         if playing.is_last() {
-            return self.say(Message::LastStep);
+            return model.say(Message::LastStep);
         }
-        self.go_to_step(step + 1);
+        self.go_to_step(model, step + 1);
     }
 
     /// Passes over the task of the step.
@@ -397,22 +385,24 @@ impl State {
     }
 
     /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
-    pub(in crate::gui) fn show_solution(&mut self, goal: &Goal) {
-        let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else { return };
+    pub(in crate::gui) fn show_solution(&mut self, model: &mut Model, goal: &Goal) {
+        let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else {
+            return;
+        };
         let Ok(camera) = Camera::new(&figure.camera) else { return };
         // A lesson that was read has tried it.
         let Ok(after) = goal.reached_from(&figure, &camera) else { return };
         if let Some(playing) = &mut self.lesson {
             playing.shown.insert(playing.step);
         }
-        let seen = self.document.figure().observers;
-        let done = self.document.replace(Figure { observers: seen, ..after.figure });
-        self.say_camera_error(done);
+        let seen = model.document.figure().observers;
+        let done = model.document.replace(Figure { observers: seen, ..after.figure });
+        model.say_camera_error(done);
     }
 
     /// Shows a step and brings back the changes you tried in it, either at once or with a camera move.
-    pub(in crate::gui) fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
-        self.end_move();
+    pub(in crate::gui) fn show_step(&mut self, model: &mut Model, mut playing: Playing, step: usize, moves: bool) {
+        self.end_move(model);
         let waiting = playing.worked_on.remove(&step);
         let Some(shown) = playing.lesson.steps.get(step) else { return };
         let document = match waiting {
@@ -420,26 +410,26 @@ impl State {
             None => Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()),
         };
         match document {
-            Ok(document) => self.show_in_step(playing, step, document, moves),
+            Ok(document) => self.show_in_step(model, playing, step, document, moves),
             Err(error) => {
                 self.lesson = Some(playing);
-                self.say(Message::Camera(error));
+                model.say(Message::Camera(error));
             }
         }
     }
 
     /// Shows this document in a step.
-    fn show_in_step(&mut self, mut playing: Playing, step: usize, document: Document, moves: bool) {
+    fn show_in_step(&mut self, model: &mut Model, mut playing: Playing, step: usize, document: Document, moves: bool) {
         let Some(shown) = playing.lesson.steps.get(step) else { return };
-        let seconds = if self.settings.reduce_motion { 0.0 } else { shown.seconds };
-        let seen = self.as_seen();
-        let from = Figure { observers: seen.observers, show: seen.show, ..self.document.figure().clone() };
+        let seconds = if model.settings.reduce_motion { 0.0 } else { shown.seconds };
+        let seen = model.as_seen();
+        let from = Figure { observers: seen.observers, show: seen.show, ..model.document.figure().clone() };
         let from = Arc::new(from);
         let to = Arc::new(document.figure().clone());
         playing.step = step;
         playing.warned = None;
         playing.looked_at = None;
-        playing.shows_question = !self.settings.presentation;
+        playing.shows_question = !model.settings.presentation;
         let question = match &shown.task {
             Some(Task::Question(entry)) => Some((**entry).clone()),
             _ => None,
@@ -454,15 +444,15 @@ impl State {
         let operates =
             goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
         let tries = goal.is_some();
-        self.take_over(document.clone());
-        self.settings.panels.wanted = [tries && !operates, operates, self.settings.panels.wanted[2]];
+        self.take_over(model, document.clone());
+        model.settings.panels.wanted = [tries && !operates, operates, model.settings.panels.wanted[2]];
         if let Some(entry) = question {
             self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
             self.exercises.of_lesson = vec![entry];
         }
         if let Some(chosen) = exercise {
             self.exercises.work_on(chosen);
-            self.show_explanation(crate::figure::Explanation::Exercises);
+            model.show_explanation(crate::figure::Explanation::Exercises);
         }
         let passage = Passage::new(from, to);
         if moves && seconds > 0.0 && !passage.is_at_once() {
@@ -471,13 +461,13 @@ impl State {
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
         if playing.counts() {
-            let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
+            let furthest = self.taken.entry(playing.lesson.id.clone()).or_default();
             *furthest = step.max(*furthest);
         }
         self.lesson = Some(playing);
         self.follow_writing();
         if self.waits_for_seen() {
-            self.show_seen();
+            self.show_seen(model);
         }
     }
 
@@ -492,21 +482,21 @@ impl State {
     }
 
     /// Shows the figure that answers the question of the step, with a move to it. False if there is none.
-    pub(in crate::gui) fn show_seen(&mut self) -> bool {
-        self.end_move();
+    pub(in crate::gui) fn show_seen(&mut self, model: &mut Model) -> bool {
+        self.end_move(model);
         let Some(playing) = &self.lesson else { return false };
         let Some(seen) = playing.lesson.seen_after(playing.step).cloned() else { return false };
         let Ok(document) = Document::of_lesson(Figure::clone(&seen), playing.path.as_deref()) else { return false };
-        self.leave_step();
+        self.leave_step(model);
         let Some(mut playing) = self.lesson.take() else { return false };
-        let shown = self.as_seen();
-        let from = Figure { observers: shown.observers, show: shown.show, ..self.document.figure().clone() };
+        let shown = model.as_seen();
+        let from = Figure { observers: shown.observers, show: shown.show, ..model.document.figure().clone() };
         let passage = Passage::new(Arc::new(from), seen);
         // The question stays open under the other figure.
         let (of_lesson, open) = (std::mem::take(&mut self.exercises.of_lesson), self.exercises.open.take());
-        self.take_over(document.clone());
+        self.take_over(model, document.clone());
         (self.exercises.of_lesson, self.exercises.open) = (of_lesson, open);
-        if !self.settings.reduce_motion && !passage.is_at_once() {
+        if !model.settings.reduce_motion && !passage.is_at_once() {
             playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds: SEEN, began: None });
         }
@@ -520,28 +510,28 @@ impl State {
     }
 
     /// Goes on with the move to the step. True while it goes on. `now`: a time in seconds.
-    pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
+    pub(in crate::gui) fn go_on_moving(&mut self, model: &mut Model, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
         let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
         if share >= 1.0 {
-            self.end_move();
+            self.end_move(model);
             return false;
         }
         // It begins and ends slowly.
         let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
         // Of numbers that change with every frame, few digits can be read.
         if let Ok(camera) = Camera::new(&few_digits(figure.camera)).or_else(|_| Camera::new(&figure.camera)) {
-            self.document.set_camera(camera);
+            model.document.set_camera(camera);
         }
-        *self.document.observers_mut() = figure.observers;
-        *self.document.show_mut() = figure.show;
+        *model.document.observers_mut() = figure.observers;
+        *model.document.show_mut() = figure.show;
         true
     }
 
     /// Ends the move to the step, where there is one. The step is there exactly.
-    pub(in crate::gui) fn end_move(&mut self) -> bool {
+    pub(in crate::gui) fn end_move(&mut self, model: &mut Model) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
-        let (now, target) = (self.document.figure(), moving.target.figure());
+        let (now, target) = (model.document.figure(), moving.target.figure());
         let is_changed = now.scene != target.scene
             || now.points != target.points
             || now.labels != target.labels
@@ -549,34 +539,34 @@ impl State {
         if is_changed {
             // The figure was changed meanwhile: only the camera arrives.
             let target = moving.target.figure();
-            (*self.document.observers_mut(), *self.document.show_mut()) = (target.observers, target.show.clone());
-            self.document.set_camera(moving.target.camera().clone());
+            (*model.document.observers_mut(), *model.document.show_mut()) = (target.observers, target.show.clone());
+            model.document.set_camera(moving.target.camera().clone());
         } else {
-            self.document = *moving.target;
+            model.document = *moving.target;
         }
         true
     }
 
     /// Notes what is reached in the step.
-    pub(in crate::gui) fn check_goal(&mut self) {
+    pub(in crate::gui) fn check_goal(&mut self, model: &Model) {
         let Some(mut playing) = self.lesson.take() else { return };
         let step = playing.step;
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {
             _ if playing.is_done() || playing.moving.is_some() => false,
             Some(Task::Question(_) | Task::Exercise { .. }) => self.is_answered(&playing),
-            Some(Task::Try(goal)) if !playing.has_looked_at(&self.document) => {
+            Some(Task::Try(goal)) if !playing.has_looked_at(&model.document) => {
                 // Once for each figure: pixels are counted.
                 let subject = Subject {
-                    figure: self.document.figure(),
-                    camera: self.document.camera(),
-                    scene: self.scene_cache.scene(),
+                    figure: model.document.figure(),
+                    camera: model.document.camera(),
+                    scene: model.scene_cache.scene(),
                 };
                 let goal = goal.clone();
                 // The scene of a step that has just begun is built after this.
-                let is_ready = self.scene_cache.is_of(&self.document, self.settings.theme);
+                let is_ready = model.scene_cache.is_of(&model.document, model.settings.theme);
                 if is_ready {
-                    let Figure { observers, show, .. } = self.document.figure();
-                    playing.looked_at = Some((self.document.version(), *observers, show.clone()));
+                    let Figure { observers, show, .. } = model.document.figure();
+                    playing.looked_at = Some((model.document.version(), *observers, show.clone()));
                 }
                 is_ready && goal.is_reached(subject, &mut playing.seen)
             }
@@ -585,7 +575,7 @@ impl State {
         if reached {
             playing.done.insert(step);
             if !playing.shown.contains(&step) && playing.counts() {
-                self.lessons_done.entry(playing.lesson.id.clone()).or_default().insert(step);
+                self.done.entry(playing.lesson.id.clone()).or_default().insert(step);
             }
         }
         self.lesson = Some(playing);
@@ -605,6 +595,21 @@ impl State {
     }
 }
 
+impl Model {
+    /// Keeps documents with changes until the window is closed, which asks about them.
+    pub(in crate::gui) fn keep(&mut self, documents: Vec<Document>) {
+        for mut document in documents {
+            let behind = document.take_behind();
+            self.kept.extend(
+                std::iter::once(document)
+                    .chain(behind)
+                    .filter(Document::is_changed)
+                    .map(|document| (Source::of(&document), document)),
+            );
+        }
+    }
+}
+
 /// The numbers of a camera with three decimals, in the unit of its distance.
 fn few_digits(camera: Parameters) -> Parameters {
     let distance = (camera.focal_point - camera.position).length();
@@ -619,5 +624,69 @@ fn few_digits(camera: Parameters) -> Parameters {
         near: round_to(camera.near, unit),
         far: round_to(camera.far, unit),
         ..camera
+    }
+}
+
+impl Learn {
+    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
+    /// kept.
+    pub(in crate::gui) fn take_over(&mut self, model: &mut Model, document: Document) {
+        self.keep_behind(model);
+        let image = document.figure().image;
+        model.settings.aspect_follows_image =
+            document.draft().aspect == f64::from(image.width) / f64::from(image.height);
+        model.motion = None;
+        self.close_lesson(model);
+        model.document = document;
+        model.scene_cache.expect_another();
+        model.tree = SceneTree::default();
+        model.follow = Follow::default();
+        model.views.reset(model.document.figure().observers);
+        let screen = model.document.figure().screen;
+        model.show_screen(screen);
+        model.probe = None;
+        model.message = None;
+        model.actions.push(Action::ForgetFigure);
+    }
+
+    /// Undoes a step. Objects that come back are selected. The figure on the screen comes first, then the lesson.
+    pub fn undo(&mut self, model: &mut Model) {
+        if !model.document.can_undo() && self.can_undo_lesson(model, true) {
+            return self.undo_lesson(model, true);
+        }
+        let before = model.document.figure().scene.clone();
+        model.document.undo();
+        model.tree.follow(&before, &model.document.figure().scene);
+    }
+
+    /// Redoes a step. Objects that come back are selected.
+    pub fn redo(&mut self, model: &mut Model) {
+        if !model.document.can_redo() && self.can_undo_lesson(model, false) {
+            return self.undo_lesson(model, false);
+        }
+        let before = model.document.figure().scene.clone();
+        model.document.redo();
+        model.tree.follow(&before, &model.document.figure().scene);
+    }
+
+    /// The question for a place in the image that is asked now.
+    pub fn placing(&mut self, model: &Model, operations: &Operations) -> Option<Placing> {
+        self.placing_of_question(model).or_else(|| operations.placing(model))
+    }
+
+    /// Puts the mark of a question for a place there.
+    pub(in crate::gui) fn put_mark(&mut self, operations: &mut Operations, placing: &Placing, [x, y]: [f64; 2]) {
+        match &placing.of {
+            Mark::Operation => operations.predict.put_mark([x, y]),
+            Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
+        }
+    }
+
+    fn placing_of_question(&mut self, model: &Model) -> Option<Placing> {
+        let asks = self.lesson.as_ref().is_some_and(|playing| playing.asks_question());
+        if !(asks || model.shows_exercises()) || self.moves_to_step() {
+            return None;
+        }
+        self.exercises.placing(exercise_window::texts(model.settings.lang).place_in_image)
     }
 }

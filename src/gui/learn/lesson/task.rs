@@ -6,15 +6,23 @@ use super::hands;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::learn::exercises;
-use crate::gui::state::{Chosen, State};
+use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::learn::{Learn, exercises};
+use crate::gui::model::Model;
 use crate::i18n::learn::exercises::title;
 use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};
 
 /// Shows the task of a step. In a presentation a question is shown by a key.
-pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text: &dyn Fn(&Bilingual) -> String) {
-    let Some(playing) = state.lesson.as_ref() else { return };
+pub(super) fn show(
+    ui: &mut Ui,
+    t: &Texts,
+    model: &mut Model,
+    learn: &mut Learn,
+    step: &Step,
+    text: &dyn Fn(&Bilingual) -> String,
+) {
+    let Some(playing) = learn.lesson.as_ref() else { return };
     let (is_done, shows) = (playing.is_done(), playing.shows_question);
     let Some(task) = &step.task else { return };
     if !shows {
@@ -23,19 +31,19 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
     }
     ui.add_space(4.0);
     match task {
-        Task::Question(_) if state.settings.presentation && hands::show(ui, t, state, step) => {}
+        Task::Question(_) if model.settings.presentation && hands::show(ui, t, learn, step) => {}
         Task::Question(entry) => {
             let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 0 };
             // Another exercise may have been opened meanwhile.
-            if state.exercises.open.as_ref() == Some(&chosen) {
-                exercises::questions(ui, state);
+            if learn.exercises.open.as_ref() == Some(&chosen) {
+                exercises::questions(ui, model, learn);
             } else if ui.button(t.question_command).clicked() {
-                state.exercises.work_on(chosen);
+                learn.exercises.work_on(chosen);
             }
         }
         Task::Exercise { id, seed } => {
             let chosen = Chosen { id: id.clone(), seed: *seed };
-            let is_open = state.exercises.open.as_ref() == Some(&chosen) && state.shows_exercises();
+            let is_open = learn.exercises.open.as_ref() == Some(&chosen) && model.shows_exercises();
             let name = crate::exercises::entry(id).map_or("", |entry| title(t.lang, entry));
             ui.horizontal_wrapped(|ui| {
                 let is_said = is_open && !is_done;
@@ -43,8 +51,8 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
                 if is_said {
                     ui.label(t.exercise_at_side);
                 } else if !is_open && ui.button(t.open_exercise).clicked() {
-                    state.exercises.work_on(chosen);
-                    state.show_explanation(Explanation::Exercises);
+                    learn.exercises.work_on(chosen);
+                    model.show_explanation(Explanation::Exercises);
                 }
                 said(ui, t, is_done);
             });
@@ -58,7 +66,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
                 if !is_done {
                     ui.label(RichText::new(t.not_yet).weak());
                     if !goal.way.is_empty() && ui.button(t.show_way).explained(t.show_way_hint).clicked() {
-                        state.show_solution(goal);
+                        learn.show_solution(model, goal);
                     }
                 }
                 said(ui, t, is_done);

@@ -7,7 +7,10 @@ use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError};
-use crate::gui::state::{Agreed, Message, State};
+use crate::gui::files::questions::Agreed;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::message::Message;
 use crate::gui::storage::session::UnsavedText;
 use crate::i18n::Lang;
 use crate::lessons::{
@@ -151,7 +154,7 @@ const MINUTES_DIGITS: usize = 4;
 
 /// A change of the steps of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepChange {
+pub(crate) enum StepChange {
     /// The step comes before the one above it.
     Earlier,
     /// The step comes after the next one.
@@ -164,26 +167,26 @@ pub enum StepChange {
     Remove,
 }
 
-impl State {
+impl Learn {
     /// True if the lesson that is played is a file that can be written.
     #[must_use]
-    pub fn plays_own_lesson(&self) -> bool {
+    pub fn plays_own_lesson(&self, model: &Model) -> bool {
         let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
-        path.is_some_and(|path| share::link_of(path).is_none()) && !self.in_browser
+        path.is_some_and(|path| share::link_of(path).is_none()) && !model.in_browser
     }
 
     /// True if the step is written: in a presentation the class sees it as it will be.
     #[must_use]
-    pub fn writes_lesson(&self) -> bool {
-        !self.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
+    pub fn writes_lesson(&self, model: &Model) -> bool {
+        !model.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
     }
 
     /// Begins to write the step that is shown, or ends it.
-    pub(in crate::gui) fn write_lesson(&mut self) {
-        if !self.save_text() || !self.plays_own_lesson() {
+    pub(in crate::gui) fn write_lesson(&mut self, model: &mut Model) {
+        if !self.save_text(model) || !self.plays_own_lesson(model) {
             return;
         }
-        let lang = self.settings.lang;
+        let lang = model.settings.lang;
         let Some(playing) = &mut self.lesson else { return };
         if playing.writing.take().is_some() {
             return;
@@ -194,23 +197,23 @@ impl State {
                 playing.lesson = Arc::new(lesson);
                 playing.step = playing.step.min(playing.lesson.steps.len().saturating_sub(1));
                 (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
-                self.lesson_file = Some(path);
+                self.file = Some(path);
                 self.follow_writing();
             }
-            Err(error) => self.say(Message::File(path, error)),
+            Err(error) => model.say(Message::File(path, error)),
         }
     }
 
     /// Plays the last step of the lesson to which steps were added last, and begins to write it. The figure is lost.
-    pub(in crate::gui) fn write_recorded(&mut self) {
-        let Some(path) = self.lesson_file.clone() else { return };
+    pub(in crate::gui) fn write_recorded(&mut self, model: &mut Model) {
+        let Some(path) = self.file.clone() else { return };
         match files::read_lesson(&path) {
             Ok((lesson, _)) => {
                 let step = lesson.steps.len().saturating_sub(1);
-                self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step });
-                self.write_lesson();
+                self.play(model, OpenLesson { lesson: Arc::new(lesson), path: Some(path), step });
+                self.write_lesson(model);
             }
-            Err(error) => self.say(Message::File(path, error)),
+            Err(error) => model.say(Message::File(path, error)),
         }
     }
 
@@ -237,13 +240,13 @@ impl State {
     }
 
     /// Goes on with the text of a session, in the step in which it was typed. `shown`: the figure of the window.
-    pub(in crate::gui) fn resume_text(&mut self, unsaved: UnsavedText, shown: Figure) {
+    pub(in crate::gui) fn resume_text(&mut self, model: &mut Model, unsaved: UnsavedText, shown: Figure) {
         let UnsavedText { path, step, text, words, task } = unsaved;
         // A session without a lesson was not restored.
         let Ok(lesson) = crate::lessons::parse(&text) else { return };
         let step = step.min(lesson.steps.len().saturating_sub(1));
-        self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
-        let lang = self.settings.lang;
+        self.play(model, OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
+        let lang = model.settings.lang;
         if let Some(playing) = &mut self.lesson {
             (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
         }
@@ -251,11 +254,11 @@ impl State {
         if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             writing.typed = Typed { words, task };
         }
-        self.lesson_file = Some(path);
+        self.file = Some(path);
         self.text_edited(0.0);
-        if self.document.figure() != &shown {
-            let done = self.document.replace(shown);
-            self.say_camera_error(done);
+        if model.document.figure() != &shown {
+            let done = model.document.replace(shown);
+            model.say_camera_error(done);
         }
     }
 
@@ -283,7 +286,7 @@ impl State {
 
     /// Writes what is typed into the file. False if it cannot be written. A message says why, and the texts stay in
     /// their fields.
-    pub(in crate::gui) fn save_text(&mut self) -> bool {
+    pub(in crate::gui) fn save_text(&mut self, model: &mut Model) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
         if !writing.is_ahead() {
@@ -292,10 +295,10 @@ impl State {
         let step = writing.step;
         let Some(text) = writing.ahead.clone() else {
             let fault = writing.fault.clone().map(FileError::Figure);
-            fault.into_iter().for_each(|fault| self.say(Message::StepNotKept(path.clone(), fault)));
+            fault.into_iter().for_each(|fault| model.say(Message::StepNotKept(path.clone(), fault)));
             return false;
         };
-        let is_kept = self.store(&path, text, step);
+        let is_kept = self.store(model, &path, text, step);
         if is_kept && let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             writing.kept = writing.typed.clone();
             (writing.ahead, writing.unsaved) = (None, None);
@@ -312,12 +315,12 @@ impl State {
     }
 
     /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
-    pub(in crate::gui) fn save_text_as(&mut self, path: &Path, agreed: &Agreed) -> bool {
+    pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
         let Some(text) = writing.ahead.clone() else { return false };
         if let Err(error) = files::save(path, text.as_bytes(), agreed.overwrite()) {
-            self.say(Message::File(path.to_owned(), error));
+            model.say(Message::File(path.to_owned(), error));
             return false;
         }
         playing.path = Some(path.to_owned());
@@ -325,36 +328,36 @@ impl State {
         (writing.ahead, writing.unsaved) = (None, None);
         // The changes of the other file are not those of this one.
         (writing.earlier, writing.later) = Default::default();
-        self.lesson_file = Some(path.to_owned());
+        self.file = Some(path.to_owned());
         true
     }
 
     /// Adds what is on the screen as the last step of the lesson that is written.
-    pub(in crate::gui) fn add_to_written(&mut self, path: &Path) {
-        if !self.save_text() {
+    pub(in crate::gui) fn add_to_written(&mut self, model: &mut Model, path: &Path) {
+        if !self.save_text(model) {
             return;
         }
-        let figure = super::recording::as_shown(self);
+        let figure = super::recording::as_shown(model);
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
-        let draft = self.draft_of_step(Some(&playing.lesson));
+        let draft = self.draft_of_step(model, Some(&playing.lesson));
         let step = playing.step;
         match with_step(&writing.text, &playing.lesson.id, &draft, &figure) {
             Ok((text, lesson)) => {
-                if self.store(path, text, step) {
-                    self.step_is_added(path, lesson);
+                if self.store(model, path, text, step) {
+                    self.step_is_added(model, path, lesson);
                 }
             }
-            Err(fault) => self.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
+            Err(fault) => model.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
         }
     }
 
     /// Changes the steps of the lesson in its file.
-    pub(in crate::gui) fn change_steps(&mut self, change: StepChange) {
-        if !self.save_text() {
+    pub(in crate::gui) fn change_steps(&mut self, model: &mut Model, change: StepChange) {
+        if !self.save_text(model) {
             return;
         }
-        let figure = super::recording::as_shown(self);
+        let figure = super::recording::as_shown(model);
         let Some(playing) = &self.lesson else { return };
         let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());
@@ -364,13 +367,13 @@ impl State {
             }
             StepChange::Later => (edited(&writing.text, &Edit::Move(step, step + 1)), step + 1),
             StepChange::Screen => {
-                let title = self.title_to_record(Some(&playing.lesson));
+                let title = self.title_to_record(model, Some(&playing.lesson));
                 let title = title.map(|title| Words::OfStep(step, StepText::Title, title));
                 let shown = edited(&writing.text, &Edit::Show(step, Box::new(figure)));
                 (shown.and_then(|(text, _)| reworded(&text, title.as_slice())), step)
             }
             StepChange::Another => {
-                let draft = self.draft_of_step(Some(&playing.lesson));
+                let draft = self.draft_of_step(model, Some(&playing.lesson));
                 let added = with_step(&writing.text, &playing.lesson.id, &draft, &figure);
                 (added.and_then(|(text, _)| edited(&text, &Edit::Move(count, step + 1))), step + 1)
             }
@@ -378,24 +381,24 @@ impl State {
         };
         match changed {
             Ok((text, lesson)) => {
-                if self.store(&path, text, step) {
-                    self.go_on_changed(lesson, change, step, then);
+                if self.store(model, &path, text, step) {
+                    self.go_on_changed(model, lesson, change, step, then);
                 }
             }
-            Err(fault) => self.say(Message::StepNotKept(path, FileError::Figure(fault))),
+            Err(fault) => model.say(Message::StepNotKept(path, FileError::Figure(fault))),
         }
     }
 
     /// True if the lesson that is written has a change to undo, or to redo: after those of the figure on the screen.
     #[must_use]
-    pub fn can_undo_lesson(&self, back: bool) -> bool {
-        self.writes_lesson()
+    pub fn can_undo_lesson(&self, model: &Model, back: bool) -> bool {
+        self.writes_lesson(model)
             && self.lesson.as_ref().and_then(|playing| playing.writing.as_ref()).is_some_and(|w| w.can_undo(back))
     }
 
     /// Undoes the last change of the lesson's file, or redoes it.
-    pub(in crate::gui) fn undo_lesson(&mut self, back: bool) {
-        if !self.save_text() {
+    pub(in crate::gui) fn undo_lesson(&mut self, model: &mut Model, back: bool) {
+        if !self.save_text(model) {
             return;
         }
         let Some(playing) = &mut self.lesson else { return };
@@ -404,7 +407,7 @@ impl State {
         let (now, shown) = (writing.text.clone(), writing.step);
         let Ok(lesson) = crate::lessons::parse(&text) else { return };
         let kept = (std::mem::take(&mut writing.earlier), std::mem::take(&mut writing.later));
-        let is_stored = self.store(&path, text, step);
+        let is_stored = self.store(model, &path, text, step);
         if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             // The way back is no change of its own.
             (writing.earlier, writing.later) = kept;
@@ -413,12 +416,12 @@ impl State {
             }
         }
         if is_stored {
-            self.play_changed(lesson, step);
+            self.play_changed(model, lesson, step);
         }
     }
 
     /// Goes on with a lesson of the program as the user's own, in a copy in a file.
-    pub(in crate::gui) fn copy_lesson(&mut self, path: &Path, agreed: &Agreed) {
+    pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) {
         let Some(playing) = &self.lesson else { return };
         let id = playing.lesson.id.clone();
         let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
@@ -428,18 +431,20 @@ impl State {
                 if let Some(playing) = &mut self.lesson {
                     playing.path = Some(path.to_owned());
                 }
-                self.write_lesson();
+                self.write_lesson(model);
             }
-            Err(error) => self.say(Message::File(path.to_owned(), error)),
+            Err(error) => model.say(Message::File(path.to_owned(), error)),
         }
     }
 
     /// Writes the text of the lesson into its file, unless another program has changed it. True if it is written.
-    fn store(&mut self, path: &Path, text: String, step: usize) -> bool {
-        let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
+    fn store(&mut self, model: &mut Model, path: &Path, text: String, step: usize) -> bool {
+        let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else {
+            return false;
+        };
         let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
         if !is_ours && files::disk::exists(path) {
-            self.say(Message::LessonChanged(path.to_owned()));
+            model.say(Message::LessonChanged(path.to_owned()));
             return false;
         }
         match files::save(path, text.as_bytes(), Agreed::default().overwrite()) {
@@ -453,35 +458,35 @@ impl State {
                 true
             }
             Err(error) => {
-                self.say(Message::File(path.to_owned(), error));
+                model.say(Message::File(path.to_owned(), error));
                 false
             }
         }
     }
 
     /// Reads the lesson again that another program has changed. Text that is not in the file is lost.
-    pub(in crate::gui) fn read_lesson_again(&mut self) {
+    pub(in crate::gui) fn read_lesson_again(&mut self, model: &mut Model) {
         let Some(playing) = &self.lesson else { return };
         let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
         match files::read_lesson(&path) {
             Ok((lesson, text)) => {
                 let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
                 writing.into_iter().for_each(|writing| writing.text.clone_from(&text));
-                self.play_changed(lesson, step);
+                self.play_changed(model, lesson, step);
             }
-            Err(error) => self.say(Message::File(path, error)),
+            Err(error) => model.say(Message::File(path, error)),
         }
     }
 
     /// Goes on after a change of the steps. The work in each goes where the step goes. That in a removed step is kept.
-    fn go_on_changed(&mut self, lesson: Lesson, change: StepChange, step: usize, then: usize) {
-        self.end_move();
+    fn go_on_changed(&mut self, model: &mut Model, lesson: Lesson, change: StepChange, step: usize, then: usize) {
+        self.end_move(model);
         // A step has no caption.
-        let has_caption = self.document.figure().caption != self.document.saved().caption;
+        let has_caption = model.document.figure().caption != model.document.saved().caption;
         if change == StepChange::Remove {
-            self.leave_step();
+            self.leave_step(model);
         } else if has_caption && matches!(change, StepChange::Screen | StepChange::Another) {
-            self.keep(vec![self.document.clone()]);
+            model.keep(vec![model.document.clone()]);
         }
         let Some(playing) = &mut self.lesson else { return };
         let new_place = |place: usize| match change {
@@ -508,22 +513,22 @@ impl State {
             }
             self.follow_writing();
         } else {
-            self.show_changed(lesson, then);
+            self.show_changed(model, lesson, then);
         }
-        self.keep(without);
+        model.keep(without);
     }
 
     /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: which of the new steps
     /// it belongs to is not known.
-    fn play_changed(&mut self, lesson: Lesson, step: usize) {
-        self.end_move();
-        self.leave_step();
+    fn play_changed(&mut self, model: &mut Model, lesson: Lesson, step: usize) {
+        self.end_move(model);
+        self.leave_step(model);
         let worked_on = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
-        self.keep(worked_on.into_iter().flat_map(BTreeMap::into_values).collect());
-        self.show_changed(lesson, step);
+        model.keep(worked_on.into_iter().flat_map(BTreeMap::into_values).collect());
+        self.show_changed(model, lesson, step);
     }
 
-    fn show_changed(&mut self, lesson: Lesson, step: usize) {
+    fn show_changed(&mut self, model: &mut Model, lesson: Lesson, step: usize) {
         let Some(playing) = &mut self.lesson else { return };
         let step = step.min(lesson.steps.len().saturating_sub(1));
         playing.take_lesson(Arc::new(lesson));
@@ -531,7 +536,7 @@ impl State {
             writing.step = usize::MAX;
         }
         if let Some(playing) = self.lesson.take() {
-            self.show_step(playing, step, false);
+            self.show_step(model, playing, step, false);
         }
         self.follow_writing();
     }

@@ -5,36 +5,39 @@ use eframe::egui::Ui;
 use super::auto_observer::Moment;
 use super::orbit;
 use crate::figure::Observer;
+use crate::gui::model::Model;
+use crate::gui::model::layout::ObserverChange;
+use crate::gui::model::message::Message;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::{Message, ObserverChange, State};
 use crate::views::{View, observer_in};
 
 impl Canvas {
     /// Decides from where the three-dimensional pictures are seen in this frame.
-    pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, state: &mut State, panes: &mut [Pane]) {
-        let wanted = state.observer_change.take();
+    pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model_state: &mut Model, panes: &mut [Pane]) {
+        let wanted = model_state.observer_change.take();
         let asked = self.asked.take();
         let moment = Moment {
             now: ui.input(|input| input.time),
             on_the_way: ui.input(|input| input.pointer.any_down()),
-            still: state.settings.reduce_motion,
-            loading: !state.scene_cache.loading().is_empty(),
+            still: model_state.settings.reduce_motion,
+            loading: !model_state.scene_cache.loading().is_empty(),
         };
         for pane in panes.iter_mut().filter(|pane| pane.view != View::Image) {
-            let asked = asked.filter(|(of, _)| *of == pane.picture || state.layout.linked).map(|(_, change)| change);
+            let asked =
+                asked.filter(|(of, _)| *of == pane.picture || model_state.layout.linked).map(|(_, change)| change);
             match wanted.or(asked) {
-                Some(change) => self.change_observer(state, pane, change),
-                None => self.fit_again(state, pane),
+                Some(change) => self.change_observer(model_state, pane, change),
+                None => self.fit_again(model_state, pane),
             }
-            let written = observer_in(&state.document.figure().observers, pane.view);
-            let subject = state.scene_cache.subject();
+            let written = observer_in(&model_state.document.figure().observers, pane.view);
+            let subject = model_state.scene_cache.subject();
             let auto = &mut self.pictures[pane.picture].auto;
             let found = if written.is_none() { auto.observer(&pane.request, subject, moment) } else { None };
             if found.is_some_and(|found| found.glides) {
                 ui.request_repaint();
             }
             if found.is_some_and(|found| found.goes_back) {
-                state.say(Message::WentBack(pane.view));
+                model_state.say(Message::WentBack(pane.view));
             }
             let seen = written.or(found.map(|found| found.observer));
             self.shot.pictures[pane.picture].observer = seen;
@@ -47,37 +50,37 @@ impl Canvas {
         self.shot.pictures.get(picture)?.observer
     }
 
-    fn change_observer(&mut self, state: &mut State, pane: &Pane, change: ObserverChange) {
+    fn change_observer(&mut self, model: &mut Model, pane: &Pane, change: ObserverChange) {
         let (view, request, picture) = (pane.view, &pane.request, &mut self.pictures[pane.picture]);
         picture.auto.forget();
         let observer = orbit::changed(request, change);
         picture.framed = observer.map(|observer| (observer, request.size));
-        orbit::set(state.document.observers_mut(), view, observer);
+        orbit::set(model.document.observers_mut(), view, observer);
         // A section has a side of its own: from another one, the world is seen in space.
         if view == View::World && matches!(change, ObserverChange::From(_)) && request.shot.look.world.section {
-            state.document.edit(|figure| figure.world.section = false);
+            model.document.edit(|figure| figure.world.section = false);
         }
     }
 
     /// Repeats the framing by a button or a key when the picture changes its size. An observer that was turned by hand
     /// stays.
-    fn fit_again(&mut self, state: &mut State, pane: &Pane) {
+    fn fit_again(&mut self, model: &mut Model, pane: &Pane) {
         let (view, request, picture) = (pane.view, &pane.request, &mut self.pictures[pane.picture]);
         let Some((framed, _)) = picture.framed.filter(|(_, size)| *size != request.size) else { return };
-        let before = state.document.figure().observers;
+        let before = model.document.figure().observers;
         if observer_in(&before, view) != Some(framed) {
             return;
         }
         let fitted = request.fitted(&framed);
         picture.framed = fitted.map(|fitted| (fitted, request.size));
-        orbit::set(state.document.observers_mut(), view, fitted);
-        state.views.framed_again(before, state.document.figure().observers);
+        orbit::set(model.document.observers_mut(), view, fitted);
+        model.views.framed_again(before, model.document.figure().observers);
     }
 
     /// Looks at a picture from somewhere else.
-    pub(in crate::gui::pictures) fn turn(&mut self, state: &mut State, picture: usize, observer: Observer) {
+    pub(in crate::gui::pictures) fn turn(&mut self, model: &mut Model, picture: usize, observer: Observer) {
         let Some(turned) = self.shot.pictures.get_mut(picture) else { return };
         turned.observer = Some(observer);
-        orbit::set(state.document.observers_mut(), turned.kind, Some(observer));
+        orbit::set(model.document.observers_mut(), turned.kind, Some(observer));
     }
 }

@@ -4,7 +4,7 @@ use eframe::egui::Vec2;
 use glam::DVec2;
 
 use crate::figure::{Observer, Observers};
-use crate::gui::state::ObserverChange;
+use crate::gui::model::layout::ObserverChange;
 use crate::views::observer::Viewpoint;
 use crate::views::{Request, Size, View};
 

@@ -5,8 +5,8 @@ use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui
 use crate::gui::app::command::Command;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::layout::ObserverChange;
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
-use crate::gui::state::ObserverChange;
 use crate::i18n::window;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::View;

@@ -5,10 +5,11 @@ use glam::DVec2;
 
 use crate::figure::labels::note_name;
 use crate::figure::{Labels, Note, NotePlace};
+use crate::gui::model::Model;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::labels as words;
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
@@ -28,32 +29,38 @@ impl LabelDrag {
         labels: &[LabelPlace],
         view: View,
         from: DVec2,
-        state: &State,
+        model: &Model,
     ) -> Option<Self> {
         let label = label_at(labels, from)?.clone();
         let grip = label.center - from;
-        Some(Self { label, view, grip, before: state.document.figure().labels.clone() })
+        Some(Self { label, view, grip, before: model.document.figure().labels.clone() })
     }
 
     /// The label goes where the pointer is (pixels).
-    pub(in crate::gui::pictures) fn follow(&self, state: &mut State, to: DVec2, ctx: &Context) {
+    pub(in crate::gui::pictures) fn follow(
+        &self,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        to: DVec2,
+        ctx: &Context,
+    ) {
         let by = self.label.moved_to(to + self.grip);
-        state.label_mode.choose(Some((self.view, self.label.name.clone())));
-        if state.document.figure().labels.change(&self.label.name, self.view).by != Some(by) {
-            state.document.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
+        label_mode.choose(Some((self.view, self.label.name.clone())));
+        if model.document.figure().labels.change(&self.label.name, self.view).by != Some(by) {
+            model.document.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
             ctx.request_repaint();
         }
     }
 
     /// Puts it back where it was.
-    pub(in crate::gui::pictures) fn give_up(self, state: &mut State) {
-        state.document.edit_labels(|labels| *labels = self.before);
+    pub(in crate::gui::pictures) fn give_up(self, model: &mut Model) {
+        model.document.edit_labels(|labels| *labels = self.before);
     }
 
     /// Its text, and how far it is from its point.
-    pub(in crate::gui::pictures) fn line(&self, state: &State) -> String {
-        let mark = state.settings.lang.mark();
-        let by = state.document.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
+    pub(in crate::gui::pictures) fn line(&self, model: &Model) -> String {
+        let mark = model.settings.lang.mark();
+        let by = model.document.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
         let [x, y] = by.to_array().map(|v| mark.number(v, 3));
         format!("{}: ({x}, {y}) em", crate::sanitize::escaped(&self.label.text))
     }
@@ -69,14 +76,15 @@ impl Canvas {
     pub(in crate::gui::pictures) fn label_hover(
         &self,
         ui: &Ui,
-        state: &State,
+        model: &Model,
+        label_mode: &LabelMode,
         pane: &Pane,
         place: Pos2,
         status: &mut Status,
     ) {
-        let t = words::texts(state.settings.lang);
-        status.message = if state.label_mode.adding { t.adding } else { t.idle }.to_owned();
-        if state.label_mode.adding {
+        let t = words::texts(model.settings.lang);
+        status.message = if label_mode.adding { t.adding } else { t.idle }.to_owned();
+        if label_mode.adding {
             ui.set_cursor_icon(CursorIcon::Crosshair);
         } else if label_at(&self.pictures[pane.picture].labels, pane.rect.pixel(place)).is_some() {
             ui.set_cursor_icon(CursorIcon::Grab);
@@ -84,7 +92,7 @@ impl Canvas {
     }
 
     /// A click chooses a label, or puts a note.
-    pub(in crate::gui::pictures) fn label_click(&self, state: &mut State, pane: &Pane) {
+    pub(in crate::gui::pictures) fn label_click(&self, model: &mut Model, label_mode: &mut LabelMode, pane: &Pane) {
         let response = &pane.response;
         if response.clicked() || response.drag_started() {
             response.request_focus();
@@ -92,11 +100,11 @@ impl Canvas {
         let is_click = response.clicked_by(PointerButton::Primary) || response.clicked_by(PointerButton::Secondary);
         let Some(place) = response.interact_pointer_pos().filter(|_| is_click) else { return };
         let pixel = pane.rect.pixel(place);
-        if state.label_mode.adding {
-            add_note(state, pane, pixel);
+        if label_mode.adding {
+            add_note(model, label_mode, pane, pixel);
         } else {
             let label = label_at(&self.pictures[pane.picture].labels, pixel);
-            state.label_mode.choose(label.map(|label| (pane.view, label.name.clone())));
+            label_mode.choose(label.map(|label| (pane.view, label.name.clone())));
         }
         response.ctx.request_repaint();
     }
@@ -104,32 +112,33 @@ impl Canvas {
     /// Lets the arrow keys move the chosen label, and Enter put a note. Returns whether this key did.
     pub(in crate::gui::pictures) fn label_by_key(
         &self,
-        state: &mut State,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
         pane: &Pane,
         key: Key,
         modifiers: Modifiers,
     ) -> bool {
-        if !state.label_mode.on {
+        if !label_mode.on {
             return false;
         }
-        if state.label_mode.adding && key == Key::Enter {
+        if label_mode.adding && key == Key::Enter {
             let size = pane.rect.size;
-            add_note(state, pane, 0.5 * DVec2::new(f64::from(size.width), f64::from(size.height)));
+            add_note(model, label_mode, pane, 0.5 * DVec2::new(f64::from(size.width), f64::from(size.height)));
             return true;
         }
         let arrow = arrow_of(key);
-        let Some((_, name)) = state.label_mode.chosen.clone().filter(|_| arrow != DVec2::ZERO) else { return false };
+        let Some((_, name)) = label_mode.chosen.clone().filter(|_| arrow != DVec2::ZERO) else { return false };
         let labels = &self.pictures[pane.picture].labels;
         let Some(label) = labels.iter().find(|label| label.name == name) else { return false };
         let step = if modifiers.shift { 1.0 } else { 0.25 } * label.em;
         let by = label.moved_to(label.center + DVec2::new(arrow.x, -arrow.y) * step);
-        state.document.edit_labels(|labels| labels.move_to(&name, pane.view, by));
+        model.document.edit_labels(|labels| labels.move_to(&name, pane.view, by));
         true
     }
 
     /// Frames around the labels that can be dragged, and around the chosen one.
-    pub(in crate::gui::pictures) fn outline_labels(&self, ui: &Ui, state: &State, panes: &[Pane]) {
-        if !state.label_mode.on {
+    pub(in crate::gui::pictures) fn outline_labels(&self, ui: &Ui, label_mode: &LabelMode, panes: &[Pane]) {
+        if !label_mode.on {
             return;
         }
         for pane in panes {
@@ -140,7 +149,7 @@ impl Canvas {
                 #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
                 let [x, y, w, h] = [corner.x, corner.y, size.x, size.y].map(|v| v as f32);
                 let rect = pane.rect.rect_of(x, y, w, h).expand(1.0);
-                let is_chosen = state.label_mode.chosen.as_ref().is_some_and(|(_, name)| *name == label.name);
+                let is_chosen = label_mode.chosen.as_ref().is_some_and(|(_, name)| *name == label.name);
                 let stroke = if is_chosen {
                     Stroke::new(2.0, ui.visuals().hyperlink_color)
                 } else if hovered.is_some_and(|place| label.holds(place)) {
@@ -155,9 +164,9 @@ impl Canvas {
 }
 
 /// Puts a note at a place (pixels) of a picture, and chooses it.
-fn add_note(state: &mut State, pane: &Pane, pixel: DVec2) {
-    state.label_mode.adding = false;
-    let count = state.document.figure().labels.notes.len();
+fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: DVec2) {
+    label_mode.adding = false;
+    let count = model.document.figure().labels.notes.len();
     if count >= MAX_LABELS {
         return;
     }
@@ -165,11 +174,11 @@ fn add_note(state: &mut State, pane: &Pane, pixel: DVec2) {
     let (request, place) = pane.side_of(pixel);
     let at = note_place(&request, place, pane.rect.pixels(handle_drag::REACH));
     let view = matches!(at, NotePlace::Picture(_)).then_some(pane.view);
-    let text = words::texts(state.settings.lang).note.to_owned();
+    let text = words::texts(model.settings.lang).note.to_owned();
     let note = Note { view, at, by: None, text, size: None, color: None };
-    state.document.edit_labels(|labels| labels.notes.push(note));
-    state.label_mode.choose(Some((pane.view, note_name(count))));
-    state.label_mode.is_new = true;
+    model.document.edit_labels(|labels| labels.notes.push(note));
+    label_mode.choose(Some((pane.view, note_name(count))));
+    label_mode.is_new = true;
 }
 
 /// The direction of an arrow key: x right, y up; zero for any other.

@@ -12,8 +12,9 @@ use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::labels as words;
 use crate::i18n::window::labels::Texts;
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
@@ -26,32 +27,38 @@ const LARGER: f64 = 1.25;
 
 impl Canvas {
     /// Shows the card while the mode is on. It can be moved.
-    pub(in crate::gui::pictures) fn labels_card(&self, ui: &Ui, state: &mut State, panes: &[Pane]) {
-        state.label_mode.is_typing = false;
+    pub(in crate::gui::pictures) fn labels_card(
+        &self,
+        ui: &Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        panes: &[Pane],
+    ) {
+        label_mode.is_typing = false;
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
-        let Some(room) = room.filter(|_| state.label_mode.on) else { return };
-        let t = words::texts(state.settings.lang);
+        let Some(room) = room.filter(|_| label_mode.on) else { return };
+        let t = words::texts(model.settings.lang);
         let window = Window::new(t.title).id(Id::unique("card of labels")).constrain_to(room).resizable(false);
         let window =
             window.default_width(250.0).pivot(Align2::RIGHT_BOTTOM).default_pos(room.right_bottom() - vec2(8.0, 8.0));
         window.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_max_width(250.0);
-            self.choice(ui, state, panes, t);
-            if let Some((view, name)) = state.label_mode.chosen.clone() {
-                self.chosen(ui, state, (view, &name), t);
+            self.choice(ui, label_mode, panes, t);
+            if let Some((view, name)) = label_mode.chosen.clone() {
+                self.chosen(ui, model, label_mode, (view, &name), t);
             }
             ui.separator();
-            measures(ui, state, t);
-            whole(ui, state, t);
-            for (name, near) in unknown_labels(&self.shot, state.scene_cache.scene()) {
-                let text = words::unknown(state.settings.lang, &name, near.as_deref());
+            measures(ui, model, t);
+            whole(ui, model, label_mode, t);
+            for (name, near) in unknown_labels(&self.shot, model.scene_cache.scene()) {
+                let text = words::unknown(model.settings.lang, &name, near.as_deref());
                 ui.colored_label(ui.visuals().warn_fg_color, text);
             }
         });
     }
 
     /// The label to change.
-    fn choice(&self, ui: &mut Ui, state: &mut State, panes: &[Pane], t: &Texts) {
+    fn choice(&self, ui: &mut Ui, label_mode: &mut LabelMode, panes: &[Pane], t: &Texts) {
         let mut all: Vec<(View, String)> = Vec::new();
         for pane in panes {
             for label in &self.pictures[pane.picture].labels {
@@ -60,7 +67,7 @@ impl Canvas {
                 }
             }
         }
-        let mut chosen = state.label_mode.chosen.clone();
+        let mut chosen = label_mode.chosen.clone();
         ui.horizontal(|ui| {
             let label = ui.label(t.choose);
             let shown = chosen.as_ref().map_or_else(|| t.none.to_owned(), |(_, name)| escaped(name));
@@ -73,17 +80,24 @@ impl Canvas {
             });
             combo.response.labelled_by(label.id).explained(t.choose_hint);
         });
-        state.label_mode.choose(chosen);
+        label_mode.choose(chosen);
     }
 
     /// The author's wishes for a label.
-    fn chosen(&self, ui: &mut Ui, state: &mut State, (view, name): (View, &str), t: &Texts) {
-        let change = state.document.figure().labels.change(name, view);
+    fn chosen(
+        &self,
+        ui: &mut Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        (view, name): (View, &str),
+        t: &Texts,
+    ) {
+        let change = model.document.figure().labels.change(name, view);
         let (size, color) = (change.size, change.color);
         let place = self.pictures.iter().flat_map(|picture| &picture.labels).find(|label| label.name == name);
         let own = change.text.map(str::to_owned).or_else(|| place.map(|place| place.text.clone()));
-        self.text(ui, state, (name, own.unwrap_or_default()), t);
-        text_of_measure(ui, state, name, t);
+        self.text(ui, model, label_mode, (name, own.unwrap_or_default()), t);
+        text_of_measure(ui, model, name, t);
         ui.horizontal(|ui| {
             ui.label(t.size);
             let now = size.unwrap_or(1.0);
@@ -92,40 +106,40 @@ impl Canvas {
                 if ui.button(text).explained(words).accessible_name(format!("{} {words}", t.size)).clicked() {
                     let next = ((now * factor).clamp(least, most) * 100.0).round() / 100.0;
                     let next = Some(next).filter(|next| (next - 1.0).abs() > 0.02);
-                    state.document.edit_labels(|labels| labels.style(name, next, color));
+                    model.document.edit_labels(|labels| labels.style(name, next, color));
                 }
             }
-            ui.label(format!("{} %", state.settings.lang.mark().number(100.0 * now, 3)));
+            ui.label(format!("{} %", model.settings.lang.mark().number(100.0 * now, 3)));
             ui.add_space(8.0);
             ui.label(t.color);
             let Rgba { r, g, b, .. } = color.or(place.map(|place| place.color)).unwrap_or(Rgba::rgb(0, 0, 0));
             let mut bytes = [r, g, b];
             if ui.color_edit_button_srgb(&mut bytes).accessible_name(t.color).changed() {
                 let [r, g, b] = bytes;
-                state.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
+                model.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
             }
         });
         ui.horizontal_wrapped(|ui| {
             let hide = if note_index(name).is_some() { t.delete } else { t.hide };
             if ui.button(hide).clicked() {
-                state.document.edit_labels(|labels| labels.hide(name));
-                state.label_mode.choose(None);
+                model.document.edit_labels(|labels| labels.hide(name));
+                label_mode.choose(None);
             }
             if is_in_legend(name) && ui.button(t.hide_legend).explained(t.legend_hint).clicked() {
-                state.document.edit_labels(|labels| labels.hide(LEGEND));
-                state.label_mode.choose(None);
+                model.document.edit_labels(|labels| labels.hide(LEGEND));
+                label_mode.choose(None);
             }
             if ui.button(t.automatic).explained(t.automatic_hint).clicked() {
-                state.document.edit_labels(|labels| labels.reset(name));
-                state.label_mode.typed = None;
+                model.document.edit_labels(|labels| labels.reset(name));
+                label_mode.typed = None;
             }
         });
     }
 
     /// The field of its text, which becomes the figure's as far as it can be one.
-    fn text(&self, ui: &mut Ui, state: &mut State, (name, own): (&str, String), t: &Texts) {
-        let lang = state.settings.lang;
-        let mut typed = state.label_mode.typed.clone().unwrap_or_else(|| own.clone());
+    fn text(&self, ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, (name, own): (&str, String), t: &Texts) {
+        let lang = model.settings.lang;
+        let mut typed = label_mode.typed.clone().unwrap_or_else(|| own.clone());
         let response = ui
             .horizontal(|ui| {
                 let label = ui.label(t.text);
@@ -136,21 +150,21 @@ impl Canvas {
                 field.show(ui, lang).labelled_by(label.id).explained(t.text_hint)
             })
             .inner;
-        if std::mem::take(&mut state.label_mode.is_new) {
+        if std::mem::take(&mut label_mode.is_new) {
             response.request_focus();
             text_field::select(ui.ctx(), response.id, 0..typed.chars().count());
         }
-        state.label_mode.is_typing = response.has_focus() || response.lost_focus();
+        label_mode.is_typing = response.has_focus() || response.lost_focus();
         if response.changed() {
             if set_text(&typed).is_ok() {
-                state.document.edit_labels(|labels| labels.rename(name, Some(&typed)));
+                model.document.edit_labels(|labels| labels.rename(name, Some(&typed)));
             }
-            state.label_mode.typed = Some(typed);
+            label_mode.typed = Some(typed);
         } else if let Err(error) = set_text(&typed) {
             ui.colored_label(ui.visuals().error_fg_color, words::refused(lang, &error));
         }
         if response.lost_focus() {
-            state.label_mode.typed = None;
+            label_mode.typed = None;
         }
     }
 }
@@ -169,24 +183,24 @@ fn with_letters(ui: &Ui, typed: &str) -> Arc<Galley> {
 }
 
 /// The lengths and angles that the author shows in the world.
-fn measures(ui: &mut Ui, state: &mut State, t: &Texts) {
+fn measures(ui: &mut Ui, model: &mut Model, t: &Texts) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(t.measures);
         for measure in Measure::ALL {
-            let is_shown = state.document.figure().labels.measures.iter().any(|shown| shown.measure == measure);
+            let is_shown = model.document.figure().labels.measures.iter().any(|shown| shown.measure == measure);
             let button = ui.add(egui::Button::new(measure.symbol()).selected(is_shown));
             if button.explained(t.measures_hint).clicked() {
                 let shown = (!is_shown).then(MeasureText::default);
-                state.document.edit_labels(|labels| labels.measure(measure, shown));
+                model.document.edit_labels(|labels| labels.measure(measure, shown));
             }
         }
     });
 }
 
 /// The text of the chosen label, where it is that of one of these.
-fn text_of_measure(ui: &mut Ui, state: &mut State, name: &str, t: &Texts) {
-    let shown = &state.document.figure().labels.measures;
+fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
+    let shown = &model.document.figure().labels.measures;
     let measure = value(DIMENSIONS, name);
     let Some(labelled) = shown.iter().find(|labelled| Some(labelled.measure) == measure).copied() else { return };
     ui.horizontal(|ui| {
@@ -195,15 +209,15 @@ fn text_of_measure(ui: &mut Ui, state: &mut State, name: &str, t: &Texts) {
             [(MeasureText::Symbol, t.symbol), (MeasureText::Value, t.value), (MeasureText::Both, t.both)]
         {
             if ui.selectable_label(labelled.shown == text, words).clicked() {
-                state.document.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
+                model.document.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
             }
         }
     });
 }
 
 /// The part for all labels.
-fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
-    let labels = &state.document.figure().labels;
+fn whole(ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, t: &Texts) {
+    let labels = &model.document.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
     if !hidden.is_empty() {
@@ -211,27 +225,27 @@ fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
             ui.label(t.hidden);
             for name in &hidden {
                 if ui.button(escaped(name)).explained(t.show_again).clicked() {
-                    state.document.edit_labels(|labels| labels.show(name));
+                    model.document.edit_labels(|labels| labels.show(name));
                 }
             }
         });
     }
     if ui.checkbox(&mut is_mathematics, t.mathematics).explained(t.mathematics_hint).changed() {
         let letters = if is_mathematics { Letters::Mathematics } else { Letters::Plain };
-        state.document.edit_labels(|labels| labels.letters = letters);
+        model.document.edit_labels(|labels| labels.letters = letters);
     }
     ui.horizontal_wrapped(|ui| {
         let has_room = notes < MAX_LABELS;
-        let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(state.label_mode.adding));
+        let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(label_mode.adding));
         if add.explained(if has_room { t.add_hint } else { t.full }).clicked() {
-            state.label_mode.adding ^= true;
+            label_mode.adding ^= true;
         }
         if ui.button(t.all_automatic).explained(t.all_automatic_hint).clicked() {
-            state.document.edit_labels(|labels| labels.reset_all());
-            state.label_mode.typed = None;
+            model.document.edit_labels(|labels| labels.reset_all());
+            label_mode.typed = None;
         }
         if ui.button(t.leave).clicked() {
-            state.label_mode.toggle();
+            label_mode.toggle();
         }
     });
 }

@@ -6,8 +6,9 @@ use super::tool::Drawn;
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::Model;
+use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::why::photograph as steps;
 use crate::i18n::window;
 use crate::i18n::window::photograph as words;
@@ -18,25 +19,30 @@ const WIDTH: f32 = 286.0;
 
 impl Canvas {
     /// Shows the card while the tool is open. It can be moved.
-    pub(in crate::gui::pictures) fn photograph_card(ui: &Ui, state: &mut State, panes: &[Pane]) {
+    pub(in crate::gui::pictures) fn photograph_card(
+        ui: &Ui,
+        model: &mut Model,
+        photograph: &mut PhotographTool,
+        panes: &[Pane],
+    ) {
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
-        let Some(room) = room.filter(|_| state.photograph.on) else { return };
-        let t = words::texts(state.settings.lang);
+        let Some(room) = room.filter(|_| photograph.on) else { return };
+        let t = words::texts(model.settings.lang);
         let whole = ui.ctx().content_rect();
         let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(whole).resizable(false);
         // Beside the pictures, over the panel there: all of the photograph is to be seen.
         let card = card.default_width(WIDTH).default_pos(room.right_top() + vec2(8.0, 0.0));
         card.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH);
-            drawn(ui, state, t);
+            drawn(ui, model, photograph, t);
             ui.separator();
-            let given = *state.document.camera().parameters();
-            let found = state.photograph.camera(state.document.figure().image, &given);
+            let given = *model.document.camera().parameters();
+            let found = photograph.camera(model.document.figure().image, &given);
             let scroll = ScrollArea::vertical().max_height((room.height() - 230.0).max(80.0));
             scroll.show(ui, |ui| match &found {
-                Ok(found) => account(ui, state, found),
+                Ok(found) => account(ui, model, found),
                 Err(error) => {
-                    let reason = format!("⚠ {}", steps::error(state.settings.lang, *error));
+                    let reason = format!("⚠ {}", steps::error(model.settings.lang, *error));
                     ui.add(egui::Label::new(RichText::new(reason).weak()).wrap());
                 }
             });
@@ -45,14 +51,14 @@ impl Canvas {
                 if let Ok(found) = found
                     && take.clicked()
                 {
-                    use_camera(state, &found);
+                    use_camera(model, &found);
                 }
-                let is_empty = state.photograph.grips().is_empty();
+                let is_empty = photograph.grips().is_empty();
                 if ui.add_enabled(!is_empty, Button::new(t.clear)).clicked() {
-                    state.photograph.clear();
+                    photograph.clear();
                 }
                 if ui.button(t.close).clicked() {
-                    state.photograph.step_back();
+                    photograph.step_back();
                 }
             });
         });
@@ -60,10 +66,10 @@ impl Canvas {
 }
 
 /// The thing that the next drag draws, and the coordinate of the known length.
-fn drawn(ui: &mut Ui, state: &mut State, t: &Texts) {
-    let lang = state.settings.lang;
+fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &Texts) {
+    let lang = model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
-    if state.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
+    if model.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
         ui.colored_label(ui.visuals().warn_fg_color, t.beside);
     }
     ui.horizontal_wrapped(|ui| {
@@ -75,22 +81,22 @@ fn drawn(ui: &mut Ui, state: &mut State, t: &Texts) {
                 Drawn::Origin => (t.origin, t.origin.to_owned(), t.origin_hint),
                 Drawn::Length => (t.known, t.known.to_owned(), t.known_hint),
             };
-            let button = ui.add(Button::new(text).selected(state.photograph.drawn == drawn)).explained(hint);
+            let button = ui.add(Button::new(text).selected(photograph_state.drawn == drawn)).explained(hint);
             if button.accessible_name(name).clicked() {
-                state.photograph.drawn = drawn;
+                photograph_state.drawn = drawn;
             }
         }
     });
-    if state.photograph.drawn == Drawn::Length || state.photograph.marks.length.is_some() {
-        length(ui, state, t);
+    if photograph_state.drawn == Drawn::Length || photograph_state.marks.length.is_some() {
+        length(ui, model, photograph_state, t);
     }
-    let of = |axis| state.photograph.marks.lines.iter().filter(|line| line.axis == axis).count();
+    let of = |axis| photograph_state.marks.lines.iter().filter(|line| line.axis == axis).count();
     ui.label(RichText::new(words::counts(lang, WorldAxis::ALL.map(of))).small().weak());
 }
 
 /// The axis and the coordinate of the point of the length.
-fn length(ui: &mut Ui, state: &mut State, t: &Texts) {
-    let (mut axis, mut coordinate) = state.photograph.length;
+fn length(ui: &mut Ui, model: &Model, photograph: &mut PhotographTool, t: &Texts) {
+    let (mut axis, mut coordinate) = photograph.length;
     ui.horizontal(|ui| {
         for one in WorldAxis::ALL {
             let button = ui.selectable_label(axis == one, one.name());
@@ -101,21 +107,21 @@ fn length(ui: &mut Ui, state: &mut State, t: &Texts) {
         ui.label("=");
         let field = NumberField::new(t.coordinate, Step::Multiply(1.1)).hint(t.known_hint).width(92.0);
         let before = coordinate;
-        field.show(ui, window::texts(state.settings.lang), &mut coordinate);
+        field.show(ui, window::texts(model.settings.lang), &mut coordinate);
         // 0 is the origin.
         if coordinate == 0.0 {
             coordinate = before;
         }
     });
-    state.photograph.length = (axis, coordinate);
-    if let Some((_, at, _)) = state.photograph.marks.length {
-        state.photograph.marks.length = Some((axis, at, coordinate));
+    photograph.length = (axis, coordinate);
+    if let Some((_, at, _)) = photograph.marks.length {
+        photograph.marks.length = Some((axis, at, coordinate));
     }
 }
 
 /// The arithmetic, as the command line prints it, and what the photograph doesn't say.
-fn account(ui: &mut Ui, state: &State, found: &PhotographCamera) {
-    let lang = state.settings.lang;
+fn account(ui: &mut Ui, model: &Model, found: &PhotographCamera) {
+    let lang = model.settings.lang;
     for (number, step) in steps::steps(lang, found).iter().enumerate() {
         ui.add(egui::Label::new(format!("{}. {step}", number + 1)).wrap());
     }
@@ -126,12 +132,12 @@ fn account(ui: &mut Ui, state: &State, found: &PhotographCamera) {
 }
 
 /// Makes it the camera of the figure, as one step of undo.
-fn use_camera(state: &mut State, found: &PhotographCamera) {
+fn use_camera(model: &mut Model, found: &PhotographCamera) {
     match Camera::new(&found.parameters) {
         Ok(camera) => {
-            state.document.commit();
-            state.document.set_camera(camera);
+            model.document.commit();
+            model.document.set_camera(camera);
         }
-        Err(error) => state.say_camera_error(Err(error)),
+        Err(error) => model.say_camera_error(Err(error)),
     }
 }

@@ -10,10 +10,10 @@ use glam::DVec2;
 use super::tool::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
+use crate::gui::model::Model;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::photograph as words;
 use crate::views::{Palette, View};
 
@@ -25,36 +25,41 @@ const FAST: f64 = 10.0;
 
 impl Canvas {
     /// Shows the lines while the tool is open, and lets pointer and keys draw and move them.
-    pub(in crate::gui::pictures) fn photograph_lines(ui: &Ui, state: &mut State, panes: &[Pane]) {
+    pub(in crate::gui::pictures) fn photograph_lines(
+        ui: &Ui,
+        model: &Model,
+        photograph: &mut PhotographTool,
+        panes: &[Pane],
+    ) {
         // Two images side by side have no place for them.
         let shows = |pane: &&Pane| {
             let compared = pane.request.shot.compared.as_ref();
             pane.view == View::Image && compared.is_none_or(|compared| !compared.comparison.beside)
         };
-        let Some(pane) = panes.iter().find(shows).filter(|_| state.photograph.on) else { return };
+        let Some(pane) = panes.iter().find(shows).filter(|_| photograph.on) else { return };
         let place = ImagePlace::of(pane);
-        draw(ui, state, pane, &place);
+        draw(ui, photograph, pane, &place);
         let mut removed = None;
-        for (grip, at) in state.photograph.grips() {
-            removed = removed.or(drag(ui, state, pane, &place, (grip, at)));
+        for (grip, at) in photograph.grips() {
+            removed = removed.or(drag(ui, model, photograph, pane, &place, (grip, at)));
         }
         if let Some(grip) = removed {
-            state.photograph.remove(grip);
+            photograph.remove(grip);
         }
-        let parameters = *state.document.camera().parameters();
-        let found = state.photograph.camera(state.document.figure().image, &parameters).ok();
-        paint(ui, state, pane, &place, found.as_ref());
+        let parameters = *model.document.camera().parameters();
+        let found = photograph.camera(model.document.figure().image, &parameters).ok();
+        paint(ui, model, photograph, pane, &place, found.as_ref());
     }
 }
 
 /// A drag on the photograph draws a line or puts a point.
-fn draw(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace) {
+fn draw(ui: &Ui, photograph: &mut PhotographTool, pane: &Pane, place: &ImagePlace) {
     let response = ui.interact(pane.rect.rect, Id::unique("photograph"), Sense::click_and_drag());
     if response.hovered() {
         ui.set_cursor_icon(CursorIcon::Crosshair);
     }
     let pressed = ui.input(|input| input.pointer.press_origin()).map(|origin| place.in_image(origin));
-    let tool = &mut state.photograph;
+    let tool = &mut *photograph;
     new_line(tool, &response, place, pressed);
     // A line needs two ends, a point only a click.
     let clicked = response.interact_pointer_pos().filter(|_| response.clicked());
@@ -84,38 +89,45 @@ fn held_at(response: &Response) -> Option<Pos2> {
 }
 
 /// A grip follows the pointer and the arrow keys. Gives it back if its mark is to be removed.
-fn drag(ui: &Ui, state: &mut State, pane: &Pane, place: &ImagePlace, (grip, at): (Grip, DVec2)) -> Option<Grip> {
+fn drag(
+    ui: &Ui,
+    model: &Model,
+    photograph: &mut PhotographTool,
+    pane: &Pane,
+    place: &ImagePlace,
+    (grip, at): (Grip, DVec2),
+) -> Option<Grip> {
     // A line that was too short has gone in this frame.
-    if matches!(grip, Grip::End(line, _) if line >= state.photograph.marks.lines.len()) {
+    if matches!(grip, Grip::End(line, _) if line >= photograph.marks.lines.len()) {
         return None;
     }
     let middle = place.on_screen(at);
     let rect = Rect::from_center_size(middle, Vec2::splat(2.0 * REACH)).intersect(pane.rect.rect);
     let response = ui.interact(rect, Id::unique(("photograph", grip)), Sense::click_and_drag());
-    let name = name(state, grip);
+    let name = name(model, photograph, grip);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
-    match (grip, state.photograph.drawn) {
+    match (grip, photograph.drawn) {
         // From a corner where another edge ends, a line along the chosen axis begins.
-        (Grip::End(line, _), Drawn::Line(axis)) if state.photograph.marks.lines[line].axis != axis => {
-            new_line(&mut state.photograph, &response, place, Some(at));
+        (Grip::End(line, _), Drawn::Line(axis)) if photograph.marks.lines[line].axis != axis => {
+            new_line(photograph, &response, place, Some(at));
         }
-        (Grip::End(..), Drawn::Origin | Drawn::Length) if response.clicked() => state.photograph.begin(at),
+        (Grip::End(..), Drawn::Origin | Drawn::Length) if response.clicked() => photograph.begin(at),
         _ => {
             if let Some(pointer) = held_at(&response) {
-                state.photograph.move_to(grip, place.in_image(pointer));
+                photograph.move_to(grip, place.in_image(pointer));
             }
         }
     }
-    (response.has_focus() && is_removed(ui, state, &response, (grip, at))).then_some(grip)
+    (response.has_focus() && is_removed(ui, photograph, &response, (grip, at))).then_some(grip)
 }
 
 /// The name of a grip for screen readers.
-fn name(state: &State, grip: Grip) -> String {
-    let (lang, tool) = (state.settings.lang, &state.photograph);
+fn name(model: &Model, photograph: &PhotographTool, grip: Grip) -> String {
+    let (lang, tool) = (model.settings.lang, photograph);
     match grip {
         Grip::End(line, end) => words::end(lang, (line + 1, tool.marks.lines[line].axis), end == 0),
         Grip::Origin => words::texts(lang).origin.to_owned(),
@@ -124,7 +136,7 @@ fn name(state: &State, grip: Grip) -> String {
 }
 
 /// Moves the grip that has the focus by the arrow keys. True if Delete is pressed.
-fn is_removed(ui: &Ui, state: &mut State, response: &Response, (grip, at): (Grip, DVec2)) -> bool {
+fn is_removed(ui: &Ui, photograph: &mut PhotographTool, response: &Response, (grip, at): (Grip, DVec2)) -> bool {
     let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let (by, removes) = ui.input(|input| {
@@ -135,7 +147,7 @@ fn is_removed(ui: &Ui, state: &mut State, response: &Response, (grip, at): (Grip
         (DVec2::new(by.x, -by.y), input.key_pressed(Key::Delete) || input.key_pressed(Key::Backspace))
     });
     if by != DVec2::ZERO {
-        state.photograph.move_to(grip, at + by);
+        photograph.move_to(grip, at + by);
     }
     removes
 }
@@ -155,11 +167,18 @@ fn stroke(painter: &Painter, ends: [Pos2; 2], width: f32, [color, paper]: [Color
     painter.line_segment(ends, Stroke::new(width, color));
 }
 
-fn paint(ui: &Ui, state: &State, pane: &Pane, place: &ImagePlace, found: Option<&PhotographCamera>) {
-    let palette = Palette::of(state.settings.theme);
+fn paint(
+    ui: &Ui,
+    model: &Model,
+    photograph: &PhotographTool,
+    pane: &Pane,
+    place: &ImagePlace,
+    found: Option<&PhotographCamera>,
+) {
+    let palette = Palette::of(model.settings.theme);
     let painter = ui.painter().with_clip_rect(pane.rect.rect);
     let paper = color_of(palette.paper);
-    let marks = &state.photograph.marks;
+    let marks = &photograph.marks;
     if let Some([a, b]) = found.and_then(|found| found.horizon) {
         // Far enough to cross the pane.
         let along = (b - a).normalize() * 1e5;
@@ -177,11 +196,11 @@ fn paint(ui: &Ui, state: &State, pane: &Pane, place: &ImagePlace, found: Option<
         }
         stroke(&painter, ends, 2.5, [color, paper]);
     }
-    for (grip, at) in state.photograph.grips() {
+    for (grip, at) in photograph.grips() {
         let color = match grip {
             Grip::End(line, _) => axis_color(palette, marks.lines[line].axis),
             Grip::Origin => color_of(palette.ink),
-            Grip::Length => axis_color(palette, state.photograph.length.0),
+            Grip::Length => axis_color(palette, photograph.length.0),
         };
         let middle = place.on_screen(at);
         let is_focused = ui.memory(|memory| memory.has_focus(Id::unique(("photograph", grip))));
@@ -191,7 +210,7 @@ fn paint(ui: &Ui, state: &State, pane: &Pane, place: &ImagePlace, found: Option<
             Grip::End(line, 1) => marks.lines[line].axis.name().to_owned(),
             Grip::End(..) => continue,
             Grip::Origin => "O".to_owned(),
-            Grip::Length => words::length(state.settings.lang, state.photograph.length),
+            Grip::Length => words::length(model.settings.lang, photograph.length),
         };
         label(ui, &painter, middle, &name, [color, paper]);
     }

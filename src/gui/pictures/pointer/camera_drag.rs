@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::camera::{Camera, Convention, Operation, Parameters, Projection};
-use crate::gui::state::State;
+use crate::gui::model::Model;
 use crate::views::{Request, pick};
 
 /// Degrees for one point of a drag.
@@ -42,17 +42,17 @@ impl CameraDrag {
     }
 
     /// Follows the pointer: `points` is its way on the screen, `pixels` that in the picture. True if it has moved on.
-    pub(in crate::gui::pictures) fn follow(&mut self, state: &mut State, points: DVec2, pixels: DVec2) -> bool {
+    pub(in crate::gui::pictures) fn follow(&mut self, model: &mut Model, points: DVec2, pixels: DVec2) -> bool {
         if std::mem::replace(&mut self.gone, points) == points {
             return false;
         }
         match self.pans {
-            None => state.document.set_parameters(orbited(&self.start, points)),
+            None => model.document.set_parameters(orbited(&self.start, points)),
             Some(per_pixel) => {
                 let by = -pixels * per_pixel;
                 let pan = Operation::Pan { dx: by.x, dy: by.y };
-                let done = state.document.operate_from(&self.start, pan, Convention::RightHand);
-                state.say_camera_error(done);
+                let done = model.document.operate_from(&self.start, pan, Convention::RightHand);
+                model.say_camera_error(done);
             }
         }
         true

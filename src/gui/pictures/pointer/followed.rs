@@ -3,9 +3,9 @@
 use eframe::egui::Context;
 use glam::{DVec2, DVec3};
 
+use crate::gui::model::Model;
 use crate::gui::pictures::Pane;
 use crate::gui::pictures::pointer::handle_drag;
-use crate::gui::state::State;
 use crate::i18n::why::explain_point;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
@@ -28,22 +28,22 @@ impl PointDrag {
     }
 
     /// The point goes where the pointer is (pixels).
-    pub(in crate::gui::pictures) fn follow(&self, state: &mut State, to: DVec2, ctx: &Context) {
+    pub(in crate::gui::pictures) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
         let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
-        let Some(point) = state.document.figure().points.get(self.index) else { return };
+        let Some(point) = model.document.figure().points.get(self.index) else { return };
         if point.position == moved {
             return;
         }
         let name = point.name.clone();
-        if state.follow.index(&state.document.figure().points) != Some(self.index) {
-            state.follow.choose(&name);
+        if model.follow.index(&model.document.figure().points) != Some(self.index) {
+            model.follow.choose(&name);
         }
-        self.put(state, moved);
+        self.put(model, moved);
         ctx.request_repaint();
     }
 
-    fn put(&self, state: &mut State, p: DVec3) {
-        state.document.edit(|figure| {
+    fn put(&self, model: &mut Model, p: DVec3) {
+        model.document.edit(|figure| {
             if let Some(point) = figure.points.get_mut(self.index) {
                 point.position = p;
             }
@@ -51,13 +51,13 @@ impl PointDrag {
     }
 
     /// Puts it back where it was.
-    pub(in crate::gui::pictures) fn give_up(&self, state: &mut State) {
-        self.put(state, self.before);
+    pub(in crate::gui::pictures) fn give_up(&self, model: &mut Model) {
+        self.put(model, self.before);
     }
 
     /// Its position, and how it is dragged.
-    pub(in crate::gui::pictures) fn lines(&self, state: &State) -> Vec<String> {
-        lines(self.index, state)
+    pub(in crate::gui::pictures) fn lines(&self, model: &Model) -> Vec<String> {
+        lines(self.index, model)
     }
 }
 
@@ -66,15 +66,15 @@ pub(in crate::gui::pictures) fn hovered(
     request: &Request,
     pointer: DVec2,
     pane: &Pane,
-    state: &State,
+    model: &Model,
 ) -> Option<(DVec3, Vec<String>)> {
     let index = named_points::point_at(request, pointer, pane.rect.pixels(handle_drag::REACH))?;
-    Some((request.shot.points.get(index)?.position, lines(index, state)))
+    Some((request.shot.points.get(index)?.position, lines(index, model)))
 }
 
-fn lines(index: usize, state: &State) -> Vec<String> {
-    let (lang, digits) = (state.settings.lang, state.settings.digits.min(6));
-    let Some(point) = state.document.figure().points.get(index) else { return Vec::new() };
+fn lines(index: usize, model: &Model) -> Vec<String> {
+    let (lang, digits) = (model.settings.lang, model.settings.digits.min(6));
+    let Some(point) = model.document.figure().points.get(index) else { return Vec::new() };
     let place = handle_drag::point(point.position, digits, lang.mark());
     vec![format!("{} = {place}", escaped(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
 }

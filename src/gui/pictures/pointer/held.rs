@@ -7,14 +7,15 @@ use glam::DVec2;
 use super::camera_drag::CameraDrag;
 use super::followed::PointDrag;
 use crate::figure::Observer;
+use crate::gui::model::Model;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::LabelDrag;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::pointer::handle_drag::HandleDrag;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::messages::faults::camera_error;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::i18n::window::scenes;
@@ -72,22 +73,28 @@ impl Drag {
 }
 
 impl Canvas {
-    pub(in crate::gui::pictures) fn drag(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
+    pub(in crate::gui::pictures) fn drag(
+        &mut self,
+        ui: &Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        pane: &Pane,
+    ) {
         let (origin, pointer) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
         if pane.response.drag_started()
             && let Some(origin) = origin
         {
-            self.drag = self.taken(ui, state, pane, origin);
+            self.drag = self.taken(ui, model, label_mode, pane, origin);
         }
         if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
-            self.give_up(state);
+            self.give_up(model);
             return;
         }
         if let (Some(origin), Some(pointer)) = (origin, pointer) {
-            self.follow(ui, state, pane, origin, pointer);
+            self.follow(ui, model, label_mode, pane, origin, pointer);
         }
         if pane.response.drag_stopped() || !ui.input(|i| i.pointer.any_down()) {
             self.drag = None;
@@ -95,25 +102,25 @@ impl Canvas {
     }
 
     /// The drag that a press at `origin` begins.
-    fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
+    fn taken(&self, ui: &Ui, model: &Model, label_mode: &LabelMode, pane: &Pane, origin: Pos2) -> Option<Drag> {
         let Pane { picture, view, request, .. } = pane;
         let picture = *picture;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         let from = pane.rect.pixel(origin);
         let point = || PointDrag::taken(request.clone(), from, pane);
-        if state.label_mode.on && primary {
+        if label_mode.on && primary {
             let labels = &self.pictures[picture].labels;
-            if let Some(held) = LabelDrag::taken(labels, *view, from, state) {
+            if let Some(held) = LabelDrag::taken(labels, *view, from, model) {
                 return Some(Drag::Label(picture, Box::new(held)));
             }
         }
-        let is_own = pane.is_own(origin) && !state.label_mode.on;
+        let is_own = pane.is_own(origin) && !label_mode.on;
         if *view == View::Image {
             if let Some(held) = (primary && is_own).then(point).flatten() {
                 return Some(Drag::Point(picture, Box::new(held)));
             }
             let pans = !primary || modifiers.shift;
-            let held = is_own.then(|| CameraDrag::taken(request, state.document.camera(), from, pans));
+            let held = is_own.then(|| CameraDrag::taken(request, model.document.camera(), from, pans));
             return held.flatten().map(|held| Drag::Camera(picture, Box::new(held)));
         }
         if *view == View::World && primary && is_own {
@@ -121,10 +128,10 @@ impl Canvas {
                 let held = HandleDrag::new(handle, request.clone(), from, modifiers);
                 return Some(Drag::Handle(picture, Box::new(held)));
             }
-            if let Some(movable) = Movable::selected(state)
+            if let Some(movable) = Movable::selected(model)
                 && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let (observer, before) = (request.observer, state.document.figure().scene.clone());
+                let (observer, before) = (request.observer, model.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
                 return Some(Drag::Gizmo(picture, Box::new(held)));
             }
@@ -139,37 +146,47 @@ impl Canvas {
         })
     }
 
-    fn follow(&mut self, ui: &Ui, state: &mut State, pane: &Pane, origin: Pos2, pointer: Pos2) {
+    fn follow(
+        &mut self,
+        ui: &Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        pane: &Pane,
+        origin: Pos2,
+        pointer: Pos2,
+    ) {
         let motion = pointer - origin;
         let request = &pane.request;
         match &mut self.drag {
             None => {}
             Some(Drag::Orbit { picture, pressed }) => {
                 let (picture, pressed) = (*picture, pressed.clone());
-                for other in self.turning_with(picture, state) {
+                for other in self.turning_with(picture, model) {
                     if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(state, other, orbit::orbited(pressed, motion));
+                        self.turn(model, other, orbit::orbited(pressed, motion));
                     }
                 }
             }
             Some(Drag::Pan { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
-                self.turn(state, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
+                self.turn(model, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
             }
             Some(Drag::Handle(_, held)) => {
                 let modifiers = ui.input(|i| i.modifiers);
                 let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
-                if let Some(parameters) = moved.filter(|p| p != state.document.draft()) {
-                    state.document.set_parameters(parameters);
+                if let Some(parameters) = moved.filter(|p| p != model.document.draft()) {
+                    model.document.set_parameters(parameters);
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Point(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
-            Some(Drag::Label(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Point(_, held)) => held.follow(model, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Label(_, held)) => {
+                held.follow(model, label_mode, pane.rect.pixel(pointer), ui.ctx());
+            }
             Some(Drag::Camera(_, held)) => {
                 let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));
-                if held.follow(state, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
+                if held.follow(model, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
                     ui.request_repaint();
                 }
             }
@@ -179,12 +196,12 @@ impl Canvas {
                 let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
                     return;
                 };
-                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(state));
+                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(model));
                 // Where the scene cannot be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
-                if state.document.figure().scene != scene {
-                    state.document.edit(|figure| figure.scene = scene);
+                if model.document.figure().scene != scene {
+                    model.document.edit(|figure| figure.scene = scene);
                     ui.request_repaint();
                 }
             }
@@ -192,40 +209,40 @@ impl Canvas {
     }
 
     /// The pictures whose observers turn with that of one.
-    pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, state: &State) -> Vec<usize> {
+    pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, model: &Model) -> Vec<usize> {
         let turns =
-            |(i, other): &(usize, &Picture)| *i == picture || (state.layout.linked && other.kind != View::Image);
+            |(i, other): &(usize, &Picture)| *i == picture || (model.layout.linked && other.kind != View::Image);
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
     /// Restores the state before the press.
-    pub(in crate::gui::pictures) fn give_up(&mut self, state: &mut State) {
+    pub(in crate::gui::pictures) fn give_up(&mut self, model: &mut Model) {
         match self.drag.take() {
             None => {}
             Some(Drag::Orbit { pressed, picture }) => {
-                for other in self.turning_with(picture, state) {
+                for other in self.turning_with(picture, model) {
                     if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(state, other, pressed);
+                        self.turn(model, other, pressed);
                     }
                 }
             }
-            Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
-            Some(Drag::Handle(_, held)) => state.document.set_camera(held.before()),
-            Some(Drag::Gizmo(_, held)) => state.document.edit(|figure| figure.scene = held.before),
-            Some(Drag::Point(_, held)) => held.give_up(state),
-            Some(Drag::Label(_, held)) => held.give_up(state),
-            Some(Drag::Camera(_, held)) => state.document.set_camera(held.before()),
+            Some(Drag::Pan { picture, pressed }) => self.turn(model, picture, pressed),
+            Some(Drag::Handle(_, held)) => model.document.set_camera(held.before()),
+            Some(Drag::Gizmo(_, held)) => model.document.edit(|figure| figure.scene = held.before),
+            Some(Drag::Point(_, held)) => held.give_up(model),
+            Some(Drag::Label(_, held)) => held.give_up(model),
+            Some(Drag::Camera(_, held)) => model.document.set_camera(held.before()),
         }
     }
 
     pub(in crate::gui::pictures) fn say_drag(
         &mut self,
         ui: &Ui,
-        state: &State,
+        model: &Model,
         status: &mut Status,
         texts: &CanvasTexts,
     ) {
-        let digits = state.settings.digits.min(6);
+        let digits = model.settings.digits.min(6);
         match &self.drag {
             None => {}
             Some(Drag::Orbit { picture, .. }) => {
@@ -240,11 +257,11 @@ impl Canvas {
             }
             Some(Drag::Handle(_, held)) => {
                 self.hover.hovered = Some(held.handle());
-                let camera = state.document.camera();
+                let camera = model.document.camera();
                 let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
                     Some(error) => {
-                        let reason = format!("{} {}", texts.stopped, camera_error(state.settings.lang, error));
+                        let reason = format!("{} {}", texts.stopped, camera_error(model.settings.lang, error));
                         lines.push(reason.clone());
                         status.warning = true;
                         reason
@@ -255,17 +272,17 @@ impl Canvas {
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
             Some(Drag::Point(_, held)) => {
-                let lines = held.lines(state);
+                let lines = held.lines(model);
                 status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
             Some(Drag::Label(_, held)) => {
-                status.message = held.line(state);
+                status.message = held.line(model);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
             Some(Drag::Camera(_, held)) => {
-                let camera = state.document.camera();
+                let camera = model.document.camera();
                 let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
                 status.message = handle_drag::readout(moved, camera, digits, texts);
                 ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
@@ -274,9 +291,9 @@ impl Canvas {
                 if let Some(gizmo) = &mut self.hover.gizmo {
                     gizmo.hovered = Some(held.part);
                 }
-                let mut lines = gizmo_lines(state, digits);
+                let mut lines = gizmo_lines(model, digits);
                 if held.is_sheared {
-                    scenes::texts(state.settings.lang).sheared.clone_into(&mut lines[1]);
+                    scenes::texts(model.settings.lang).sheared.clone_into(&mut lines[1]);
                     status.warning = true;
                 }
                 status.message = lines.join(" · ");
@@ -300,14 +317,14 @@ pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
 }
 
 /// Length of one step of a move while the modifier is held: a tenth of D, as a power of ten.
-fn snap_length(state: &State) -> f64 {
-    power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0)
+fn snap_length(model: &Model) -> f64 {
+    power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
 /// The transform of the selection that the gizmo changes, and how it is dragged.
-pub(in crate::gui::pictures) fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
-    let t = scenes::texts(state.settings.lang);
-    let Some(movable) = Movable::selected(state) else { return Default::default() };
+pub(in crate::gui::pictures) fn gizmo_lines(model: &Model, digits: usize) -> [String; 2] {
+    let t = scenes::texts(model.settings.lang);
+    let Some(movable) = Movable::selected(model) else { return Default::default() };
     let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {
         (true, Transforming::Turn) => ("L", movable.place, t.drag_parallel_light),
         (true, Transforming::Move | Transforming::Scale) => ("P", movable.place, t.drag_lamp),

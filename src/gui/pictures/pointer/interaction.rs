@@ -13,12 +13,17 @@ use super::pixel::pixel_of;
 use super::probe_steps::Click;
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
+use crate::gui::app::state::State;
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::model::Model;
+use crate::gui::model::layout::ObserverChange;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
+use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
-use crate::gui::state::{ObserverChange, State};
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
@@ -58,41 +63,41 @@ impl Canvas {
             }
         } else if escape {
             // One thing after the other.
-            if state.pinned().is_none() && !self.is_probing() && state.release_shown() {
+            if state.model.pinned().is_none() && !self.is_probing() && state.model.release_shown() {
                 ui.request_repaint();
             }
-            state.pin(None);
+            state.model.pin(None);
             self.stop_probing();
         }
         let mut hovered = None;
         self.hover_pick = None;
         self.hover.hovered = None;
-        let placing = state.placing();
+        let placing = state.learn.placing(&state.model, &state.operations);
         for pane in panes {
             self.focus(ui, state, pane);
-            if Self::place(ui, state, pane, placing.as_ref()) {
+            if Self::place(ui, &mut state.learn, &mut state.operations, pane, placing.as_ref()) {
                 continue;
             }
-            if !self.fingers(ui, state, pane) {
-                self.drag(ui, state, pane);
-                self.wheel(ui, state, pane);
+            if !self.fingers(ui, &mut state.model, pane) {
+                self.drag(ui, &mut state.model, &mut state.label_mode, pane);
+                self.wheel(ui, &mut state.model, &state.operations, pane);
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
-                hovered = self.hover(ui, state, pane, &mut status, texts);
+                hovered = self.hover(ui, &state.model, &state.label_mode, pane, &mut status, texts);
                 if let Some((probe, place)) = hovered.zip(pane.response.hover_pos()) {
                     self.probed_side = pane.side(place).map(|side| (probe, side.request));
                 }
             }
-            self.click(state, pane, hovered);
+            self.click(&mut state.model, &mut state.label_mode, &mut state.cameras, pane, hovered);
             if status.message.is_empty() && pane.response.has_focus() {
                 keys_hint(pane.view, texts).clone_into(&mut status.message);
             }
         }
         if self.drag.is_some() {
-            self.say_drag(ui, state, &mut status, texts);
+            self.say_drag(ui, &state.model, &mut status, texts);
         }
         if status.message.is_empty()
-            && let Some(why) = state.impossible_side()
+            && let Some(why) = state.model.impossible_side()
         {
             (status.message, status.warning) = (why, true);
         }
@@ -109,40 +114,47 @@ impl Canvas {
         status
     }
 
-    fn click(&mut self, state: &mut State, pane: &Pane, hovered: Option<Probe>) {
+    fn click(
+        &mut self,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        cameras: &mut CameraList,
+        pane: &Pane,
+        hovered: Option<Probe>,
+    ) {
         let response = &pane.response;
-        if state.label_mode.on {
-            self.label_click(state, pane);
+        if label_mode.on {
+            self.label_click(model, label_mode, pane);
             return;
         }
         if response.double_clicked_by(PointerButton::Primary) {
             self.stop_probing();
-            state.pin(self.pinned_before);
-            toggle_maximized(state, pane.view);
+            model.pin(self.pinned_before);
+            toggle_maximized(model, pane.view);
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary)
             && response.hovered()
             && self.hover.hovered.is_none()
-            && other_camera::is_clicked(state, pane)
+            && other_camera::is_clicked(model, cameras, pane)
         {
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
-            self.pinned_before = state.pinned();
+            self.pinned_before = model.pinned();
             self.stop_probing();
             let unanswered = self.hover_pick.take().filter(|pick| hovered.is_none() && pick.is_heavy());
             match unanswered.filter(|pick| self.picker.found(&response.ctx, pick).is_none()) {
                 // It is pinned when it is found.
                 Some(pick) => self.clicked_pick = Some(pick),
-                None => state.pin(hovered),
+                None => model.pin(hovered),
             }
-            self.clicked = Click::in_picture(state, pane);
+            self.clicked = Click::in_picture(model, pane);
         }
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
     }
 
-    fn wheel(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
+    fn wheel(&mut self, ui: &Ui, model: &mut Model, operations: &Operations, pane: &Pane) {
         if !pane.response.hovered() {
             return;
         }
@@ -151,7 +163,8 @@ impl Canvas {
         if pane.view == View::Image {
             let is_own = pane.response.hover_pos().is_some_and(|place| pane.is_own(place));
             if factor != 1.0 && is_own {
-                state.operate(camera_drag::dollied(state.document.camera(), factor));
+                let dolly = camera_drag::dollied(model.document.camera(), factor);
+                operations.operate(model, dolly);
             }
             return;
         }
@@ -161,7 +174,7 @@ impl Canvas {
         {
             let at = pane.rect.pixel(pointer);
             let observer = orbit::zoomed_at(seen, factor, at, pane.rect.size);
-            self.turn(state, pane.picture, observer);
+            self.turn(model, pane.picture, observer);
         }
     }
 
@@ -171,7 +184,8 @@ impl Canvas {
     fn hover(
         &mut self,
         ui: &Ui,
-        state: &State,
+        model: &Model,
+        label_mode: &LabelMode,
         pane: &Pane,
         status: &mut Status,
         texts: &'static CanvasTexts,
@@ -179,10 +193,10 @@ impl Canvas {
         let place = pane.response.hover_pos()?;
         let (ref request, pointer) = pane.under(place);
         let is_own = pane.is_own(place);
-        let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
+        let (camera, digits) = (model.document.camera(), model.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
-        if state.label_mode.on {
-            self.label_hover(ui, state, pane, place, status);
+        if label_mode.on {
+            self.label_hover(ui, model, label_mode, pane, place, status);
             return None;
         }
         if pane.view == View::World
@@ -195,13 +209,13 @@ impl Canvas {
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
             self.hover.hovered = Some(handle);
-            return probed(handle, state);
+            return probed(handle, model);
         }
         if pane.view == View::World
             && is_own
             && let Some(part) = part_at(request, pointer, pane.rect.pixels(GIZMO_REACH))
         {
-            let lines = gizmo_lines(state, digits);
+            let lines = gizmo_lines(model, digits);
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
@@ -210,14 +224,14 @@ impl Canvas {
             }
             return None;
         }
-        if let Some((p, lines)) = followed::hovered(request, pointer, pane, state) {
+        if let Some((p, lines)) = followed::hovered(request, pointer, pane, model) {
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
             return Some(Probe::Point(p));
         }
         if is_own && let Some(index) = other_camera::hovered(request, pointer, pane) {
-            let lines = other_camera::lines(index, state);
+            let lines = other_camera::lines(index, model);
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(egui::CursorIcon::PointingHand);
@@ -243,7 +257,7 @@ impl Canvas {
             },
             View::World | View::Canonical => texts.pointer_in_space.to_owned(),
         };
-        if pane.view == View::Canonical && state.is_on_the_way() {
+        if pane.view == View::Canonical && model.is_on_the_way() {
             return None;
         }
         let what = PickQuery::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
@@ -272,18 +286,18 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !Self::place_by_key(state, pane, key, modifiers)
-                && !self.label_by_key(state, pane, key, modifiers)
-                && !self.probe_by_key(state, pane, key, modifiers)
+            if !Self::place_by_key(&state.model, &mut state.learn, &mut state.operations, pane, key, modifiers)
+                && !self.label_by_key(&mut state.model, &mut state.label_mode, pane, key, modifiers)
+                && !self.probe_by_key(&mut state.model, pane, key, modifiers)
             {
-                self.key(state, pane, key, modifiers);
+                self.key(&mut state.model, &state.operations, pane, key, modifiers);
             }
             ui.request_repaint();
         }
     }
 
     /// Lets the keys move the probe in probing mode. Returns whether this key did.
-    fn probe_by_key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
+    fn probe_by_key(&mut self, model: &mut Model, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
         let step = |probing, arrow| ProbeStep { probing, from: None, arrow, fast: modifiers.shift };
         if let Some(asked) = Probing::asked(key, pane.view) {
             // The same key ends it.
@@ -291,7 +305,7 @@ impl Canvas {
             self.probing = (!is_on).then_some((pane.picture, asked));
             self.probe_steps.clear();
             if is_on {
-                state.pin(None);
+                model.pin(None);
             } else {
                 self.probe_steps.push_back((pane.picture, step(asked, DVec2::ZERO)));
             }
@@ -303,25 +317,27 @@ impl Canvas {
         probing.is_some()
     }
 
-    fn key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) {
+    fn key(&mut self, model: &mut Model, operations: &Operations, pane: &Pane, key: Key, modifiers: Modifiers) {
         let (picture, view) = (pane.picture, pane.view);
         let arrow = arrow_of(key);
         match (key, view) {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
                 if view == View::Image {
-                    state.operate(Operation::Zoom(factor));
+                    operations.operate(model, Operation::Zoom(factor));
                 } else if let Some(seen) = self.seen(picture) {
-                    self.turn(state, picture, seen.zoom(factor));
+                    self.turn(model, picture, seen.zoom(factor));
                 }
             }
             (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
-            (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
-            (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
-            (Key::T, View::World) => state.tree.transforming = Transforming::Move,
-            (Key::R, View::World) => state.tree.transforming = Transforming::Turn,
-            (Key::S, View::World) => state.tree.transforming = Transforming::Scale,
-            _ if arrow != DVec2::ZERO => self.arrow(state, pane, arrow, modifiers),
+            (Key::PageUp, View::World | View::Image) => operations.operate(model, Operation::Dolly(STEP_FACTOR)),
+            (Key::PageDown, View::World | View::Image) => {
+                operations.operate(model, Operation::Dolly(STEP_FACTOR.recip()));
+            }
+            (Key::T, View::World) => model.tree.transforming = Transforming::Move,
+            (Key::R, View::World) => model.tree.transforming = Transforming::Turn,
+            (Key::S, View::World) => model.tree.transforming = Transforming::Scale,
+            _ if arrow != DVec2::ZERO => self.arrow(model, operations, pane, arrow, modifiers),
             _ => {}
         }
     }
@@ -329,35 +345,35 @@ impl Canvas {
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule
     /// a positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the
     /// world, the observer turns instead.
-    fn arrow(&mut self, state: &mut State, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
+    fn arrow(&mut self, model: &mut Model, operations: &Operations, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
         let view = pane.view;
         if view == View::Canonical || (view == View::World && modifiers.shift) {
             let step = STEP / orbit::DEGREES_PER_POINT;
             #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
             let motion = Vec2::new(-(arrow.x * step) as f32, (arrow.y * step) as f32);
-            for other in self.turning_with(pane.picture, state) {
+            for other in self.turning_with(pane.picture, model) {
                 if let Some(seen) = self.seen(other) {
-                    self.turn(state, other, orbit::orbited(seen, motion));
+                    self.turn(model, other, orbit::orbited(seen, motion));
                 }
             }
             return;
         }
         if arrow.y != 0.0 {
-            let raised = match state.operations.convention {
+            let raised = match operations.convention {
                 Convention::RightHand => -STEP,
                 Convention::Vtk => STEP,
             };
-            state.operate(Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
+            operations.operate(model, Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
         }
         if arrow.x != 0.0 {
-            state.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
+            operations.operate(model, Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
     }
 }
 
 /// C and PF are points of the world, and so can be probed.
-fn probed(handle: Handle, state: &State) -> Option<Probe> {
-    let camera = state.document.camera();
+fn probed(handle: Handle, model: &Model) -> Option<Probe> {
+    let camera = model.document.camera();
     match handle {
         Handle::FocalPoint => Some(Probe::Point(camera.focal_point())),
         Handle::Position | Handle::ViewUp | Handle::Near | Handle::Far => None,

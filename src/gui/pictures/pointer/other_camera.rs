@@ -3,8 +3,9 @@
 use glam::DVec2;
 
 use super::handle_drag;
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::model::Model;
 use crate::gui::pictures::Pane;
-use crate::gui::state::State;
 use crate::i18n::window::cameras;
 use crate::sanitize::escaped;
 use crate::views::{Request, View, camera_at};
@@ -16,16 +17,16 @@ pub(in crate::gui::pictures) fn hovered(request: &Request, pointer: DVec2, pane:
 }
 
 /// Its name, and the effect of a click.
-pub(in crate::gui::pictures) fn lines(index: usize, state: &State) -> [String; 2] {
-    let name = state.document.figure().cameras.get(index).map_or("", |other| &other.name);
-    [escaped(name), cameras::texts(state.settings.lang).click.to_owned()]
+pub(in crate::gui::pictures) fn lines(index: usize, model: &Model) -> [String; 2] {
+    let name = model.document.figure().cameras.get(index).map_or("", |other| &other.name);
+    [escaped(name), cameras::texts(model.settings.lang).click.to_owned()]
 }
 
 /// Looks through the camera that was clicked. False if there is none.
-pub(in crate::gui::pictures) fn is_clicked(state: &mut State, pane: &Pane) -> bool {
+pub(in crate::gui::pictures) fn is_clicked(model: &mut Model, cameras: &mut CameraList, pane: &Pane) -> bool {
     let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
     let (request, pointer) = pane.under(place);
     let Some(index) = hovered(&request, pointer, pane) else { return false };
-    state.look_through(index);
+    cameras.look_through(model, index);
     true
 }

@@ -6,7 +6,6 @@ use glam::{DVec2, DVec3};
 
 use super::keyboard_probe::ProbeStep;
 use super::pixel::{center_of, pixel_of};
-
 use crate::figure::Depth;
 use crate::gui::background::memo::{Latest, MAX_WAIT};
 use crate::gui::model::scene_cache::is_heavy;

@@ -7,9 +7,12 @@ use glam::DVec2;
 use super::keyboard_probe::ProbeStep;
 use super::picking::{PickQuery, PickRequest};
 use crate::figure::Explanation;
+use crate::gui::model::Model;
+use crate::gui::model::layout::{Side, Tab};
+use crate::gui::model::scene_tree::Selected;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::{Selected, Side, State, Tab};
 use crate::gui::why;
+use crate::gui::why::state::explain::Explain;
 use crate::views::{Hover, Request, View};
 
 /// A click on an object or on a triangle.
@@ -21,16 +24,16 @@ pub(in crate::gui::pictures) struct Click {
 }
 
 /// Whether clicks select: the tree of the scene is open.
-fn selects(state: &State) -> bool {
-    state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left)
+fn selects(model: &Model) -> bool {
+    model.settings.tab == Tab::Scene && model.settings.panels().is_shown(Side::Left)
 }
 
 impl Click {
     /// The click that a picture has got, where it selects or chooses anything: objects while the tree of the scene is
     /// open, triangles of the image while one is explained.
-    pub(in crate::gui::pictures) fn in_picture(state: &State, pane: &Pane) -> Option<Self> {
-        let object = selects(state) && (pane.view != View::Canonical || !state.is_on_the_way());
-        let triangle = state.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
+    pub(in crate::gui::pictures) fn in_picture(model: &Model, pane: &Pane) -> Option<Self> {
+        let object = selects(model) && (pane.view != View::Canonical || !model.is_on_the_way());
+        let triangle = model.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
         let place = pane.response.interact_pointer_pos().filter(|_| object || triangle)?;
         let (request, pointer) = pane.under(place);
         let request = Request { hover: Hover::default(), ..request };
@@ -53,36 +56,36 @@ impl Canvas {
     }
 
     /// Selects the object and chooses the triangle of a click, once they have been found.
-    pub(in crate::gui::pictures) fn take_click(&mut self, ctx: &Context, state: &mut State) {
+    pub(in crate::gui::pictures) fn take_click(&mut self, ctx: &Context, model: &mut Model, explain: &mut Explain) {
         let Some(click) = self.clicked.take() else { return };
         // A pixel of the triangle that is followed, or another triangle?
-        let waits = state.shows_explanation(Explanation::Triangle) && state.explain.triangle.is_searched();
+        let waits = model.shows_explanation(Explanation::Triangle) && explain.triangle.is_searched();
         let Some(found) = self.click_picker.found(ctx, &click.pick).filter(|_| !waits) else {
             self.clicked = Some(click).filter(|_| waits || self.click_picker.is_waiting());
             return;
         };
         let Click { pick: PickRequest { request, .. }, pointer, beside } = click;
-        let scene = &state.document.figure().scene;
-        let selected = found.object.filter(|_| selects(state)).and_then(|name| Selected::of_object(scene, &name));
+        let scene = &model.document.figure().scene;
+        let selected = found.object.filter(|_| selects(model)).and_then(|name| Selected::of_object(scene, &name));
         if selected.is_some() {
-            state.select(selected, beside);
+            model.select(selected, beside);
             ctx.request_repaint();
         }
-        let is_of_image = request.view == View::Image && state.shows_explanation(Explanation::Triangle);
-        if is_of_image && why::clicked((ctx, state), &request, pointer, found.triangle) {
+        let is_of_image = request.view == View::Image && model.shows_explanation(Explanation::Triangle);
+        if is_of_image && why::clicked(ctx, model, explain, &request, pointer, found.triangle) {
             // It is what was meant.
             self.clicked_pick = None;
-            state.pin(None);
+            model.pin(None);
             ctx.request_repaint();
         }
     }
 
     /// Pins the result of a click in a heavy scene, once it has been found.
-    pub(in crate::gui::pictures) fn pin_clicked(&mut self, ctx: &Context, state: &mut State) {
+    pub(in crate::gui::pictures) fn pin_clicked(&mut self, ctx: &Context, model: &mut Model) {
         let Some(pick) = self.clicked_pick.take() else { return };
         match self.picker.found(ctx, &pick) {
             Some(found) => {
-                state.pin(found.probe);
+                model.pin(found.probe);
                 ctx.request_repaint();
             }
             None if self.picker.is_waiting() => self.clicked_pick = Some(pick),
@@ -92,12 +95,12 @@ impl Canvas {
 
     /// Takes the steps that keys have asked for, one from where the other has led. In a heavy scene they take a while,
     /// beside the window's thread.
-    pub(in crate::gui::pictures) fn take_probe_steps(&mut self, ctx: &Context, state: &mut State, panes: &[Pane]) {
+    pub(in crate::gui::pictures) fn take_probe_steps(&mut self, ctx: &Context, model: &mut Model, panes: &[Pane]) {
         while let Some((picture, step)) = self.probe_steps.front().copied() {
             let is_there =
-                |pane: &&Pane| pane.picture == picture && !(pane.view == View::Canonical && state.is_on_the_way());
+                |pane: &&Pane| pane.picture == picture && !(pane.view == View::Canonical && model.is_on_the_way());
             if let Some(pane) = panes.iter().find(is_there) {
-                let step = ProbeStep { from: state.pinned().filter(|_| step.arrow != DVec2::ZERO), ..step };
+                let step = ProbeStep { from: model.pinned().filter(|_| step.arrow != DVec2::ZERO), ..step };
                 // The step does not depend on what is pinned but for `from`: a pin does not ask anew.
                 let request = pane.request.clone().with_shot(|shot| shot.show.probe = None);
                 let request = Request { hover: Hover::default(), ..request };
@@ -105,7 +108,7 @@ impl Canvas {
                 match self.key_picker.found(ctx, &pick) {
                     Some(found) => {
                         if found.probe.is_some() {
-                            state.pin(found.probe);
+                            model.pin(found.probe);
                         }
                         ctx.request_repaint();
                     }

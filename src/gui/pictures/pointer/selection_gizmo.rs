@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DVec3};
 
 use crate::geometry::{Angle, try_unit};
-use crate::gui::state::{Selected, State};
+use crate::gui::model::Model;
+use crate::gui::model::scene_tree::Selected;
 use crate::numbers::round_to;
 use crate::scene::edit::placement;
 use crate::scene::transform::{Transform, frame, transform, turned};
@@ -43,12 +44,12 @@ enum MovedThing {
 
 impl Movable {
     /// The selection, where it can be changed.
-    pub(in crate::gui) fn selected(state: &State) -> Option<Self> {
-        let scene = &state.document.figure().scene;
-        match state.tree.selected(scene)? {
-            Selected::Object(name) => Self::objects(scene, name, state.tree.names(scene), state.tree.transforming),
+    pub(in crate::gui) fn selected(model: &Model) -> Option<Self> {
+        let scene = &model.document.figure().scene;
+        match model.tree.selected(scene)? {
+            Selected::Object(name) => Self::objects(scene, name, model.tree.names(scene), model.tree.transforming),
             Selected::Light(index) => {
-                let middle = state.scene_cache.scene().bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
+                let middle = model.scene_cache.scene().bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
                 Some(Self::light(*index, *scene.lights.get(*index)?, middle))
             }
             Selected::OfPreset(_) => None,

@@ -2,19 +2,19 @@
 
 use eframe::egui::Ui;
 
+use crate::gui::model::Model;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::views::View;
 
 impl Canvas {
     /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. What the first of them
     /// had begun before the second came is taken back. It was not meant.
-    pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, state: &mut State, pane: &Pane) -> bool {
+    pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) -> bool {
         let touch = ui.input(|input| input.multi_touch());
         let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };
         if self.drag.is_some() {
-            self.give_up(state);
+            self.give_up(model);
         }
         let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
         if pane.view != View::Image
@@ -24,7 +24,7 @@ impl Canvas {
             let moved = seen.pan(moved.x, moved.y, pane.rect.size.smaller_side());
             let observer = orbit::zoomed_at(moved, f64::from(touch.zoom_delta), at, pane.rect.size);
             if observer != seen {
-                self.turn(state, pane.picture, observer);
+                self.turn(model, pane.picture, observer);
             }
         }
         true

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::gui::background::memo::{Latest, MAX_WAIT, Memo};
 use crate::gui::model::scene_cache::is_heavy;
-use crate::gui::state::{Selected, preset_objects};
+use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::progress::Progress;
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};

@@ -3,8 +3,8 @@
 use eframe::egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
 
+use crate::gui::model::Model;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::state::State;
 use crate::i18n::window::compare as words;
 use crate::views::{Request, Side};
 
@@ -42,15 +42,15 @@ impl Pane {
 
 impl Canvas {
     /// Shows the wiper of each picture that has one, and lets pointer and keys move it.
-    pub(in crate::gui::pictures) fn wipers(ui: &Ui, state: &mut State, panes: &[Pane]) {
+    pub(in crate::gui::pictures) fn wipers(ui: &Ui, model: &mut Model, panes: &[Pane]) {
         for pane in panes {
             let Some(compared) = pane.request.shot.compared.as_ref().filter(|compared| !compared.comparison.beside)
             else {
                 continue;
             };
-            let moved = wiper(ui, state, pane, compared.comparison.wiper);
+            let moved = wiper(ui, model, pane, compared.comparison.wiper);
             if let Some(share) = moved {
-                state.document.edit(|figure| {
+                model.document.edit(|figure| {
                     if let Some(comparison) = &mut figure.compare {
                         comparison.wiper = share;
                     }
@@ -62,8 +62,8 @@ impl Canvas {
 }
 
 /// Shows a wiper. Gives its new place where it has been moved.
-fn wiper(ui: &Ui, state: &State, pane: &Pane, share: f64) -> Option<f64> {
-    let words = words::texts(state.settings.lang);
+fn wiper(ui: &Ui, model: &Model, pane: &Pane, share: f64) -> Option<f64> {
+    let words = words::texts(model.settings.lang);
     let Rect { min, max } = pane.rect.rect;
     #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
     let x = min.x + (max.x - min.x) * share as f32;

@@ -20,7 +20,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
     let lab = Object::new();
     let of = runner.clone();
     let figure = Closure::<dyn Fn() -> JsValue>::new(move || {
-        of.app_mut::<Page>().map_or(JsValue::NULL, |page| file_flow::text_to_save(&page.app.state).into())
+        of.app_mut::<Page>().map_or(JsValue::NULL, |page| file_flow::text_to_save(&page.app.state.model).into())
     });
     Reflect::set(&lab, &"figure".into(), &figure.into_js_value())?;
     let open = Closure::<dyn Fn(String)>::new(|text: String| {
@@ -33,7 +33,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
     let link = Closure::<dyn Fn() -> Result<JsValue, JsValue>>::new(move || {
         let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
         let address = page.app.state.own_address.clone().unwrap_or_default();
-        let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state));
+        let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state.model));
         link.map(JsValue::from).map_err(|error| js_sys::Error::new(&error.to_string()).into())
     });
     Reflect::set(&lab, &"link".into(), &link.into_js_value())?;
@@ -50,7 +50,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
 /// The place of each visible picture, in the pixels of style sheets.
 fn pictures(page: &Page) -> Result<Object, JsValue> {
     let all = Object::new();
-    let zoom = page.app.state.settings.zoom;
+    let zoom = page.app.state.model.settings.zoom;
     for (view, place) in page.app.canvas.places() {
         let place = place * zoom;
         let one = Object::new();

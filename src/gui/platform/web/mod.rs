@@ -20,7 +20,8 @@ use crate::figure::Figure;
 use crate::files::disk::page::KEPT;
 use crate::files::{self, SourceFile};
 use crate::gui::files::file_flow;
-use crate::gui::state::{AfterSave, MESH_ENDINGS};
+use crate::gui::files::questions::MESH_ENDINGS;
+use crate::gui::model::action::AfterSave;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::i18n::Lang;
 use crate::share;
@@ -159,14 +160,14 @@ impl Page {
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
         if !is_framed(&window) && width.is_some_and(|width| width < f64::from(crate::gui::app::menu::PHONE)) {
             // The pictures need all the space there is, until a panel is requested.
-            state.settings.panels_mut().wanted = [false; 3];
+            state.model.settings.panels_mut().wanted = [false; 3];
         }
         let system = system();
-        (state.settings.theme, state.settings.reduce_motion) = system;
+        (state.model.settings.theme, state.model.settings.reduce_motion) = system;
         let mut app = App::new(ctx, state);
         if is_framed(&window) {
             // A figure in somebody's page changes nothing stored in this browser.
-            asked.apply(&mut app.state);
+            asked.apply(&mut app.state.model);
         } else {
             app.keep_preferences(ctx, Path::new(KEPT), asked);
             app.keep_session(Path::new(KEPT), restore);
@@ -176,7 +177,7 @@ impl Page {
             file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
         }
         if let Some(error) = fault {
-            app.state.say(crate::gui::state::Message::File(PathBuf::new(), error));
+            app.state.model.say(crate::gui::model::message::Message::File(PathBuf::new(), error));
         }
         WAKE.set(Some(ctx.clone()));
         Ok(Self { app, title: String::new(), system, full_screen: false, told: false })
@@ -190,10 +191,10 @@ impl Page {
             document.set_title(&self.title);
         }
         let fills = document.fullscreen_element().is_some();
-        let wanted = self.app.state.settings.presentation;
+        let wanted = self.app.state.model.settings.presentation;
         if self.full_screen && !fills {
             // The browser's own key has ended it.
-            self.app.state.settings.presentation = false;
+            self.app.state.model.settings.presentation = false;
             self.full_screen = false;
         } else if wanted != self.full_screen {
             self.full_screen = wanted;
@@ -231,7 +232,7 @@ impl eframe::App for Page {
             self.app.follow_system(system.0, system.1);
         }
         self.app.show(ui);
-        file_flow::open_dialog(ui.ctx(), &mut self.app.state, frame);
+        file_flow::open_dialog(ui.ctx(), &mut self.app.state.file_flow, frame);
         self.follow_window();
         if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
             self.told = true;

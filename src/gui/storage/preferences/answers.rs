@@ -2,7 +2,8 @@
 
 use toml_edit::{Array, DocumentMut, InlineTable, Value};
 
-use crate::gui::state::{Chosen, State, Typed};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Chosen, Typed};
 
 /// The prefix of the keys.
 const PREFIX: &str = "answers ";
@@ -19,8 +20,8 @@ const SOLVED: &str = "is solved";
 pub(super) const NOTHING: &str = "{}";
 
 /// Keys with their values as TOML.
-pub(super) fn values(state: &State) -> impl Iterator<Item = (String, String)> + '_ {
-    state.exercises.typed.iter().map(|(Chosen { id, seed }, typed)| {
+pub(super) fn values(learn: &Learn) -> impl Iterator<Item = (String, String)> + '_ {
+    learn.exercises.typed.iter().map(|(Chosen { id, seed }, typed)| {
         let value = if typed.is_empty() { NOTHING.to_owned() } else { table(typed).to_string() };
         (format!("{PREFIX}{id} {seed}"), value)
     })

@@ -21,8 +21,9 @@ use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::gui::app::launch_options::LANGUAGES;
-use crate::gui::export::family_choice::{Subject, Varied};
-use crate::gui::state::{Side, State, WindowPlace};
+use crate::gui::app::state::State;
+use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
+use crate::gui::model::layout::{Side, WindowPlace};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
@@ -74,98 +75,98 @@ macro_rules! key {
 
 /// Every key but the steps of operations and [`RECENT`].
 const KEYS: [Key; 42] = [
-    key!("language", one of LANGUAGES, settings.lang),
-    key!("theme", one of THEMES, settings.theme),
+    key!("language", one of LANGUAGES, model.settings.lang),
+    key!("theme", one of THEMES, model.settings.theme),
     Key {
         name: "zoom",
-        of: |state| ((f64::from(state.settings.zoom) * 100.0).round() / 100.0).into(),
+        of: |state| ((f64::from(state.model.settings.zoom) * 100.0).round() / 100.0).into(),
         #[expect(clippy::cast_possible_truncation, reason = "at most 3")]
         apply: |state, value| {
             let zoom = number(value).filter(|zoom| (0.5..=3.0).contains(zoom));
-            put(&mut state.settings.zoom, zoom.map(|zoom| zoom as f32));
+            put(&mut state.model.settings.zoom, zoom.map(|zoom| zoom as f32));
         },
     },
     Key {
         name: "parameters_panel",
-        of: |state| state.own_panels().wanted[Side::Left as usize].into(),
-        apply: |state, value| put(&mut state.settings.panels.wanted[Side::Left as usize], value.as_bool()),
+        of: |state| state.learn.own_panels(&state.model).wanted[Side::Left as usize].into(),
+        apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Left as usize], value.as_bool()),
     },
     Key {
         name: "numbers_panel",
-        of: |state| state.own_panels().wanted[Side::Right as usize].into(),
-        apply: |state, value| put(&mut state.settings.panels.wanted[Side::Right as usize], value.as_bool()),
+        of: |state| state.learn.own_panels(&state.model).wanted[Side::Right as usize].into(),
+        apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Right as usize], value.as_bool()),
     },
     Key {
         name: "explanations",
-        of: |state| state.preferred_layout().is_open.into(),
-        apply: |state, value| put(&mut state.settings.panels.wanted[Side::Explain as usize], value.as_bool()),
+        of: |state| state.model.preferred_layout().is_open.into(),
+        apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Explain as usize], value.as_bool()),
     },
     Key {
         name: "explanation",
-        of: |state| words::name(EXPLANATIONS, state.preferred_layout().explanation).into(),
-        apply: |state, value| word(EXPLANATIONS, value).into_iter().for_each(|shown| state.explain.show(shown)),
+        of: |state| words::name(EXPLANATIONS, state.model.preferred_layout().explanation).into(),
+        apply: |state, value| word(EXPLANATIONS, value).into_iter().for_each(|shown| state.model.explained.show(shown)),
     },
     // The last one of each question.
     Key {
         name: "explanations_read",
-        of: |state| state.explain.last().map(|last| words::name(EXPLANATIONS, last)).into_iter().collect(),
+        of: |state| state.model.explained.last().map(|last| words::name(EXPLANATIONS, last)).into_iter().collect(),
         apply: |state, value| {
             let names = value.as_array().into_iter().flatten().filter_map(Value::as_str);
-            let shown = state.explain.shown();
-            names.filter_map(|name| words::value(EXPLANATIONS, name)).for_each(|read| state.explain.show(read));
-            state.explain.show(shown);
+            let shown = state.model.explained.shown();
+            names.filter_map(|name| words::value(EXPLANATIONS, name)).for_each(|read| state.model.explained.show(read));
+            state.model.explained.show(shown);
         },
     },
     Key {
         name: "layout",
-        of: |state| words::name(ARRANGEMENTS, state.preferred_layout().arrangement).into(),
-        apply: |state, value| put(&mut state.layout.arrangement, word(ARRANGEMENTS, value)),
+        of: |state| words::name(ARRANGEMENTS, state.model.preferred_layout().arrangement).into(),
+        apply: |state, value| put(&mut state.model.layout.arrangement, word(ARRANGEMENTS, value)),
     },
-    key!("pipeline", switch, layout.strip),
+    key!("pipeline", switch, model.layout.strip),
     Key {
         name: "digits",
-        of: |state| i64::try_from(state.settings.digits).unwrap_or_default().into(),
+        of: |state| i64::try_from(state.model.settings.digits).unwrap_or_default().into(),
         apply: |state, value| {
             let digits = value.as_integer().and_then(|digits| usize::try_from(digits).ok());
-            put(&mut state.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
+            put(&mut state.model.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
         },
     },
     // Width and height, whether it's maximized, and its corner, if that is known; empty: not known.
     Key {
         name: "window",
-        of: |state| state.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
+        of: |state| state.model.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
         apply: |state, value| {
             let numbers: Vec<i64> = value.as_array().into_iter().flatten().filter_map(Value::as_integer).collect();
-            put(&mut state.settings.window, window_of(&numbers).map(Some));
+            put(&mut state.model.settings.window, window_of(&numbers).map(Some));
         },
     },
-    key!("reduce_motion", switch, settings.reduce_motion),
-    key!("numbers", switch, settings.numbers_open),
-    key!("welcomed", switch, settings.welcomed),
+    key!("reduce_motion", switch, model.settings.reduce_motion),
+    key!("numbers", switch, model.settings.numbers_open),
+    key!("welcomed", switch, model.settings.welcomed),
     Key {
         name: LESSONS,
-        of: |state| lessons_value(&state.lessons_taken),
-        apply: |state, value| state.lessons_taken = lessons_taken(value),
+        of: |state| lessons_value(&state.learn.taken),
+        apply: |state, value| state.learn.taken = lessons_taken(value),
     },
     Key {
         name: LESSONS_DONE,
-        of: |state| done_value(&state.lessons_done),
-        apply: |state, value| state.lessons_done = lessons_done(value),
+        of: |state| done_value(&state.learn.done),
+        apply: |state, value| state.learn.done = lessons_done(value),
     },
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {
         name: "ndc",
-        of: |state| state.settings.conventions.ndc.name().into(),
-        apply: |state, value| put(&mut state.settings.conventions.ndc, ndc(value)),
+        of: |state| state.model.settings.conventions.ndc.name().into(),
+        apply: |state, value| put(&mut state.model.settings.conventions.ndc, ndc(value)),
     },
     // Empty: with none.
     Key {
         name: "compared_ndc",
-        of: |state| state.settings.conventions.compared.map_or("", Ndc::name).into(),
-        apply: |state, value| state.settings.conventions.compared = ndc(value),
+        of: |state| state.model.settings.conventions.compared.map_or("", Ndc::name).into(),
+        apply: |state, value| state.model.settings.conventions.compared = ndc(value),
     },
-    key!("row_vectors", switch, settings.conventions.row_vectors),
-    key!("left_handed_view", switch, settings.conventions.left_handed),
+    key!("row_vectors", switch, model.settings.conventions.row_vectors),
+    key!("left_handed_view", switch, model.settings.conventions.left_handed),
     Key {
         name: "gallery_folder",
         of: |state| state.gallery.folder().and_then(Path::to_str).unwrap_or_default().into(),
@@ -184,10 +185,10 @@ const KEYS: [Key; 42] = [
     // Empty: none.
     Key {
         name: "exercise_folder",
-        of: |state| state.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
+        of: |state| state.learn.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
         apply: |state, value| {
             let folder = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute());
-            state.exercises.look_into(folder);
+            state.learn.exercises.look_into(folder);
         },
     },
     key!("export_theme", one of THEMES, export.theme),
@@ -221,8 +222,16 @@ const KEYS: [Key; 42] = [
         },
     },
     // Keys or operations with their values; empty: none.
-    Key { name: "family", of: |state| family_of(state, 0), apply: |state, value| set_family(state, value, 0) },
-    Key { name: "family_rows", of: |state| family_of(state, 1), apply: |state, value| set_family(state, value, 1) },
+    Key {
+        name: "family",
+        of: |state| family_of(&state.family, 0),
+        apply: |state, value| set_family(&mut state.family, value, 0),
+    },
+    Key {
+        name: "family_rows",
+        of: |state| family_of(&state.family, 1),
+        apply: |state, value| set_family(&mut state.family, value, 1),
+    },
     // 0: as many as there is room for.
     Key {
         name: "family_columns",
@@ -261,18 +270,18 @@ fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
 }
 
 /// A key of the last family: its word, then its values.
-fn family_of(state: &State, place: usize) -> Plain<'_> {
-    let Varied { subject, values } = &state.family.remembered()[place];
+fn family_of(family: &FamilyChoice, place: usize) -> Plain<'_> {
+    let Varied { subject, values } = &family.remembered()[place];
     [subject.word().into(), Plain::from(values.clone())].into_iter().collect()
 }
 
-fn set_family(state: &mut State, value: &Value, place: usize) {
+fn set_family(family: &mut FamilyChoice, value: &Value, place: usize) {
     let texts: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     if let [word, values] = texts[..]
         && let Some(subject) = Subject::of_word(word)
         && values.chars().count() <= MAX_TYPED_NAME
     {
-        state.family.last[place] = Varied { subject, values: values.to_owned() };
+        family.last[place] = Varied { subject, values: values.to_owned() };
     }
 }
 
@@ -409,7 +418,7 @@ mod tests {
     use crate::gui::Start;
     use crate::gui::export::family_choice::FamilyChoice;
     use crate::gui::export::{Export, Paper};
-    use crate::gui::state::Conventions;
+    use crate::gui::model::conventions::Conventions;
     use crate::i18n::Lang;
     use crate::views::Arrangement;
 
@@ -426,22 +435,22 @@ mod tests {
     #[test]
     fn every_preference_comes_back() {
         let mut changed = state();
-        let settings = &mut changed.settings;
+        let settings = &mut changed.model.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
         (settings.welcomed, settings.numbers_open) = (true, true);
         settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
-        changed.lessons_taken.insert("basis".to_owned(), 2);
-        changed.lessons_done.insert("basis".to_owned(), [0, 2].into());
-        changed.layout.arrangement = Some(Arrangement::Beside);
-        changed.layout.strip = true;
+        changed.learn.taken.insert("basis".to_owned(), 2);
+        changed.learn.done.insert("basis".to_owned(), [0, 2].into());
+        changed.model.layout.arrangement = Some(Arrangement::Beside);
+        changed.model.layout.strip = true;
         changed.operations.convention = Convention::Vtk;
         let [ndc, compared] = [Ndc::ALL[9], Ndc::ALL[3]];
-        changed.settings.conventions =
+        changed.model.settings.conventions =
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
         changed.page_address = "https://example.org/lab/".to_owned();
-        changed.exercises.look_into(Some(PathBuf::from("/exercises")));
+        changed.learn.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, times, format) = (Theme::Light, Some(3), PictureFormat::WebP);
         changed.export = Export {
@@ -460,7 +469,7 @@ mod tests {
         changed.family.first.values = "20, 30".to_owned();
         changed.family.second.choose(Subject::Typed);
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
-        changed.explain.show(Explanation::Code);
+        changed.model.explained.show(Explanation::Code);
         let plain = state();
         let plain: BTreeMap<_, _> = values(&plain).collect();
         let told: BTreeMap<_, _> = values(&changed).collect();
@@ -470,7 +479,7 @@ mod tests {
         let mut back = state();
         apply(&document(&changed), &mut back);
         assert!(values(&back).eq(values(&changed)));
-        assert_eq!((back.settings, back.layout), (changed.settings, changed.layout));
+        assert_eq!((back.model.settings, back.model.layout), (changed.model.settings, changed.model.layout));
     }
 
     #[test]

@@ -12,7 +12,10 @@ use toml_edit::{DocumentMut, Value};
 use super::answers::{self, NOTHING};
 use super::shared_file::{Change, MAX_WAIT, SharedFile};
 use crate::exercises::Progress;
-use crate::gui::state::{Chosen, Done, Message, State, Typed};
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
+use crate::gui::model::Model;
+use crate::gui::model::message::Message;
 use crate::gui::storage::session::{Keeping, News};
 
 /// The progress of one window.
@@ -66,49 +69,49 @@ pub(super) struct KeptProgress {
 
 impl KeptProgress {
     /// Loads the file in `folder`, and the answers in `preferences` from before there was one.
-    pub(super) fn begin(folder: &Path, state: &mut State, preferences: &DocumentMut) -> Self {
+    pub(super) fn begin(folder: &Path, learn: &mut Learn, preferences: &DocumentMut) -> Self {
         let (file, content) =
             SharedFile::open(folder.join("progress.toml"), "progress", (Keeping::Progress, News::ProgressSetAside));
         if let Some((document, progress)) = content {
-            state.exercises.progress = progress;
+            learn.exercises.progress = progress;
             let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
-            state.exercises.typed.extend(typed);
+            learn.exercises.typed.extend(typed);
         }
-        let kept: BTreeMap<_, _> = answers::values(state).collect();
-        let values = (state.exercises.typed.clone(), kept.clone());
+        let kept: BTreeMap<_, _> = answers::values(learn).collect();
+        let values = (learn.exercises.typed.clone(), kept.clone());
         for (chosen, table) in answers::read(preferences) {
             if answers::is_solved(table) {
-                state.exercises.note(Done::WasSolved(chosen.id.clone()));
+                learn.exercises.note(Done::WasSolved(chosen.id.clone()));
             }
-            state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
+            learn.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
         }
-        state.exercises.file = Some(file.path.clone());
+        learn.exercises.file = Some(file.path.clone());
         Self { file, kept, values }
     }
 
     /// Saves the progress, beside the window's thread. A failed write is repeated with the next progress.
-    pub(super) fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
-        self.take(state, Duration::ZERO);
-        if std::mem::take(&mut state.exercises.forgets) {
-            self.forget(state);
+    pub(super) fn keep(&mut self, ctx: &egui::Context, model: &mut Model, learn: &mut Learn) {
+        self.take(learn, Duration::ZERO);
+        if std::mem::take(&mut learn.exercises.forgets) {
+            self.forget(model, learn);
             ctx.request_repaint();
         }
-        let job = self.job(state);
+        let job = self.job(learn);
         self.file.ask(ctx, job);
     }
 
     /// Saves the rest, before the window closes.
-    pub(super) fn finish(&mut self, state: &mut State) {
-        self.take(state, MAX_WAIT);
-        let job = self.job(state);
+    pub(super) fn finish(&mut self, learn: &mut Learn) {
+        self.take(learn, MAX_WAIT);
+        let job = self.job(learn);
         if let Some(progress) = self.file.finish(&job) {
-            self.took(state, job, progress);
+            self.took(learn, job, progress);
         }
     }
 
     /// True if all that was done is in the file.
-    pub(super) fn is_written(&mut self, state: &State) -> bool {
-        self.job(state).is_empty()
+    pub(super) fn is_written(&mut self, learn: &Learn) -> bool {
+        self.job(learn).is_empty()
     }
 
     /// Whether it cannot be saved.
@@ -122,40 +125,40 @@ impl KeptProgress {
     }
 
     /// The part that is not in the file yet.
-    fn job(&mut self, state: &State) -> ProgressJob {
-        if self.values.0 != state.exercises.typed {
-            self.values = (state.exercises.typed.clone(), answers::values(state).collect());
+    fn job(&mut self, learn: &Learn) -> ProgressJob {
+        if self.values.0 != learn.exercises.typed {
+            self.values = (learn.exercises.typed.clone(), answers::values(learn).collect());
         }
         let is_new = |(key, value): &(&String, &String)| self.kept.get(*key).map_or(NOTHING, String::as_str) != *value;
         let changed = self.values.1.iter().filter(is_new).map(|(key, value)| (key.clone(), value.clone())).collect();
-        ProgressJob { changed, done: state.exercises.unwritten.clone() }
+        ProgressJob { changed, done: learn.exercises.unwritten.clone() }
     }
 
     /// Takes the result of a write.
-    pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
+    pub(super) fn take(&mut self, learn: &mut Learn, patience: Duration) {
         if let Some((job, progress)) = self.file.take(patience) {
-            self.took(state, job, progress);
+            self.took(learn, job, progress);
         }
     }
 
-    fn took(&mut self, state: &mut State, job: ProgressJob, progress: Progress) {
+    fn took(&mut self, learn: &mut Learn, job: ProgressJob, progress: Progress) {
         self.kept.extend(job.changed);
-        let exercises = &mut state.exercises;
+        let exercises = &mut learn.exercises;
         exercises.unwritten.drain(..job.done.len().min(exercises.unwritten.len()));
         exercises.progress = progress;
         exercises.unwritten.iter().for_each(|done| done.note(&mut exercises.progress));
     }
 
     /// Forgets all of it. The file stays under another name, until that is done once more.
-    fn forget(&mut self, state: &mut State) {
-        self.take(state, MAX_WAIT);
+    fn forget(&mut self, model: &mut Model, learn: &mut Learn) {
+        self.take(learn, MAX_WAIT);
         let aside = self.file.path.with_extension("bak");
         match self.file.put_aside(&aside) {
-            Err(error) => return state.say(Message::File(self.file.path.clone(), error)),
-            Ok(true) => state.say(Message::ProgressDeleted(aside)),
+            Err(error) => return model.say(Message::File(self.file.path.clone(), error)),
+            Ok(true) => model.say(Message::ProgressDeleted(aside)),
             Ok(false) => {}
         }
-        state.exercises.forget();
+        learn.exercises.forget();
         self.kept.clear();
     }
 }

@@ -8,7 +8,8 @@ use eframe::egui;
 
 use super::store::tests::Folder;
 use crate::exercises::{Free, Stage, check, entry};
-use crate::gui::state::{Chosen, Done, State, Typed};
+use crate::gui::app::state::State;
+use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
 use crate::gui::storage::session::News;
 
 fn basis() -> Chosen {
@@ -31,11 +32,11 @@ fn mistaken(state: &mut State) {
     let exercise = entry.exercise(0, &Free::new());
     let ask = exercise.asks.iter().find(|ask| ask.name == "parallel_origin").unwrap();
     let judged = check(entry, &exercise, ask, "[3, 5, -1]").unwrap();
-    state.exercises.note(Done::Judged(exercise.clone().into(), judged.into(), 1_000));
+    state.learn.exercises.note(Done::Judged(exercise.clone().into(), judged.into(), 1_000));
 }
 
 fn times(state: &State) -> Vec<u32> {
-    state.exercises.progress.mistakes().map(|(_, made)| made.times).collect()
+    state.learn.exercises.progress.mistakes().map(|(_, made)| made.times).collect()
 }
 
 fn file(folder: &Folder, name: &str) -> String {
@@ -47,22 +48,22 @@ fn of_two_windows_nothing_is_lost() {
     let folder = Folder::new("progress-two");
     let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
     mistaken(&mut one);
-    one.exercises.typed.insert(basis(), typed("1/sqrt(3)"));
+    one.learn.exercises.typed.insert(basis(), typed("1/sqrt(3)"));
     of_one.keep(&egui::Context::default(), &mut one);
     of_one.finish(&mut one);
     mistaken(&mut two);
     mistaken(&mut two);
-    two.exercises.note(Done::WasSolved("window".to_owned()));
-    two.exercises.typed.insert(Chosen { seed: 4, ..basis() }, typed("2"));
+    two.learn.exercises.note(Done::WasSolved("window".to_owned()));
+    two.learn.exercises.typed.insert(Chosen { seed: 4, ..basis() }, typed("2"));
     of_two.keep(&egui::Context::default(), &mut two);
     of_two.finish(&mut two);
-    assert_eq!((times(&two), two.exercises.unwritten.len()), (vec![3], 0), "this window knows of the other one");
+    assert_eq!((times(&two), two.learn.exercises.unwritten.len()), (vec![3], 0), "this window knows of the other one");
     let (mut third, mut of_third) = folder.window();
-    assert_eq!((times(&third), third.exercises.stage("window")), (vec![3], Stage::Solved));
-    assert_eq!(third.exercises.typed[&basis()], typed("1/sqrt(3)"));
-    assert_eq!(third.exercises.typed.len(), 2);
+    assert_eq!((times(&third), third.learn.exercises.stage("window")), (vec![3], Stage::Solved));
+    assert_eq!(third.learn.exercises.typed[&basis()], typed("1/sqrt(3)"));
+    assert_eq!(third.learn.exercises.typed.len(), 2);
     // Answers taken back are removed from the file.
-    third.exercises.typed.insert(basis(), Typed::default());
+    third.learn.exercises.typed.insert(basis(), Typed::default());
     of_third.finish(&mut third);
     assert!(!file(&folder, "progress.toml").contains("basis 3"));
     assert_eq!(file(&folder, "preferences.toml"), "", "none of it is a preference");
@@ -75,24 +76,24 @@ fn what_preferences_kept_before_is_read_once() {
     let before = "digits = 7\n\"answers basis 3\" = { u = [\"1\", \"\"], \"is solved\" = true } \n";
     fs::write(folder.0.join("preferences.toml"), before).unwrap();
     let (mut state, mut preferences) = folder.window();
-    assert_eq!(state.exercises.typed[&basis()].answers["u"], ["1", ""]);
+    assert_eq!(state.learn.exercises.typed[&basis()].answers["u"], ["1", ""]);
     preferences.finish(&mut state);
     assert_eq!(file(&folder, "preferences.toml"), "digits = 7\n");
     let (mut next, mut preferences) = folder.window();
-    assert_eq!(next.exercises.stage("basis"), Stage::Solved);
-    assert_eq!(next.exercises.typed[&basis()].answers["u"], ["1", ""]);
+    assert_eq!(next.learn.exercises.stage("basis"), Stage::Solved);
+    assert_eq!(next.learn.exercises.typed[&basis()].answers["u"], ["1", ""]);
     // Deleted, it does not come back; the file stays under another name.
     let kept = file(&folder, "progress.toml");
-    next.exercises.forgets = true;
+    next.learn.exercises.forgets = true;
     preferences.keep(&egui::Context::default(), &mut next);
-    assert!(next.exercises.progress.is_empty() && next.exercises.typed.is_empty());
-    assert!(matches!(&next.message, Some(message) if !message.is_error()));
+    assert!(next.learn.exercises.progress.is_empty() && next.learn.exercises.typed.is_empty());
+    assert!(matches!(&next.model.message, Some(message) if !message.is_error()));
     assert_eq!((file(&folder, "progress.toml"), file(&folder, "progress.bak")), (String::new(), kept));
     // The same answer, typed again, is written again.
-    next.exercises.typed.insert(basis(), typed("1"));
+    next.learn.exercises.typed.insert(basis(), typed("1"));
     preferences.finish(&mut next);
     let (last, _) = folder.window();
-    assert_eq!((last.exercises.stage("basis"), last.exercises.typed.len()), (Stage::Begun, 1));
+    assert_eq!((last.learn.exercises.stage("basis"), last.learn.exercises.typed.len()), (Stage::Begun, 1));
 }
 
 #[test]

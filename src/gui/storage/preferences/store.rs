@@ -13,7 +13,8 @@ use super::shared_file::{Change, MAX_WAIT, SharedFile};
 use super::{LESSONS, LESSONS_DONE, RECENT, answers, apply, merged_done, merged_lessons, recent, values};
 use crate::files;
 use crate::gui::app::launch_options::LaunchOptions;
-use crate::gui::state::{State, merged};
+use crate::gui::app::state::State;
+use crate::gui::storage::recent::{Recent, merged};
 use crate::gui::storage::session::{Keeping, News};
 
 /// The changes of one window.
@@ -90,20 +91,20 @@ impl Preferences {
             (Keeping::Preferences, News::PreferencesSetAside),
         );
         // The figure that the window opens with may say how it is shown; that is no preference.
-        state.give_back_layout();
+        state.model.give_back_layout();
         if let Some(document) = &content {
             apply(document, state);
         }
         let kept_before = content.unwrap_or_default();
-        state.show_screen(state.document.figure().screen);
-        asked.apply(state);
-        let progress = KeptProgress::begin(folder, state, &kept_before);
+        state.model.show_screen(state.model.document.figure().screen);
+        asked.apply(&mut state.model);
+        let progress = KeptProgress::begin(folder, &mut state.learn, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state).map(|(key, value)| (key, value.into_owned())).collect();
         // A page may be somebody's figure in the middle of a text.
-        state.welcome = !state.settings.welcomed && !state.in_browser;
-        state.goes_on = state.settings.welcomed && !state.in_browser && !state.lessons_taken.is_empty();
+        state.learn.welcome = !state.model.settings.welcomed && !state.model.in_browser;
+        state.learn.goes_on = state.model.settings.welcomed && !state.model.in_browser && !state.learn.taken.is_empty();
         Self { file, kept, remembered, progress, has_answers }
     }
 
@@ -121,16 +122,16 @@ impl Preferences {
 
     /// Saves changes, beside the window's thread. A failed write is repeated with the next change.
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
-        self.progress.keep(ctx, state);
-        self.take(state, Duration::ZERO);
+        self.progress.keep(ctx, &mut state.model, &mut state.learn);
+        self.take(&mut state.recent, Duration::ZERO);
         let job = self.job(state);
         self.file.ask(ctx, job);
     }
 
     /// Saves the rest, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
-        self.progress.finish(state);
-        self.take(state, MAX_WAIT);
+        self.progress.finish(&mut state.learn);
+        self.take(&mut state.recent, MAX_WAIT);
         let job = self.job(state);
         self.file.finish(&job);
     }
@@ -152,18 +153,18 @@ impl Preferences {
     fn job(&mut self, state: &State) -> SettingsJob {
         let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value));
         let changed = changed.map(|(key, value)| (key, value.into_owned())).collect();
-        let answers_moved = self.has_answers && self.progress.is_written(state);
+        let answers_moved = self.has_answers && self.progress.is_written(&state.learn);
         SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
     }
 
     /// Takes the result of a write.
-    fn take(&mut self, state: &mut State, patience: Duration) {
+    fn take(&mut self, recent_state: &mut Recent, patience: Duration) {
         if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
             self.has_answers &= !answers_moved;
             self.remembered.extend(changed.keys().map(|key| (*key).to_owned()));
             self.kept.extend(changed);
-            state.recent.new.retain(|path| !opened.contains(path));
-            state.recent.files = merged(&state.recent.new, &recent);
+            recent_state.new.retain(|path| !opened.contains(path));
+            recent_state.files = merged(&recent_state.new, &recent);
         }
     }
 }
@@ -207,7 +208,7 @@ pub(super) mod tests {
 
     fn keep(preferences: &mut Preferences, state: &mut State) {
         preferences.keep(&egui::Context::default(), state);
-        preferences.take(state, Duration::from_secs(60));
+        preferences.take(&mut state.recent, Duration::from_secs(60));
     }
 
     #[test]
@@ -216,10 +217,10 @@ pub(super) mod tests {
         let (mut state, mut preferences) = folder.window();
         keep(&mut preferences, &mut state);
         assert_eq!(folder.text(), "");
-        state.settings.theme = Theme::Dark;
+        state.model.settings.theme = Theme::Dark;
         keep(&mut preferences, &mut state);
         assert_eq!(folder.text(), "theme = \"dark\"\n");
-        assert_eq!(folder.window().0.settings.theme, Theme::Dark);
+        assert_eq!(folder.window().0.model.settings.theme, Theme::Dark);
     }
 
     #[test]
@@ -228,20 +229,23 @@ pub(super) mod tests {
         fs::create_dir_all(&folder.0).unwrap();
         fs::write(folder.0.join("preferences.toml"), "# mine\nlater_key = [1, 2] # stays\ndigits = 7\n").unwrap();
         let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
-        assert_eq!((one.settings.digits, two.settings.digits), (7, 7));
-        one.settings.theme = Theme::Dark;
-        one.settings.digits = 9;
+        assert_eq!((one.model.settings.digits, two.model.settings.digits), (7, 7));
+        one.model.settings.theme = Theme::Dark;
+        one.model.settings.digits = 9;
         one.recent.add(Path::new("/one.toml"));
         keep(&mut of_one, &mut one);
-        two.settings.digits = 3;
-        two.layout.strip = true;
+        two.model.settings.digits = 3;
+        two.model.layout.strip = true;
         two.recent.add(Path::new("/two.toml"));
         keep(&mut of_two, &mut two);
         assert_eq!(two.recent.files, ["/two.toml", "/one.toml"].map(PathBuf::from));
         let text = folder.text();
         assert!(text.starts_with("# mine\nlater_key = [1, 2] # stays\n"), "{text}");
         let (third, _) = folder.window();
-        assert_eq!((third.settings.theme, third.settings.digits, third.layout.strip), (Theme::Dark, 3, true));
+        assert_eq!(
+            (third.model.settings.theme, third.model.settings.digits, third.model.layout.strip),
+            (Theme::Dark, 3, true)
+        );
         assert_eq!(third.recent.files, two.recent.files);
     }
 
@@ -250,13 +254,13 @@ pub(super) mod tests {
         let folder = Folder::new("lessons");
         let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
         let taken = |lessons: &[(&str, usize)]| lessons.iter().map(|(id, step)| ((*id).to_owned(), *step)).collect();
-        two.lessons_taken = taken(&[("cube", 2), ("camera", 6)]);
+        two.learn.taken = taken(&[("cube", 2), ("camera", 6)]);
         keep(&mut of_two, &mut two);
-        one.lessons_taken = taken(&[("camera", 3)]);
+        one.learn.taken = taken(&[("camera", 3)]);
         keep(&mut of_one, &mut one);
-        one.lessons_taken = taken(&[("camera", 4), ("basis", 1)]);
+        one.learn.taken = taken(&[("camera", 4), ("basis", 1)]);
         keep(&mut of_one, &mut one);
-        assert_eq!(folder.window().0.lessons_taken, taken(&[("basis", 1), ("camera", 6), ("cube", 2)]));
+        assert_eq!(folder.window().0.learn.taken, taken(&[("basis", 1), ("camera", 6), ("cube", 2)]));
     }
 
     #[test]
@@ -269,7 +273,7 @@ pub(super) mod tests {
             let news = preferences.news();
             let [News::PreferencesSetAside(aside)] = &news[..] else { panic!("{news:?}") };
             assert_eq!(fs::read(aside).unwrap(), bytes);
-            state.settings.digits = 4;
+            state.model.settings.digits = 4;
             preferences.finish(&mut state);
             assert_eq!(folder.text(), "digits = 4\n");
         }
@@ -290,13 +294,13 @@ pub(super) mod tests {
         for name in names {
             assert_eq!(fs::metadata(folder.0.join(format!("{name}.damaged"))).unwrap().len(), 200 << 20);
         }
-        state.settings.digits = 4;
+        state.model.settings.digits = 4;
         preferences.finish(&mut state);
         assert_eq!(folder.text(), "digits = 4\n");
         // A large and valid file is read.
         let text = format!("{}digits = 5\n", "# long\n".repeat(100_000));
         fs::write(folder.0.join("preferences.toml"), text).unwrap();
-        assert_eq!(folder.window().0.settings.digits, 5);
+        assert_eq!(folder.window().0.model.settings.digits, 5);
     }
 
     #[test]
@@ -305,7 +309,7 @@ pub(super) mod tests {
         let mut state = State::new(Start::default()).unwrap();
         let asked = LaunchOptions { lang: Some(Lang::PtBr), ..LaunchOptions::default() };
         let mut preferences = Preferences::begin(&folder.0, &mut state, asked);
-        assert_eq!(state.settings.lang, Lang::PtBr);
+        assert_eq!(state.model.settings.lang, Lang::PtBr);
         preferences.finish(&mut state);
         assert_eq!(folder.text(), "");
     }
@@ -315,14 +319,14 @@ pub(super) mod tests {
         let folder = Folder::new("follow");
         let (mut state, mut preferences) = folder.window();
         let follow = |preferences: &mut Preferences, state: &mut State, theme| {
-            preferences.follow(state, "theme", |state| state.settings.theme = theme);
+            preferences.follow(state, "theme", |state| state.model.settings.theme = theme);
             keep(preferences, state);
-            state.settings.theme
+            state.model.settings.theme
         };
         assert_eq!(follow(&mut preferences, &mut state, Theme::Dark), Theme::Dark);
         assert_eq!(folder.text(), "");
         assert_eq!(follow(&mut preferences, &mut state, Theme::Light), Theme::Light);
-        state.settings.theme = Theme::Dark;
+        state.model.settings.theme = Theme::Dark;
         assert_eq!(follow(&mut preferences, &mut state, Theme::Light), Theme::Dark);
         assert_eq!(folder.text(), "theme = \"dark\"\n");
         let (mut next, mut preferences) = folder.window();
@@ -336,7 +340,7 @@ pub(super) mod tests {
         let (mut state, mut preferences) = folder.window();
         assert!(matches!(&preferences.news()[..], [News::NotKept(_)]));
         let mut write = |digits| {
-            state.settings.digits = digits;
+            state.model.settings.digits = digits;
             keep(&mut preferences, &mut state);
             (preferences.news().len(), preferences.kept().collect::<Vec<_>>())
         };

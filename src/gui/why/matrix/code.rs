@@ -4,20 +4,21 @@ use eframe::egui::{self, FontId, TextStyle};
 
 use crate::explain::Setting;
 use crate::explain::code::CodeTarget;
-use crate::gui::inspector::choice;
+use crate::gui::kit::form::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::{code, dialects, explain};
 
 /// Shows the tab.
-pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let lang = state.settings.lang;
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
+    let lang = model.settings.lang;
     let t = explain::texts(lang);
     let targets = CodeTarget::ALL.map(|target| (target, target.name()));
-    let text = written(state);
+    let text = written(model, explain);
     ui.horizontal(|ui| {
-        choice(ui, t.code_for, t.code_hint, &mut state.explain.code, &targets);
+        choice(ui, t.code_for, t.code_hint, &mut explain.code, &targets);
         if ui.button(t.copy).explained(t.copy_code_hint).clicked() {
             ui.ctx().copy_text(text.clone());
         }
@@ -32,13 +33,13 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
 }
 
 /// The code for the camera as it is, in the language of the window.
-fn written(state: &State) -> String {
-    let camera = state.document.camera();
-    let figure = state.document.figure();
-    let target = state.explain.code;
+fn written(model: &Model, explain: &Explain) -> String {
+    let camera = model.document.camera();
+    let figure = model.document.figure();
+    let target = explain.code;
     if let Some(limitation) = target.limitation(camera) {
-        return dialects::limitation(state.settings.lang, limitation);
+        return dialects::limitation(model.settings.lang, limitation);
     }
     let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
-    target.code(&setting, &code::comments(state.settings.lang, target, &target.conventions(camera)))
+    target.code(&setting, &code::comments(model.settings.lang, target, &target.conventions(camera)))
 }

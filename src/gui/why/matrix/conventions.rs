@@ -3,17 +3,19 @@
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
-use crate::gui::inspector::{choice, complaint, row, values};
+use crate::gui::inspector::values;
+use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::conventions;
 use crate::i18n::why::conventions::{Texts, finite_instead};
 
 /// Shows the choices, and below them the numbers that depend on them.
-pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = conventions::texts(state.settings.lang);
-    let camera = state.document.camera();
-    let shown = &mut state.settings.conventions;
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
+    let t = conventions::texts(model.settings.lang);
+    let camera = model.document.camera();
+    let shown = &mut model.settings.conventions;
     let mut ndc = Some(shown.ndc);
     one(ui, t, (t.ndc, t.ndc_hint), &mut ndc, false);
     shown.ndc = ndc.unwrap_or_default();
@@ -33,7 +35,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
     }
     ui.separator();
     let compared = shown.compared;
-    values::list(ui, state, false, compared, |table| table.is_matrix());
+    values::list(ui, model, false, compared, |table| table.is_matrix());
 }
 
 /// A library, reversed, without a far plane; with `or_none` also none.

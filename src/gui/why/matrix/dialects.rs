@@ -7,27 +7,28 @@ use crate::camera::{Camera, Parameters, Projection};
 use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
 use crate::explain::{Axis, Component, Symbol};
 use crate::figure::Measured;
-use crate::gui::inspector::{complaint, section};
+use crate::gui::kit::context_help::{has_focus, help_topic, help_topic_row};
+use crate::gui::kit::form::{complaint, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::{has_focus, help_topic, help_topic_row};
+use crate::gui::model::Model;
 use crate::gui::why::measures::of_symbol;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::dialects;
 use crate::i18n::{messages, window};
 use crate::numbers::{is_rest, power_of_ten};
 
 /// Shows the tab.
-pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = dialects::texts(state.settings.lang);
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
+    let t = dialects::texts(model.settings.lang);
     for vocabulary in Vocabulary::ALL {
         let (title, id) = dialects::title(t.lang, vocabulary);
-        let title = section(ui, title, id, true, |ui| words(ui, state, vocabulary));
+        let title = section(ui, title, id, true, |ui| words(ui, model, explain, vocabulary));
         help_topic(&title, note_on_vocabulary(vocabulary));
     }
-    let title = section(ui, t.pasted, "pasted matrix", true, |ui| pasted_matrix::ui(ui, state));
-    help_topic(&title, note_on_matrix(state.explain.pasted.kind));
+    let title = section(ui, t.pasted, "pasted matrix", true, |ui| pasted_matrix::ui(ui, model, explain));
+    help_topic(&title, note_on_matrix(explain.pasted.kind));
 }
 
 /// The note on a vocabulary.
@@ -64,24 +65,24 @@ const fn note_on(quantity: CameraNumber, vocabulary: Vocabulary) -> &'static str
 }
 
 /// The lines of a vocabulary.
-fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
-    let lang = state.settings.lang;
-    let (camera, image) = (state.document.camera().clone(), state.document.figure().image);
+fn words(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, vocabulary: Vocabulary) {
+    let lang = model.settings.lang;
+    let (camera, image) = (model.document.camera().clone(), model.document.figure().image);
     let lines = match vocabulary.lines(&camera, image) {
         Ok(lines) => lines,
         Err(limitation) => {
             let said = dialects::limitation(lang, limitation);
             theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().weak_text_color());
             if limitation == Limitation::PerspectiveOnly {
-                to_perspective(ui, state, &camera);
+                to_perspective(ui, model, &camera);
             }
             return;
         }
     };
     for line in &lines {
-        let set = numbers(ui, state, vocabulary, line);
+        let set = numbers(ui, model, explain, vocabulary, line);
         let of_line = |quantity| line.arguments.iter().any(|argument| argument.quantity == quantity);
-        if let Some((of, quantity, _, error)) = &state.explain.refused
+        if let Some((of, quantity, _, error)) = &explain.refused
             && *of == vocabulary
             && of_line(*quantity)
         {
@@ -89,9 +90,9 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
         }
         if let Some((quantity, value)) = set {
             let parameters = vocabulary.set(&camera, image, quantity, value);
-            state.explain.refused = match Camera::new(&parameters) {
+            explain.refused = match Camera::new(&parameters) {
                 Ok(_) => {
-                    take(state, parameters);
+                    take(model, parameters);
                     None
                 }
                 Err(error) => Some((vocabulary, quantity, value, error)),
@@ -105,13 +106,13 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
 }
 
 /// A button that makes the camera a perspective one.
-fn to_perspective(ui: &mut egui::Ui, state: &mut State, camera: &Camera) {
-    let t = dialects::texts(state.settings.lang);
+fn to_perspective(ui: &mut egui::Ui, model: &mut Model, camera: &Camera) {
+    let t = dialects::texts(model.settings.lang);
     if ui.button(t.to_perspective).explained(t.to_perspective_hint).clicked() {
         match camera.with_projection(Projection::Perspective) {
-            Ok(camera) => state.document.set_camera(camera),
+            Ok(camera) => model.document.set_camera(camera),
             // What is impossible stays in the draft, with the reason beside its fields.
-            Err(_) => take(state, Parameters { projection: Projection::Perspective, ..*camera.parameters() }),
+            Err(_) => take(model, Parameters { projection: Projection::Perspective, ..*camera.parameters() }),
         }
     }
 }
@@ -122,7 +123,13 @@ const SYMBOL: f32 = 56.0;
 const IN_A_ROW: usize = 3;
 
 /// A line with a field for each number. Returns the one that was set.
-fn numbers(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary, line: &Line) -> Option<(CameraNumber, f64)> {
+fn numbers(
+    ui: &mut egui::Ui,
+    model: &mut Model,
+    explain: &Explain,
+    vocabulary: Vocabulary,
+    line: &Line,
+) -> Option<(CameraNumber, f64)> {
     let (mut set, mut error) = (None, None);
     let is_call = line.name.starts_with("gl");
     if is_call {
@@ -143,27 +150,27 @@ fn numbers(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary, line: &
                 ui.painter().galley(at, galley, ui.visuals().text_color());
             }
             for argument in row {
-                let shown = ui.scope(|ui| number(ui, state, vocabulary, line, argument, width));
+                let shown = ui.scope(|ui| number(ui, model, explain, vocabulary, line, argument, width));
                 let rect = shown.response.rect;
                 help_topic_row(ui, rect, note_on(argument.quantity, vocabulary));
                 let (value, output) = shown.inner;
                 // Another window can change the lines above, so a field that is dragged may leave the pointer.
                 if ui.rect_contains_pointer(rect) || has_focus(ui, rect) || output.held {
-                    light(state, argument.quantity);
+                    light(model, argument.quantity);
                 }
                 set = value.map(|value| (argument.quantity, value)).or(set);
                 error = output.error.or(error.take());
             }
         });
         if let Some(error) = error.take() {
-            complaint(ui, &error.text(state.settings.lang));
+            complaint(ui, &error.text(model.settings.lang));
         }
     }
     set
 }
 
 /// Lights up what a number moves: lengths and axes in the world, and entries of matrices that depend on them.
-fn light(state: &mut State, quantity: CameraNumber) {
+fn light(model: &mut Model, quantity: CameraNumber) {
     let symbols: &[Symbol] = match quantity {
         CameraNumber::Position(c) => &[Symbol::Position(c)],
         CameraNumber::FocalPoint(c) => &[Symbol::FocalPoint(c)],
@@ -182,32 +189,33 @@ fn light(state: &mut State, quantity: CameraNumber) {
         CameraNumber::PrincipalPoint(_) => &[Symbol::Bottom, Symbol::Top],
         CameraNumber::Translation(c) => {
             // u · C, v · C and n · C, but for their signs.
-            state.hover.measured.push(Measured::OriginAlong(c.index()));
+            model.hover.measured.push(Measured::OriginAlong(c.index()));
             &[]
         }
         CameraNumber::Direction(_) | CameraNumber::Fixed => &[],
     };
-    state.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
-    state.hover.pointed.extend_from_slice(symbols);
+    model.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
+    model.hover.pointed.extend_from_slice(symbols);
 }
 
 /// A number: a field, or a label where it cannot be set.
 fn number(
     ui: &mut egui::Ui,
-    state: &State,
+    model: &Model,
+    explain: &Explain,
     vocabulary: Vocabulary,
     line: &Line,
     argument: &Argument,
     width: f32,
 ) -> (Option<f64>, FieldOutput) {
-    let lang = state.settings.lang;
+    let lang = model.settings.lang;
     let t = dialects::texts(lang);
     // A name before the line is not repeated.
     let prefix = if line.name == argument.name { "" } else { argument.name };
     let greatest = line.arguments.iter().fold(0.0_f64, |greatest, a| greatest.max(a.value.abs()));
     if argument.quantity == CameraNumber::Fixed {
         let value = if is_rest(argument.value, greatest) { 0.0 } else { argument.value };
-        let text = format!("{prefix} {}", lang.mark().number(value, state.settings.digits));
+        let text = format!("{prefix} {}", lang.mark().number(value, model.settings.digits));
         let job = theme::lowered(ui, text.trim(), &egui::TextStyle::Body, ui.visuals().weak_text_color());
         let label = egui::Label::new(job).truncate();
         let label = ui.add_sized([width, ui.spacing().interact_size.y], label).explained(t.fixed_hint);
@@ -215,8 +223,7 @@ fn number(
         label.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &said));
         return (None, FieldOutput::default());
     }
-    let refused =
-        state.explain.refused.as_ref().filter(|refused| (refused.0, refused.1) == (vocabulary, argument.quantity));
+    let refused = explain.refused.as_ref().filter(|refused| (refused.0, refused.1) == (vocabulary, argument.quantity));
     let shown = refused.map_or(argument.value, |refused| refused.2);
     let mut value = shown;
     let step = power_of_ten(argument.value.abs().max(1e-6) / 5.0).unwrap_or(0.1).max(1e-9);

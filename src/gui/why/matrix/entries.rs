@@ -6,8 +6,8 @@ use eframe::egui::{
 };
 
 use crate::gui::inspector::values::brackets;
+use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::Formula;
-use crate::gui::why::context_help::help_topic;
 
 /// An entry as it is written.
 #[derive(Clone, Debug)]

@@ -7,15 +7,16 @@ use eframe::egui::{self, RichText, Ui};
 use super::entries::{self, Cell};
 use crate::camera::{Ndc, Projection};
 use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
-use crate::gui::inspector::erratum;
+use crate::gui::kit::context_help::help_topic;
+use crate::gui::kit::form::erratum;
 use crate::gui::kit::mathematics::Both;
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{Matrices, Reading, State};
+use crate::gui::kit::{prose, theme};
+use crate::gui::model::Model;
+use crate::gui::model::matrices::{Matrices, Reading};
 use crate::gui::why::answer;
 use crate::gui::why::answer::Writing;
-use crate::gui::why::context_help::help_topic;
+use crate::gui::why::state::explain::Explain;
 use crate::gui::why::subject::ExplainedSetting;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;
@@ -24,12 +25,12 @@ use crate::i18n::window;
 use crate::numbers::without_rests;
 
 /// Shows the tab.
-pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
-    let t = words::texts(state.settings.lang);
-    choices(ui, t, &mut state.explain.matrices);
-    let subject = ExplainedSetting::of(state);
-    let matrix = state.explain.matrices.shown();
-    if state.explain.matrices.matrix == Matrix::Model {
+pub(in crate::gui::why) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
+    let t = words::texts(model.settings.lang);
+    choices(ui, t, &mut model.explained.matrices);
+    let subject = ExplainedSetting::of(model);
+    let matrix = model.explained.matrices.shown();
+    if model.explained.matrices.matrix == Matrix::Model {
         match &subject.object {
             None => {
                 ui.label(t.select_object);
@@ -38,46 +39,46 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
             Some((name, _)) => drop(ui.label(crate::sanitize::escaped(name))),
         }
     }
-    let setting = subject.setting(state);
+    let setting = subject.setting(model);
     let formulas = MatrixFormula::new(matrix, &setting);
-    heading(ui, state, &setting, &formulas);
-    let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
-    let values = values(&setting, matrix, state.settings.digits);
+    heading(ui, model, &setting, &formulas);
+    let writing = Writing { setting: &setting, lang: model.settings.lang, digits: model.settings.digits };
+    let values = values(&setting, matrix, model.settings.digits);
     if values.iter().flatten().any(|value| !value.is_finite()) {
         ui.label(t.no_inverse);
         return;
     }
     let now = ui.input(|input| input.time);
-    let object = subject.object.as_ref().filter(|_| state.explain.matrices.matrix == Matrix::Model);
-    state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
-    let (reading, glow) = (state.explain.matrices.reading, &state.explain.matrices.glow);
+    let object = subject.object.as_ref().filter(|_| model.explained.matrices.matrix == Matrix::Model);
+    model.explained.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
+    let (reading, glow) = (model.explained.matrices.reading, &model.explained.matrices.glow);
     let written = (matrix.text(), &formulas.entries, reading);
-    let cells = cells(state, writing, written, &values, |entry| glow.strength(entry, now));
-    let Matrices { entry, wants_focus, .. } = state.explain.matrices;
+    let cells = cells(model, writing, written, &values, |entry| glow.strength(entry, now));
+    let Matrices { entry, wants_focus, .. } = model.explained.matrices;
     let pointed = entries::show(ui, &cells, (entry, wants_focus), note_on(&formulas));
-    state.explain.matrices.wants_focus = false;
+    model.explained.matrices.wants_focus = false;
     if let Some(chosen) = pointed.chosen {
-        state.explain.matrices.entry = chosen;
+        model.explained.matrices.entry = chosen;
     }
-    if state.explain.matrices.glow.is_seen(now) {
-        ui.ctx().request_repaint_after(Duration::from_millis(if state.settings.reduce_motion { 250 } else { 40 }));
+    if model.explained.matrices.glow.is_seen(now) {
+        ui.ctx().request_repaint_after(Duration::from_millis(if model.settings.reduce_motion { 250 } else { 40 }));
     }
     copy(ui, t, matrix, &cells);
     ui.separator();
-    let [row, column] = pointed.hovered.unwrap_or(state.explain.matrices.entry);
+    let [row, column] = pointed.hovered.unwrap_or(model.explained.matrices.entry);
     let name = entry_name(matrix, row, column);
     let place = words::entry(t.lang, matrix.text(), row, column);
     let heading = theme::lowered(ui, &place, &egui::TextStyle::Body, ui.visuals().strong_text_color());
     ui.label(heading).accessible_name(place);
     let formula = formulas.entry(row, column);
-    let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
+    let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut model.explained.matrices);
     let lights = answer::lights(formula, lit);
     if let Some(why) = entry_reasons::reason(t.lang, matrix, &setting, [row, column]) {
         ui.add_space(4.0);
         prose::show(ui, &why);
     }
-    used_in(ui, state, &setting, writing, (matrix, row, column));
-    state.hover.measured.extend(lights);
+    used_in(ui, model, &setting, writing, (matrix, row, column));
+    model.hover.measured.extend(lights);
 }
 
 /// The note on the equation in force; where there is none, on the matrix.
@@ -88,13 +89,13 @@ fn note_on(formulas: &MatrixFormula) -> &'static str {
 /// The term with an entry in the trace of the followed point, with its numbers, in its row.
 fn used_in(
     ui: &mut Ui,
-    state: &State,
+    model: &Model,
     setting: &Setting<'_>,
     writing: Writing<'_>,
     (matrix, row, column): (Matrix, usize, usize),
 ) {
-    let points = &state.document.figure().points;
-    let Some(point) = state.follow.index(points).and_then(|index| points.get(index)) else { return };
+    let points = &model.document.figure().points;
+    let Some(point) = model.follow.index(points).and_then(|index| points.get(index)) else { return };
     let followed = setting.clone().with_point_seen_from_object(point.position);
     for step in forward(&followed).into_iter().filter(|step| step.by == Some(matrix)) {
         let (Some(symbol), Some(formula), Some(value)) =
@@ -151,8 +152,8 @@ fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
 }
 
 /// The matrix, the equation in force and its place, and the errata of the notes.
-fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixFormula) {
-    let lang = state.settings.lang;
+fn heading(ui: &mut Ui, model: &Model, setting: &Setting<'_>, formulas: &MatrixFormula) {
+    let lang = model.settings.lang;
     let (t, ndc) = (window::texts(lang), setting.space().ndc());
     ui.horizontal_wrapped(|ui| {
         ui.label(words::matrix(lang, formulas.matrix));
@@ -167,7 +168,7 @@ fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixF
             erratum(ui, t, t.erratum_parallel);
         }
     });
-    let shown = state.settings.conventions;
+    let shown = model.settings.conventions;
     if shown.row_vectors || shown.left_handed {
         ui.label(RichText::new(words::texts(lang).as_in_the_notes).small().weak());
     }
@@ -200,13 +201,13 @@ fn entry_name(matrix: Matrix, row: usize, column: usize) -> Both {
 
 /// The entries of the matrix called `name` as they are written; `glow` is the strength of an entry's glow, 0 … 1.
 pub(in crate::gui::why) fn cells(
-    state: &State,
+    model: &Model,
     writing: Writing<'_>,
     (name, formulas, reading): (&str, &EntryFormula, Reading),
     values: &[[f64; 4]; 4],
     glow: impl Fn([usize; 2]) -> f64,
 ) -> [[Cell; 4]; 4] {
-    let pointed = &state.hover.pointed;
+    let pointed = &model.hover.pointed;
     let depends = |formula: &Formula| {
         !pointed.is_empty() && leaves(formula, writing.setting).iter().any(|symbol| pointed.contains(symbol))
     };
@@ -221,7 +222,7 @@ pub(in crate::gui::why) fn cells(
             let name = format!("{}: {text}", words::entry(writing.lang, name, i, j));
             let strength = glow([i, j]);
             #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
-            let glow = if state.settings.reduce_motion { strength.ceil() } else { strength } as f32;
+            let glow = if model.settings.reduce_motion { strength.ceil() } else { strength } as f32;
             Cell { latex, text, name, depends: depends(formula), glow }
         })
     })

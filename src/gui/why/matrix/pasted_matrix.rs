@@ -7,13 +7,14 @@ use crate::camera::{
     RecoveryError, Stated, camera_names, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
-use crate::gui::inspector::{choice, complaint, row};
+use crate::gui::kit::context_help::help_topic;
+use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::gui::why::context_help::help_topic;
+use crate::gui::model::Model;
+use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::conventions;
 use crate::i18n::why::dialects;
 use crate::i18n::why::dialects::Texts;
@@ -34,19 +35,19 @@ pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'s
 }
 
 /// Takes parameters over. Where they have an aspect of their own, it no longer follows the image.
-pub(in crate::gui::why) fn take(state: &mut State, parameters: Parameters) {
-    let own = parameters.window.is_none() && parameters.aspect.to_bits() != state.document.draft().aspect.to_bits();
-    state.settings.aspect_follows_image &= !own;
-    state.document.set_parameters(parameters);
+pub(in crate::gui::why) fn take(model: &mut Model, parameters: Parameters) {
+    let own = parameters.window.is_none() && parameters.aspect.to_bits() != model.document.draft().aspect.to_bits();
+    model.settings.aspect_follows_image &= !own;
+    model.document.set_parameters(parameters);
 }
 
 /// Shows a field for a matrix, and the camera that has it.
-pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let lang = state.settings.lang;
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
+    let lang = model.settings.lang;
     let t = dialects::texts(lang);
     ui.label(RichText::new(t.pasted_hint).weak());
-    choices(ui, state, t);
-    let pasted = &mut state.explain.pasted;
+    choices(ui, explain, t);
+    let pasted = &mut explain.pasted;
     let hint = "1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 0 1";
     let field = TextField::lines(&mut pasted.text, MAX_ANSWER).with(|edit| {
         let edit = edit.desired_rows(4).desired_width(f32::INFINITY);
@@ -64,35 +65,35 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
         Ok(cameras) => cameras,
         Err(fault) => return complaint(ui, &dialects::unreadable(lang, &fault)),
     };
-    which_camera(ui, state, t, &camera_names(&cameras));
-    let Some(camera) = cameras.get(state.explain.pasted.camera).or(cameras.first()) else { return };
-    let mut stated = stated(state);
-    stated.image = state.explain.pasted.image.or(camera.image).unwrap_or(stated.image);
-    match recognise(camera, &stated, state.document.draft()) {
-        Err(error) => refused(ui, state, camera, &stated, &error),
-        Ok(found) => recognised(ui, state, t, &found),
+    which_camera(ui, explain, t, &camera_names(&cameras));
+    let Some(camera) = cameras.get(explain.pasted.camera).or(cameras.first()) else { return };
+    let mut stated = stated(model, explain);
+    stated.image = explain.pasted.image.or(camera.image).unwrap_or(stated.image);
+    match recognise(camera, &stated, model.document.draft()) {
+        Err(error) => refused(ui, model, explain, camera, &stated, &error),
+        Ok(found) => recognised(ui, model, explain, t, &found),
     }
     if cameras.len() > 1 && ui.button(t.take_all).explained(t.take_all_hint).clicked() {
-        take_all(state, &cameras, &stated);
+        take_all(model, explain, &cameras, &stated);
     }
 }
 
 /// Makes the first camera that of the figure, and the others its list.
-fn take_all(state: &mut State, cameras: &[Pasted], stated: &Stated) {
+fn take_all(model: &mut Model, explain: &Explain, cameras: &[Pasted], stated: &Stated) {
     let Some(first) = cameras.first() else { return };
-    let image = state.explain.pasted.image.or(first.image).unwrap_or(stated.image);
+    let image = explain.pasted.image.or(first.image).unwrap_or(stated.image);
     let stated = Stated { image, ..*stated };
-    let Ok(found) = recognise(first, &stated, state.document.draft()) else { return };
-    if first.image.is_some() && image != state.document.figure().image {
-        state.document.edit(|figure| figure.image = image);
+    let Ok(found) = recognise(first, &stated, model.document.draft()) else { return };
+    if first.image.is_some() && image != model.document.figure().image {
+        model.document.edit(|figure| figure.image = image);
     }
-    take(state, found.best().found.parameters);
-    state.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
+    take(model, found.best().found.parameters);
+    model.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
 }
 
 /// A choice among the cameras of a file. A text with one camera has none.
-fn which_camera(ui: &mut egui::Ui, state: &mut State, t: &Texts, names: &[String]) {
-    let chosen = &mut state.explain.pasted.camera;
+fn which_camera(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts, names: &[String]) {
+    let chosen = &mut explain.pasted.camera;
     if *chosen >= names.len() {
         *chosen = 0;
     }
@@ -105,22 +106,22 @@ fn which_camera(ui: &mut egui::Ui, state: &mut State, t: &Texts, names: &[String
 }
 
 /// The part of the reading that is chosen.
-fn stated(state: &State) -> Stated {
-    let pasted = &state.explain.pasted;
-    let ndc = state.settings.conventions.ndc;
+fn stated(model: &Model, explain: &Explain) -> Stated {
+    let pasted = &explain.pasted;
+    let ndc = model.settings.conventions.ndc;
     Stated {
         kind: pasted.kind,
         axes: pasted.axes.filter(|_| pasted.kind.is_none_or(MatrixKind::has_pose)),
         by_columns: pasted.transposed,
         // That of OpenGL is the one you have if you chose none.
         ndc: (ndc != Ndc::default()).then(|| ndc.into()),
-        image: pasted.image.unwrap_or(state.document.figure().image),
+        image: pasted.image.unwrap_or(model.document.figure().image),
     }
 }
 
 /// Its kind, its axes, and how it is written.
-fn choices(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let pasted = &mut state.explain.pasted;
+fn choices(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts) {
+    let pasted = &mut explain.pasted;
     let mut kinds = vec![(None, t.recognise)];
     kinds.extend(MatrixKind::ALL.map(|kind| (Some(kind), dialects::kind(t.lang, kind))));
     row(ui, "", t.kind, t.kind_hint, |ui| choice(ui, t.kind, t.kind_hint, &mut pasted.kind, &kinds));
@@ -134,26 +135,33 @@ fn choices(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
 }
 
 /// Why it is not the matrix of a camera, and as what it would be.
-fn refused(ui: &mut egui::Ui, state: &mut State, camera: &Pasted, stated: &Stated, error: &RecoveryError) {
-    let lang = state.settings.lang;
+fn refused(
+    ui: &mut egui::Ui,
+    model: &Model,
+    explain: &mut Explain,
+    camera: &Pasted,
+    stated: &Stated,
+    error: &RecoveryError,
+) {
+    let lang = model.settings.lang;
     complaint(ui, &dialects::recovery_error(lang, error));
     if matches!(error, RecoveryError::Depths { .. }) || stated.kind.is_none() {
         return;
     }
     // The other way of writing matrices is the usual reason, the kind the next one.
     let turned = Stated { by_columns: !stated.by_columns, ..*stated };
-    if recognise(camera, &turned, state.document.draft()).is_ok() {
+    if recognise(camera, &turned, model.document.draft()).is_ok() {
         ui.label(dialects::texts(lang).try_transposed);
         return;
     }
     let open = Stated { kind: None, axes: None, by_columns: false, ..*stated };
-    if let Ok(found) = recognise(camera, &open, state.document.draft()) {
-        read_as(ui, state, &[found.best().reading.kind]);
+    if let Ok(found) = recognise(camera, &open, model.document.draft()) {
+        read_as(ui, model, explain, &[found.best().reading.kind]);
     }
 }
 
 /// How it was read, what it leaves open, and its camera.
-fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognised) {
+fn recognised(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, t: &Texts, found: &Recognised) {
     let (lang, best) = (t.lang, found.best());
     let reading = best.reading;
     ui.label(dialects::reading(lang, best, found.evidence));
@@ -168,21 +176,21 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
     for assumed in found.assumed.iter().filter(|assumed| !matches!(assumed, Assumed::Kind(_))) {
         note(ui, &format!("• {}", dialects::assumed(lang, found, *assumed)));
     }
-    read_as(ui, state, &found.others);
+    read_as(ui, model, explain, &found.others);
     if reading.kind.has_pixels() {
-        image(ui, state, t);
+        image(ui, model, explain, t);
     }
     for unknown in &best.found.unknown {
         note(ui, &format!("• {}", dialects::unknown(lang, *unknown)));
     }
     if let Ok(camera) = Camera::new(&best.found.parameters) {
-        camera_found(ui, state, &camera, &reading);
+        camera_found(ui, model, &camera, &reading);
     }
     if ui.button(t.take).explained(t.take_hint).clicked() {
-        if reading.kind.has_pixels() && reading.image != state.document.figure().image {
-            state.document.edit(|figure| figure.image = reading.image);
+        if reading.kind.has_pixels() && reading.image != model.document.figure().image {
+            model.document.edit(|figure| figure.image = reading.image);
         }
-        take(state, best.found.parameters);
+        take(model, best.found.parameters);
     }
 }
 
@@ -194,8 +202,8 @@ fn note(ui: &mut egui::Ui, text: &str) {
 }
 
 /// A button for each other kind as which it gives a camera.
-fn read_as(ui: &mut egui::Ui, state: &mut State, others: &[MatrixKind]) {
-    let t = dialects::texts(state.settings.lang);
+fn read_as(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, others: &[MatrixKind]) {
+    let t = dialects::texts(model.settings.lang);
     if others.is_empty() {
         return;
     }
@@ -203,16 +211,16 @@ fn read_as(ui: &mut egui::Ui, state: &mut State, others: &[MatrixKind]) {
         ui.label(t.instead);
         for kind in others {
             if ui.button(dialects::kind(t.lang, *kind)).explained(t.instead_hint).clicked() {
-                state.explain.pasted.kind = Some(*kind);
+                explain.pasted.kind = Some(*kind);
             }
         }
     });
 }
 
 /// The size of the image that K is for.
-fn image(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
-    let own = state.document.figure().image;
-    let old = state.explain.pasted.image.unwrap_or(own);
+fn image(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, t: &Texts) {
+    let own = model.document.figure().image;
+    let old = explain.pasted.image.unwrap_or(own);
     let mut sides = [old.width, old.height].map(f64::from);
     row(ui, "m × n", t.image, t.image_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -231,13 +239,13 @@ fn image(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let [width, height] = sides.map(|side| side as u32);
     let new = ImageSize { width, height };
     if new != old {
-        state.explain.pasted.image = (new != own).then_some(new);
+        explain.pasted.image = (new != own).then_some(new);
     }
 }
 
 /// C, DOP and, for K, its numbers: to be compared with those of the program.
-fn camera_found(ui: &mut egui::Ui, state: &State, camera: &Camera, reading: &Reading) {
-    let (mark, digits) = (state.settings.lang.mark(), state.settings.digits);
+fn camera_found(ui: &mut egui::Ui, model: &Model, camera: &Camera, reading: &Reading) {
+    let (mark, digits) = (model.settings.lang.mark(), model.settings.digits);
     let mut lines = Vec::new();
     if reading.kind.has_pose() {
         for (name, vector) in [("C", camera.position()), ("DOP", camera.direction_of_projection())] {

@@ -1,8 +1,9 @@
 //! The explanation of order. The list of transforms, and how it is read.
 
+use glam::DVec3;
+
 use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
 use crate::scene::transform::Trs;
-use glam::DVec3;
 
 /// A call of the list, known by a number that it keeps wherever it goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +15,7 @@ pub struct ListedCall {
 
 /// The owner of a list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Own {
+pub(crate) struct Own {
     /// The name of the object; `None` means it is an example.
     pub object: Option<String>,
     /// Its own transform, as the figure has it.

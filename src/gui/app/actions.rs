@@ -1,0 +1,51 @@
+//! What features have asked of each other in a frame.
+
+use eframe::egui::Context;
+
+use super::state::State;
+use crate::gui::files::file_flow::{ask, begin};
+use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::model::action::{Action, AfterSave};
+use crate::gui::pictures::photograph::tool::PhotographTool;
+
+/// Does what has been asked since the last call.
+pub(super) fn perform(ctx: &Context, state: &mut State) {
+    for action in std::mem::take(&mut state.model.actions) {
+        ctx.request_repaint();
+        let open = |state: &mut State, dialog| state.file_flow.dialog = Some(dialog);
+        match action {
+            Action::Mesh(mesh) => ask(ctx, state, Purpose::Mesh(mesh)),
+            Action::Texture(object) => ask(ctx, state, Purpose::Texture(object)),
+            Action::Photograph => ask(ctx, state, Purpose::Photograph),
+            Action::CompareWith => ask(ctx, state, Purpose::CompareWith),
+            Action::Animation(way) => ask(ctx, state, Purpose::Animation(way)),
+            Action::Chart(chart) => ask(ctx, state, Purpose::Chart(chart)),
+            Action::Progress => ask(ctx, state, Purpose::Progress),
+            Action::Exercises => ask(ctx, state, Purpose::Exercises),
+            Action::Begin(next) => begin(ctx, state, next),
+            Action::ForgetFigure => {
+                (state.file_flow.theirs, state.file_flow.decided) = (None, None);
+                state.cameras = CameraList::default();
+                state.photograph = PhotographTool::default();
+            }
+            Action::Offered(open) => {
+                begin(ctx, state, AfterSave::Lesson(open));
+                // It stays if the question about changes does.
+                if state.learn.lesson.is_some() {
+                    state.learn.take_offer(&mut state.model);
+                }
+            }
+            Action::Lessons => open(state, Dialog::Lessons),
+            Action::Note(note) => state.explain.explain_by_note(&mut state.model, note),
+            Action::Delete { names, below } => open(state, Dialog::Delete { names, below }),
+            Action::DeleteProgress => open(state, Dialog::DeleteProgress),
+            Action::Coach => open(state, Dialog::Coach),
+            Action::Compare => {
+                let form = CompareForm::of(state.model.document.figure());
+                open(state, Dialog::Compare(form));
+            }
+        }
+    }
+}

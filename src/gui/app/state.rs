@@ -1,0 +1,140 @@
+//! Everything the window knows: the model, and the state of each feature.
+
+use std::sync::Arc;
+
+use crate::camera::CameraError;
+use crate::figure::Figure;
+use crate::files::{SourceFile, figure_from};
+use crate::gui::Start;
+use crate::gui::app::annotations::Annotations;
+use crate::gui::app::search_state::Search;
+use crate::gui::background::memo::Memo;
+use crate::gui::export::Export;
+use crate::gui::export::family_choice::FamilyChoice;
+use crate::gui::files::questions::FileFlow;
+use crate::gui::gallery::Gallery;
+use crate::gui::inspector::state::cameras::CameraList;
+use crate::gui::inspector::state::coach::Coach;
+use crate::gui::inspector::state::operations::Operations;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::document::Document;
+use crate::gui::pictures::labels::label_mode::LabelMode;
+use crate::gui::pictures::photograph::tool::PhotographTool;
+use crate::gui::storage::recent::Recent;
+use crate::gui::why::state::explain::Explain;
+use crate::gui::why::state::numerics::Numerics;
+use crate::share::ShareError;
+use crate::views::View;
+
+/// Everything the window knows.
+#[derive(Debug)]
+pub struct State {
+    /// What every feature may use.
+    pub model: Model,
+    /// The panel of operations.
+    pub operations: Operations,
+    /// Files and the questions about them.
+    pub file_flow: FileFlow,
+    /// The address of that page, where others can open it too.
+    pub own_address: Option<String>,
+    /// The address of a page with this program, for links, as entered by the user.
+    pub page_address: String,
+    /// The files that were opened or saved last.
+    pub recent: Recent,
+    /// The figures that one can begin with.
+    pub gallery: Gallery,
+    /// The search for anything.
+    pub search: Search,
+    /// The last export settings.
+    pub export: Export,
+    /// The family that is exported.
+    pub family: FamilyChoice,
+    /// The figure whose camera was kept as A.
+    pub camera_a: Option<Arc<Figure>>,
+    /// Annotations over the pictures.
+    pub annotations: Annotations,
+    /// The mode in which labels are the author's.
+    pub label_mode: LabelMode,
+    /// The lines on the photograph, which say where its camera was.
+    pub photograph: PhotographTool,
+    /// The studies of error against run time.
+    pub numerics: Numerics,
+    /// The side of explanations.
+    pub explain: Explain,
+    /// Exercises and lessons.
+    pub learn: Learn,
+    /// The list of cameras.
+    pub cameras: CameraList,
+    /// The link that a dialog shows.
+    /// By the address, and whether it holds a whole lesson. Made when the dialog is opened, since nothing behind it
+    /// changes.
+    pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
+    /// The faults of the picture, and the health of the camera.
+    pub coach: Coach,
+}
+
+/// The document at the start. Operations of the command line are a change of the figure in the file. They can be
+/// undone, and closing the window asks about them.
+fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
+    let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
+    let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
+        return Document::new(figure, file);
+    };
+    let mut document = Document::new(in_file, file)?;
+    document.replace(figure)?;
+    Ok(document)
+}
+
+impl State {
+    /// The state in which the window opens.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the figure's camera is impossible.
+    pub fn new(start: Start) -> Result<Self, CameraError> {
+        let image = start.figure.image;
+        let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
+        let mut document = begin(start.figure, start.file)?;
+        if start.allow_files {
+            document.allow_files();
+        }
+        let screen = document.figure().screen;
+        let mut state = Self {
+            model: Model::new(document, start.lang, square),
+            own_address: None,
+            page_address: String::new(),
+            operations: Operations::default(),
+            file_flow: FileFlow::new(true),
+            recent: Recent::default(),
+            gallery: Gallery::default(),
+            search: Search::default(),
+            export: Export::new([[640, 480]; View::COUNT], 1.0),
+            family: FamilyChoice::default(),
+            camera_a: None,
+            annotations: Annotations::default(),
+            label_mode: LabelMode::default(),
+            photograph: PhotographTool::default(),
+            numerics: Numerics::default(),
+            explain: Explain::default(),
+            learn: Learn::default(),
+            cameras: CameraList::default(),
+            shown_link: Memo::default(),
+            coach: Coach::default(),
+        };
+        state.model.show_screen(screen);
+        if let Some(open) = start.lesson {
+            state.learn.play(&mut state.model, open);
+            state.model.actions.clear();
+        }
+        Ok(state)
+    }
+
+    /// Whether closing the window would lose something.
+    #[must_use]
+    pub fn would_lose_something(&self) -> bool {
+        self.learn.has_unsaved(&self.model)
+            || self.learn.unsaved_text().is_some()
+            || !self.learn.held_documents(&self.model).is_empty()
+            || !self.file_flow.exporting.is_empty()
+    }
+}

@@ -1,0 +1,99 @@
+//! What a feature asks of another one.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use crate::camera::Decomposition;
+use crate::export::plot::Block;
+use crate::lessons::OpenLesson;
+
+/// What a feature asks of another one. The window does it once the panels of the frame are drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Ask for a mesh.
+    Mesh(MeshFor),
+    /// Ask for a texture for the object of this name.
+    Texture(String),
+    /// Ask for a photograph.
+    Photograph,
+    /// Ask for a figure to compare with.
+    CompareWith,
+    /// Ask where to write the way to the canonical volume, by these steps.
+    Animation(Decomposition),
+    /// Ask where to write a chart.
+    Chart(Box<Block>),
+    /// Ask where to write the progress in exercises.
+    Progress,
+    /// Ask for a folder of exercises.
+    Exercises,
+    /// Do this once nothing can be lost any more.
+    Begin(AfterSave),
+    /// Play the lesson that the line above the window offers.
+    Offered(OpenLesson),
+    /// Ask whether the objects below those that are deleted go too.
+    Delete {
+        /// Their names.
+        names: BTreeSet<String>,
+        /// Number of other objects below them.
+        below: usize,
+    },
+    /// Ask whether the progress in exercises is to be deleted.
+    DeleteProgress,
+    /// Show the camera check.
+    Coach,
+    /// Forget what belonged to the figure before this one.
+    ForgetFigure,
+    /// Show the comparison.
+    Compare,
+    /// Show the list of lessons.
+    Lessons,
+    /// Show a note.
+    Note(&'static str),
+}
+
+/// An action to be done once nothing can be lost any more.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum AfterSave {
+    /// The default figure.
+    New,
+    /// Ask for a file and open it.
+    Open,
+    /// Open this file.
+    OpenPath(PathBuf),
+    /// Open the figure of the program with this name.
+    Shipped(&'static str),
+    /// Open the figure of this text.
+    Text(String),
+    /// Play this lesson.
+    Lesson(OpenLesson),
+    /// End the lesson. The figure of its step stays.
+    LeaveLesson,
+    /// Write the lesson to which steps were added last.
+    WriteRecorded,
+    /// Read the file of the lesson that is written again.
+    ReadLesson,
+    /// Read the figure's own file again.
+    Reload,
+    /// Restore the session of this slot.
+    Restore(usize),
+    /// Close the window.
+    Quit,
+}
+
+impl AfterSave {
+    /// True if the figure of the window is lost with it.
+    #[must_use]
+    pub fn replaces_figure(&self) -> bool {
+        // Work in the steps of a lesson is kept where its file is read again.
+        !matches!(self, Self::LeaveLesson | Self::ReadLesson)
+    }
+}
+
+/// The use of a mesh file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeshFor {
+    /// A new object.
+    New,
+    /// This object, by name.
+    Object(String),
+}

@@ -1,0 +1,100 @@
+//! What the explanations share with the pictures and with figure files: which is shown, its matrix entry and its steps.
+
+use super::matrices::Matrices;
+use super::steps::Steps;
+use crate::figure::{Explanation, TransformPreview};
+use crate::pipeline::StageReport;
+
+/// A question that the side of explanations answers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Question {
+    /// The origin of each number.
+    #[default]
+    Where,
+    /// The work of the pipeline, in its order.
+    Happens,
+    /// The names in other sources.
+    Called,
+    /// Exercises and reading.
+    Able,
+}
+
+impl Question {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Where, Self::Happens, Self::Called, Self::Able];
+
+    /// The question that an explanation answers.
+    #[must_use]
+    pub const fn of(explanation: Explanation) -> Self {
+        match explanation {
+            Explanation::Matrices | Explanation::Point | Explanation::Homogeneous | Explanation::Order => Self::Where,
+            Explanation::Steps
+            | Explanation::Stages
+            | Explanation::Triangle
+            | Explanation::HiddenSurfaces
+            | Explanation::Clipping
+            | Explanation::Depth => Self::Happens,
+            Explanation::Dialects | Explanation::Code | Explanation::Conventions => Self::Called,
+            Explanation::Exercises | Explanation::Notes => Self::Able,
+        }
+    }
+}
+
+/// The explanation that is shown. Its visibility is in [`Panels`](super::layout::Panels).
+#[derive(Debug)]
+pub struct Explained {
+    question: Question,
+    /// The explanation that each question showed last, in the order of [`Question::ALL`].
+    last: [Explanation; 4],
+    /// Objects where the explanation of order puts them in this frame.
+    pub placed: Vec<TransformPreview>,
+    /// The explanation of matrices.
+    pub matrices: Matrices,
+    /// The explanation of steps.
+    pub steps: Steps,
+    /// The report of the strip's picture, stage by stage. Written by the pictures while the stages are explained.
+    pub reports: Vec<StageReport>,
+}
+
+impl Explained {
+    /// The question that is open.
+    #[must_use]
+    pub fn question(&self) -> Question {
+        self.question
+    }
+
+    /// The explanation that is shown.
+    #[must_use]
+    pub fn shown(&self) -> Explanation {
+        self.last[self.question as usize]
+    }
+
+    /// The explanations that the questions showed last.
+    pub(in crate::gui) fn last(&self) -> [Explanation; 4] {
+        self.last
+    }
+
+    /// Opens a question where it was left.
+    pub fn ask(&mut self, question: Question) {
+        self.question = question;
+    }
+
+    /// Shows an explanation, under its question.
+    pub fn show(&mut self, explanation: Explanation) {
+        self.question = Question::of(explanation);
+        self.last[self.question as usize] = explanation;
+    }
+}
+
+impl Default for Explained {
+    fn default() -> Self {
+        Self {
+            question: Question::default(),
+            last: [Explanation::Matrices, Explanation::Steps, Explanation::Dialects, Explanation::Exercises],
+            placed: Vec::new(),
+            matrices: Matrices::default(),
+            steps: Steps::default(),
+            reports: Vec::new(),
+        }
+    }
+}
