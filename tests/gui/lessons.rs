@@ -355,8 +355,8 @@ fn the_panel_of_a_lesson_keeps_its_height() {
     assert!(moved.is_empty(), "{moved:#?}");
 }
 
-/// On a projector of 1280 × 720 pixels, a question is shown with the button that checks or shows its answer. A short one
-/// leaves more than half to the pictures.
+/// On a projector of 1280 × 720 pixels, a question is shown with the button that checks or shows its answer. A short
+/// one leaves more than half to the pictures.
 #[test]
 fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
     let (mut out_of_sight, mut of_pictures) = (Vec::new(), Vec::new());

@@ -270,7 +270,7 @@ fn modules_use_what_the_table_allows_and_nothing_else() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// A room, its model and its widgets serve every feature; a feature leaves the others alone, but for those in the table.
+/// The model and the widgets serve every feature. A feature leaves the others alone, but for those in the table.
 #[test]
 fn rooms_of_the_window_use_what_the_table_allows_and_nothing_else() {
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
@@ -336,7 +336,8 @@ fn circles_in(sources: &[(String, String)]) -> Vec<Vec<String>> {
             let target = resolved(&path, &module);
             let known = (1..=target.len()).rev().find_map(|end| handed_on.get(&target[..end]).cloned());
             let Some(file) = known.or_else(|| file_of(&target)) else { continue };
-            // A module and the files below it are one thing. The state of the window names every feature, and some still take it whole.
+            // A module and the files below it are one thing. The state of the window names every feature, and some
+            // still take it whole.
             let is_state = [&file, &module].iter().any(|names| names.join("::") == "gui::app::state");
             if !is_state && file[0] == module[0] && !file.starts_with(&module) && !module.starts_with(&file) {
                 arrows.entry(module.clone()).or_default().insert(file);

@@ -1,4 +1,4 @@
-//! What features have asked of each other in a frame.
+//! Does, after the panels of a frame, the actions that features asked of each other.
 
 use eframe::egui::Context;
 

@@ -30,7 +30,7 @@ use crate::views::View;
 /// Everything the window knows.
 #[derive(Debug)]
 pub struct State {
-    /// What every feature may use.
+    /// The document, the layout and all else that every feature may use.
     pub model: Model,
     /// The panel of operations.
     pub operations: Operations,

@@ -1,4 +1,4 @@
-//! What a feature asks of another one.
+//! The actions that a feature asks of another one.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
