@@ -7,7 +7,7 @@ use crate::camera::Decomposition;
 use crate::export::plot::Block;
 use crate::lessons::OpenLesson;
 
-/// What a feature asks of another one. The window does it once the panels of the frame are drawn.
+/// A request of one feature to another. The window does it once the panels of the frame are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Ask for a mesh.

@@ -1,4 +1,4 @@
-//! What the explanations share with the pictures and with figure files: which is shown, its matrix entry and its steps.
+//! The part of the explanations that views and figure files share: which is shown, its matrix entry and its steps.
 
 use super::matrices::Matrices;
 use super::steps::Steps;

@@ -52,7 +52,7 @@ use view_history::ViewHistory;
 /// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
 
-/// What every feature of the window may use.
+/// The document, the layout and all else that every feature of the window may use.
 #[derive(Debug)]
 pub struct Model {
     /// The figure.
@@ -97,7 +97,7 @@ pub struct Model {
     pub probe: Option<Probe>,
     /// The followed point.
     pub follow: Follow,
-    /// What the explanations and the pictures share.
+    /// The part of the explanations that the views share.
     pub explained: Explained,
     /// The camera that an answer describes. Written by the exercises.
     pub answered: Option<Camera>,
@@ -107,7 +107,7 @@ pub struct Model {
     pub kept: Vec<(Option<Source>, Document)>,
     /// Those of them that the user, closing the window, has decided not to save. Kept again where it is not closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
-    /// What features ask of others, to be done once this frame's panels are drawn.
+    /// Requests of features to others, to be done once this frame's panels are drawn.
     pub actions: Vec<Action>,
 }
 
