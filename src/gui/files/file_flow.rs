@@ -6,13 +6,13 @@
 //! ```
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use eframe::egui::{self, ViewportCommand};
 
 use super::file_kind::FileKind;
+use super::opening::{mesh, open, open_shipped, photograph, reload, texture};
 use crate::export::format::PictureFormat;
-use crate::figure::{Figure, Photograph, read, update};
+use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
@@ -20,8 +20,6 @@ use crate::gui::files::questions::{
     Agreed, Asking, Changed, Dialog, FileFlow, MESH_ENDINGS, Purpose, Theirs, TitleForm,
 };
 use crate::gui::inspector::state::compare;
-use crate::gui::learn::Learn;
-use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::model::Model;
 use crate::gui::model::action::{AfterSave, MeshFor};
 use crate::gui::model::document::Document;
@@ -29,10 +27,8 @@ use crate::gui::model::layout::Tab;
 use crate::gui::model::message::{Message, NotExported};
 use crate::gui::model::source::Source;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
-use crate::lessons::OpenLesson;
 use crate::picture::file_beside;
-use crate::scene::{Shape, TextureSource};
-use crate::share;
+use crate::scene::Shape;
 
 /// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
 /// changes of the figure. Whatever replaces or closes a document comes through here.
@@ -287,99 +283,6 @@ fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf
     state.model.say(Message::Exporting);
 }
 
-/// Puts a mesh file into the scene.
-fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
-    let named = files::named_in_figure(model.document.folder(), path);
-    match which {
-        MeshFor::New => model.insert_mesh(named),
-        MeshFor::Object(name) => model.document.edit(|figure| {
-            if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
-                object.shape = Some(Shape::Mesh { path: named });
-            }
-        }),
-    }
-}
-
-/// Puts a picture on an object.
-fn texture(model: &mut Model, object: &str, path: &Path) {
-    let named = files::named_in_figure(model.document.folder(), path);
-    model.document.edit(|figure| {
-        if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
-            object.texture = Some(TextureSource::of(&named));
-        }
-    });
-}
-
-/// Puts a photograph under the image. One in the place of another keeps the opacity.
-fn photograph(model: &mut Model, path: &Path) {
-    let file = files::named_in_figure(model.document.folder(), path);
-    model.document.edit(|figure| {
-        let opacity = figure.photograph.as_ref().map_or(Photograph::USUAL_OPACITY, |before| before.opacity);
-        figure.photograph = Some(Photograph { file, opacity });
-    });
-}
-
-fn open(state: &mut State, path: &Path) {
-    if files::is_lesson(path) {
-        return match files::read_lesson(path) {
-            Ok((lesson, _)) => {
-                let is_link = share::link_of(path).is_some();
-                let path = if is_link { path.to_owned() } else { files::whole(path) };
-                if !is_link {
-                    state.recent.add(&path);
-                }
-                state.learn.play(&mut state.model, OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
-            }
-            Err(error) => state.model.say(Message::File(path.to_owned(), error)),
-        };
-    }
-    if let Some(kept) = state.model.take_kept(Some(&Source::File(files::whole(path)))) {
-        state.learn.take_over(&mut state.model, kept);
-        state.file_flow.look = true;
-        return;
-    }
-    match files::open_figure_with_any_camera(path) {
-        Ok((opened, _)) => {
-            let (figure, file) = opened.at(path);
-            match Document::with_any_camera(figure, Some(file)) {
-                Ok(document) => {
-                    let problem = document.problem().cloned();
-                    state.learn.take_over(&mut state.model, document);
-                    if let Some(error) = problem {
-                        state.model.say(Message::Impossible(path.to_owned(), error));
-                    } else if share::link_of(path).is_some() {
-                        state.model.say(Message::LinkOpened);
-                    } else {
-                        state.recent.add(&files::whole(path));
-                        state.model.say(Message::Opened(path.to_owned()));
-                    }
-                }
-                Err(error) => state.model.say(Message::NotOpened(path.to_owned(), error)),
-            }
-        }
-        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
-    }
-}
-
-/// Goes on with a figure of the program.
-fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
-    let kept = model.take_kept(Some(&Source::Shipped(name)));
-    if let Some(document) = kept.or_else(|| Document::shipped(name)) {
-        learn.take_over(model, document);
-    }
-    // The figure of an exercise of the notes opens the exercise, not the list.
-    if let Some(number) = name.strip_prefix("exercise-") {
-        learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
-    }
-}
-
-/// Reads the figure's own file again, and goes on with it.
-fn reload(state: &mut State) {
-    if let Some(path) = state.model.document.path().cloned() {
-        open(state, &path);
-    }
-}
-
 /// Continues with the window's figure although the file holds another one. The same content is not asked about again.
 pub fn keep_mine(file_flow: &mut FileFlow) {
     file_flow.decided = file_flow.theirs.take();
@@ -397,10 +300,9 @@ fn for_folder(model: &Model, path: &Path) -> Figure {
 
 /// The text that saving would write.
 #[must_use]
-pub fn text_to_save(model_state: &Model) -> String {
-    let figure =
-        model_state.document.path().map_or_else(|| model_state.figure_to_save(), |path| for_folder(model_state, path));
-    update(model_state.document.source(), &figure)
+pub fn text_to_save(model: &Model) -> String {
+    let figure = model.document.path().map_or_else(|| model.figure_to_save(), |path| for_folder(model, path));
+    update(model.document.source(), &figure)
 }
 
 /// The text of the present screen, as links carry it.
@@ -577,123 +479,4 @@ fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow
 }
 
 #[cfg(test)]
-mod tests {
-    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
-
-    use std::sync::Mutex;
-
-    use super::*;
-    use crate::gui::export::{Export, Exported};
-    use crate::i18n::Lang;
-    use crate::progress::Progress;
-
-    /// The window as it is while a picture is being written by `make`, and frames of it.
-    fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
-        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
-        let export = Export::new([[4, 3]; 3], 1.0);
-        let (what, to) = (ExportKind::Pictures(export), (PathBuf::from("a.png"), Overwrite::Writable));
-        let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
-        let exporting = Exporting::with(&ctx, task, make);
-        state.file_flow.exporting.push(exporting);
-        (ctx, state)
-    }
-
-    /// One frame, in which the window's close button is pressed or not. Returns the requests to the system.
-    fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCommand> {
-        let mut input = egui::RawInput::default();
-        if close {
-            let window = input.viewports.entry(egui::ViewportId::ROOT).or_default();
-            window.events.push(egui::ViewportEvent::Close);
-        }
-        let mut output = ctx.run_ui(input, |ui| poll(ui.ctx(), state));
-        output.textures_delta.clear();
-        output.viewport_output[&egui::ViewportId::ROOT].commands.clone()
-    }
-
-    fn until_done(ctx: &egui::Context, state: &mut State) -> Vec<ViewportCommand> {
-        let since = std::time::Instant::now();
-        let mut commands = Vec::new();
-        while !state.file_flow.exporting.is_empty() {
-            assert!(since.elapsed().as_secs() < 60);
-            std::thread::sleep(std::time::Duration::from_millis(5));
-            commands.extend(frame(ctx, state, false));
-        }
-        commands
-    }
-
-    #[test]
-    fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
-        let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
-        until_done(&ctx, &mut state);
-        let message = state.model.message.expect("said");
-        let text = message.text(Lang::En);
-        assert!(message.is_error() && text.contains("bug in this program") && text.contains("a.png"));
-    }
-
-    #[test]
-    fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
-        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
-        let folder = std::env::temp_dir().join(format!("camera-lab-answer-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder");
-        let path = folder.join("copy.toml");
-        for is_same in [false, true] {
-            // The title of the figure has been asked for.
-            state.file_flow.titled = Some(state.model.document.id());
-            ask(&ctx, &mut state, Purpose::Save(None));
-            assert!(state.file_flow.is_asking());
-            if !is_same {
-                go_on(&ctx, &mut state, AfterSave::Shipped("house"));
-            }
-            answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
-            assert!(!state.file_flow.is_asking());
-            assert_eq!((path.exists(), state.model.document.path().is_some()), (is_same, is_same));
-            assert_eq!(matches!(state.model.message, Some(Message::OtherFigure(_))), !is_same);
-        }
-        // A lack of dialogs is no reason to have none for the next question.
-        ask(&ctx, &mut state, Purpose::Open);
-        answered(&ctx, &mut state, FileAnswer::Unavailable);
-        assert!(matches!(state.file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))) && state.file_flow.native);
-        std::fs::remove_dir_all(folder).expect("removed");
-    }
-
-    #[test]
-    fn a_latex_picture_replaces_the_pdf_beside_it_only_after_a_question() {
-        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
-        let folder = std::env::temp_dir().join(format!("camera-lab-beside-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder");
-        let beside = folder.join("my-fig-art.pdf");
-        std::fs::write(&beside, "precious").expect("written");
-        let export = Export { format: PictureFormat::Tex, ..Export::new([[4, 3]; 3], 1.0) };
-        chosen(&ctx, &mut state, Purpose::Export(export), folder.join("my fig.tex"));
-        let Some(Dialog::Overwrite(purpose, path)) = &state.file_flow.dialog else { panic!("a question") };
-        assert_eq!(replaced(purpose, path), [beside]);
-        assert!(state.file_flow.exporting.is_empty());
-        std::fs::remove_dir_all(folder).expect("removed");
-    }
-
-    #[test]
-    fn a_window_that_is_closed_waits_for_its_pictures() {
-        static HELD: Mutex<()> = Mutex::new(());
-        fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {
-            async |_, _: &Progress| {
-                let _wait = HELD.lock();
-                Ok(None)
-            }
-        }
-        let held = HELD.lock();
-        let (ctx, mut state) = exporting(make);
-        assert!(frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
-        assert_eq!(state.file_flow.dialog, Some(Dialog::Closing));
-        assert!(!frame(&ctx, &mut state, false).contains(&ViewportCommand::Close));
-        drop(held);
-        assert!(until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
-        assert_eq!(state.file_flow.dialog, None);
-        assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
-
-        // A failed one is reported, by a window that stays.
-        let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
-        go_on(&ctx, &mut state, AfterSave::Quit);
-        assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
-        assert!(state.model.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
-    }
-}
+mod tests;

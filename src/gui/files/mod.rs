@@ -5,6 +5,7 @@ pub mod comparison;
 pub mod file_flow;
 pub(super) mod file_kind;
 pub(super) mod link_dialog;
+pub(super) mod opening;
 pub(super) mod qr;
 pub mod questions;
 pub(super) mod sequence;

@@ -15,8 +15,8 @@ use crate::gui::model::message::Message;
 use crate::gui::model::source::Source;
 
 /// The sequence of the open figure, and its place in it. A new figure comes before the built-in ones.
-fn places(model_state: &Model) -> (Vec<Option<Source>>, usize) {
-    let here = Source::of(&model_state.document);
+fn places(model: &Model) -> (Vec<Option<Source>>, usize) {
+    let here = Source::of(&model.document);
     let of_program = || SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect();
     let files = match &here {
         Some(Source::File(path)) => path.parent().and_then(|folder| figures_in(folder).ok()),
@@ -25,7 +25,7 @@ fn places(model_state: &Model) -> (Vec<Option<Source>>, usize) {
     let is_of_program = files.is_none();
     let mut places: Vec<Option<Source>> =
         files.map_or_else(of_program, |files| files.into_iter().map(|path| Some(Source::File(path))).collect());
-    if is_of_program && (here.is_none() || model_state.kept.iter().any(|(source, _)| source.is_none())) {
+    if is_of_program && (here.is_none() || model.kept.iter().any(|(source, _)| source.is_none())) {
         places.insert(0, None);
     }
     let at = places.iter().position(|place| *place == here).unwrap_or_else(|| {

@@ -9,9 +9,15 @@ use std::sync::Arc;
 
 use eframe::egui;
 
+use crate::gui::inspector::state::operations::Operations;
 use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::document::Document;
+use crate::gui::model::follow::Follow;
+use crate::gui::model::scene_tree::SceneTree;
+use crate::i18n::learn::exercise_window;
 use crate::lessons::Lesson;
-use exercises::state::Exercises;
+use exercises::state::{Exercises, Mark, Placing};
 use lesson::state::Playing;
 
 /// The exercises, the lesson that is played, and what was done of them.
@@ -41,5 +47,67 @@ impl Learn {
     /// Ends the offer of the first lesson, or of the way on.
     pub(in crate::gui) const fn take_offer(&mut self, model: &mut Model) {
         (self.welcome, self.goes_on, model.settings.welcomed) = (false, false, true);
+    }
+
+    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
+    /// kept.
+    pub(in crate::gui) fn take_over(&mut self, model: &mut Model, document: Document) {
+        self.keep_behind(model);
+        let image = document.figure().image;
+        model.settings.aspect_follows_image =
+            document.draft().aspect == f64::from(image.width) / f64::from(image.height);
+        model.motion = None;
+        self.close_lesson(model);
+        model.document = document;
+        model.scene_cache.expect_another();
+        model.tree = SceneTree::default();
+        model.follow = Follow::default();
+        model.views.reset(model.document.figure().observers);
+        let screen = model.document.figure().screen;
+        model.show_screen(screen);
+        model.probe = None;
+        model.message = None;
+        model.actions.push(Action::ForgetFigure);
+    }
+
+    /// Undoes a step. Objects that come back are selected. The figure on the screen comes first, then the lesson.
+    pub fn undo(&mut self, model: &mut Model) {
+        if !model.document.can_undo() && self.can_undo_lesson(model, true) {
+            return self.undo_lesson(model, true);
+        }
+        let before = model.document.figure().scene.clone();
+        model.document.undo();
+        model.tree.follow(&before, &model.document.figure().scene);
+    }
+
+    /// Redoes a step. Objects that come back are selected.
+    pub fn redo(&mut self, model: &mut Model) {
+        if !model.document.can_redo() && self.can_undo_lesson(model, false) {
+            return self.undo_lesson(model, false);
+        }
+        let before = model.document.figure().scene.clone();
+        model.document.redo();
+        model.tree.follow(&before, &model.document.figure().scene);
+    }
+
+    /// The question for a place in the image that is asked now.
+    pub fn placing(&mut self, model: &Model, operations: &Operations) -> Option<Placing> {
+        self.placing_of_question(model).or_else(|| operations.placing(model))
+    }
+
+    /// Puts the mark of a question for a place there.
+    pub(in crate::gui) fn put_mark(&mut self, operations: &mut Operations, placing: &Placing, [x, y]: [f64; 2]) {
+        match &placing.of {
+            Mark::Operation => operations.predict.put_mark([x, y]),
+            Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
+        }
+    }
+
+    fn placing_of_question(&mut self, model: &Model) -> Option<Placing> {
+        let asks = self.lesson.as_ref().is_some_and(|playing| playing.asks_question());
+        if !(asks || model.shows_exercises()) || self.moves_to_step() {
+            return None;
+        }
+        self.exercises.placing(exercise_window::texts(model.settings.lang).place_in_image)
     }
 }

@@ -3,6 +3,7 @@
 mod editor;
 mod hands;
 mod list;
+pub(in crate::gui) mod moving;
 mod quantity_menu;
 pub(in crate::gui) mod recording;
 mod speaker;

@@ -4,33 +4,23 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use super::hands::{Hands, question_with_choices};
-use crate::camera::{Camera, Operation, Parameters};
+use super::moving::Moving;
+use crate::camera::{Camera, Operation};
 use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
-use crate::gui::inspector::state::operations::Operations;
 use crate::gui::learn::Learn;
-use crate::gui::learn::exercises::state::{Chosen, Mark, Placing};
+use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::lesson::writing::Writing;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
 use crate::gui::model::document::Document;
-use crate::gui::model::follow::Follow;
 use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Panels;
 use crate::gui::model::message::Message;
-use crate::gui::model::scene_tree::SceneTree;
 use crate::gui::model::source::Source;
-use crate::i18n::learn::exercise_window;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
-use crate::numbers::round_to;
 use crate::share;
-
-/// Seconds in which the pictures of a step before fade into those of the next one.
-pub(in crate::gui) const FADE: f64 = 0.4;
 
 /// Seconds of the move to the figure that answers a question.
 const SEEN: f64 = 2.0;
@@ -83,16 +73,6 @@ pub struct Playing {
     seen: Seen,
     /// The panels as they were before the lesson, out of a presentation.
     panels_before: Panels,
-}
-
-/// A move from one step to another.
-#[derive(Debug)]
-pub(crate) struct Moving {
-    passage: Passage,
-    /// The step's document, as it is at the end.
-    target: Box<Document>,
-    seconds: f64,
-    began: Option<f64>,
 }
 
 impl Playing {
@@ -504,49 +484,6 @@ impl Learn {
         true
     }
 
-    /// True while the camera moves to a step. A change of it is none of yours.
-    pub(in crate::gui) fn moves_to_step(&self) -> bool {
-        self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
-    }
-
-    /// Goes on with the move to the step. True while it goes on. `now`: a time in seconds.
-    pub(in crate::gui) fn go_on_moving(&mut self, model: &mut Model, now: f64) -> bool {
-        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
-        let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
-        if share >= 1.0 {
-            self.end_move(model);
-            return false;
-        }
-        // It begins and ends slowly.
-        let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
-        // Of numbers that change with every frame, few digits can be read.
-        if let Ok(camera) = Camera::new(&few_digits(figure.camera)).or_else(|_| Camera::new(&figure.camera)) {
-            model.document.set_camera(camera);
-        }
-        *model.document.observers_mut() = figure.observers;
-        *model.document.show_mut() = figure.show;
-        true
-    }
-
-    /// Ends the move to the step, where there is one. The step is there exactly.
-    pub(in crate::gui) fn end_move(&mut self, model: &mut Model) -> bool {
-        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
-        let (now, target) = (model.document.figure(), moving.target.figure());
-        let is_changed = now.scene != target.scene
-            || now.points != target.points
-            || now.labels != target.labels
-            || (&now.title, &now.caption) != (&target.title, &target.caption);
-        if is_changed {
-            // The figure was changed meanwhile: only the camera arrives.
-            let target = moving.target.figure();
-            (*model.document.observers_mut(), *model.document.show_mut()) = (target.observers, target.show.clone());
-            model.document.set_camera(moving.target.camera().clone());
-        } else {
-            model.document = *moving.target;
-        }
-        true
-    }
-
     /// Notes what is reached in the step.
     pub(in crate::gui) fn check_goal(&mut self, model: &Model) {
         let Some(mut playing) = self.lesson.take() else { return };
@@ -607,86 +544,5 @@ impl Model {
                     .map(|document| (Source::of(&document), document)),
             );
         }
-    }
-}
-
-/// The numbers of a camera with three decimals, in the unit of its distance.
-fn few_digits(camera: Parameters) -> Parameters {
-    let distance = (camera.focal_point - camera.position).length();
-    let unit = 1e-3 * 10_f64.powf(distance.max(f64::MIN_POSITIVE).log10().floor());
-    let rounded = |p: DVec3| DVec3::from_array(p.to_array().map(|x| round_to(x, unit)));
-    Parameters {
-        position: rounded(camera.position),
-        focal_point: rounded(camera.focal_point),
-        view_up: DVec3::from_array(camera.view_up.to_array().map(|x| round_to(x, 1e-3))),
-        view_angle: round_to(camera.view_angle, 0.01),
-        height: round_to(camera.height, unit),
-        near: round_to(camera.near, unit),
-        far: round_to(camera.far, unit),
-        ..camera
-    }
-}
-
-impl Learn {
-    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
-    /// kept.
-    pub(in crate::gui) fn take_over(&mut self, model: &mut Model, document: Document) {
-        self.keep_behind(model);
-        let image = document.figure().image;
-        model.settings.aspect_follows_image =
-            document.draft().aspect == f64::from(image.width) / f64::from(image.height);
-        model.motion = None;
-        self.close_lesson(model);
-        model.document = document;
-        model.scene_cache.expect_another();
-        model.tree = SceneTree::default();
-        model.follow = Follow::default();
-        model.views.reset(model.document.figure().observers);
-        let screen = model.document.figure().screen;
-        model.show_screen(screen);
-        model.probe = None;
-        model.message = None;
-        model.actions.push(Action::ForgetFigure);
-    }
-
-    /// Undoes a step. Objects that come back are selected. The figure on the screen comes first, then the lesson.
-    pub fn undo(&mut self, model: &mut Model) {
-        if !model.document.can_undo() && self.can_undo_lesson(model, true) {
-            return self.undo_lesson(model, true);
-        }
-        let before = model.document.figure().scene.clone();
-        model.document.undo();
-        model.tree.follow(&before, &model.document.figure().scene);
-    }
-
-    /// Redoes a step. Objects that come back are selected.
-    pub fn redo(&mut self, model: &mut Model) {
-        if !model.document.can_redo() && self.can_undo_lesson(model, false) {
-            return self.undo_lesson(model, false);
-        }
-        let before = model.document.figure().scene.clone();
-        model.document.redo();
-        model.tree.follow(&before, &model.document.figure().scene);
-    }
-
-    /// The question for a place in the image that is asked now.
-    pub fn placing(&mut self, model: &Model, operations: &Operations) -> Option<Placing> {
-        self.placing_of_question(model).or_else(|| operations.placing(model))
-    }
-
-    /// Puts the mark of a question for a place there.
-    pub(in crate::gui) fn put_mark(&mut self, operations: &mut Operations, placing: &Placing, [x, y]: [f64; 2]) {
-        match &placing.of {
-            Mark::Operation => operations.predict.put_mark([x, y]),
-            Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
-        }
-    }
-
-    fn placing_of_question(&mut self, model: &Model) -> Option<Placing> {
-        let asks = self.lesson.as_ref().is_some_and(|playing| playing.asks_question());
-        if !(asks || model.shows_exercises()) || self.moves_to_step() {
-            return None;
-        }
-        self.exercises.placing(exercise_window::texts(model.settings.lang).place_in_image)
     }
 }

@@ -13,31 +13,30 @@ use crate::views::{View, observer_in};
 
 impl Canvas {
     /// Decides from where the three-dimensional pictures are seen in this frame.
-    pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model_state: &mut Model, panes: &mut [Pane]) {
-        let wanted = model_state.observer_change.take();
+    pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model: &mut Model, panes: &mut [Pane]) {
+        let wanted = model.observer_change.take();
         let asked = self.asked.take();
         let moment = Moment {
             now: ui.input(|input| input.time),
             on_the_way: ui.input(|input| input.pointer.any_down()),
-            still: model_state.settings.reduce_motion,
-            loading: !model_state.scene_cache.loading().is_empty(),
+            still: model.settings.reduce_motion,
+            loading: !model.scene_cache.loading().is_empty(),
         };
         for pane in panes.iter_mut().filter(|pane| pane.view != View::Image) {
-            let asked =
-                asked.filter(|(of, _)| *of == pane.picture || model_state.layout.linked).map(|(_, change)| change);
+            let asked = asked.filter(|(of, _)| *of == pane.picture || model.layout.linked).map(|(_, change)| change);
             match wanted.or(asked) {
-                Some(change) => self.change_observer(model_state, pane, change),
-                None => self.fit_again(model_state, pane),
+                Some(change) => self.change_observer(model, pane, change),
+                None => self.fit_again(model, pane),
             }
-            let written = observer_in(&model_state.document.figure().observers, pane.view);
-            let subject = model_state.scene_cache.subject();
+            let written = observer_in(&model.document.figure().observers, pane.view);
+            let subject = model.scene_cache.subject();
             let auto = &mut self.pictures[pane.picture].auto;
             let found = if written.is_none() { auto.observer(&pane.request, subject, moment) } else { None };
             if found.is_some_and(|found| found.glides) {
                 ui.request_repaint();
             }
             if found.is_some_and(|found| found.goes_back) {
-                model_state.say(Message::WentBack(pane.view));
+                model.say(Message::WentBack(pane.view));
             }
             let seen = written.or(found.map(|found| found.observer));
             self.shot.pictures[pane.picture].observer = seen;
