@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, ViewportCommand};
 
 use super::file_kind::FileKind;
-use super::opening::{mesh, open, open_shipped, photograph, reload, texture};
+use super::opening::{self, mesh, open_shipped, photograph, texture};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
@@ -281,6 +281,18 @@ fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf
         .with_family(state.family.clone(), state.operations.convention);
     state.file_flow.exporting.push(Exporting::start(ctx, task));
     state.model.say(Message::Exporting);
+}
+
+fn open(state: &mut State, path: &Path) {
+    let State { model, learn, recent, file_flow, .. } = state;
+    opening::open(model, learn, (recent, &mut file_flow.look), path);
+}
+
+/// Reads the figure's own file again, and goes on with it.
+fn reload(state: &mut State) {
+    if let Some(path) = state.model.document.path().cloned() {
+        open(state, &path);
+    }
 }
 
 /// Continues with the window's figure although the file holds another one. The same content is not asked about again.

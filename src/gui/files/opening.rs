@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use crate::figure::Photograph;
 use crate::files;
-use crate::gui::app::state::State;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::model::Model;
@@ -13,6 +12,7 @@ use crate::gui::model::action::MeshFor;
 use crate::gui::model::document::Document;
 use crate::gui::model::message::Message;
 use crate::gui::model::source::Source;
+use crate::gui::storage::recent::Recent;
 use crate::lessons::OpenLesson;
 use crate::scene::{Shape, TextureSource};
 use crate::share;
@@ -49,24 +49,24 @@ pub(super) fn photograph(model: &mut Model, path: &Path) {
     });
 }
 
-/// Opens a figure, a lesson, or a link in a file.
-pub(super) fn open(state: &mut State, path: &Path) {
+/// Opens a figure, a lesson, or a link in a file. `look` becomes true if another program may have changed the file.
+pub(super) fn open(model: &mut Model, learn: &mut Learn, (recent, look): (&mut Recent, &mut bool), path: &Path) {
     if files::is_lesson(path) {
         return match files::read_lesson(path) {
             Ok((lesson, _)) => {
                 let is_link = share::link_of(path).is_some();
                 let path = if is_link { path.to_owned() } else { files::whole(path) };
                 if !is_link {
-                    state.recent.add(&path);
+                    recent.add(&path);
                 }
-                state.learn.play(&mut state.model, OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
+                learn.play(model, OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
             }
-            Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+            Err(error) => model.say(Message::File(path.to_owned(), error)),
         };
     }
-    if let Some(kept) = state.model.take_kept(Some(&Source::File(files::whole(path)))) {
-        state.learn.take_over(&mut state.model, kept);
-        state.file_flow.look = true;
+    if let Some(kept) = model.take_kept(Some(&Source::File(files::whole(path)))) {
+        learn.take_over(model, kept);
+        *look = true;
         return;
     }
     match files::open_figure_with_any_camera(path) {
@@ -75,20 +75,20 @@ pub(super) fn open(state: &mut State, path: &Path) {
             match Document::with_any_camera(figure, Some(file)) {
                 Ok(document) => {
                     let problem = document.problem().cloned();
-                    state.learn.take_over(&mut state.model, document);
+                    learn.take_over(model, document);
                     if let Some(error) = problem {
-                        state.model.say(Message::Impossible(path.to_owned(), error));
+                        model.say(Message::Impossible(path.to_owned(), error));
                     } else if share::link_of(path).is_some() {
-                        state.model.say(Message::LinkOpened);
+                        model.say(Message::LinkOpened);
                     } else {
-                        state.recent.add(&files::whole(path));
-                        state.model.say(Message::Opened(path.to_owned()));
+                        recent.add(&files::whole(path));
+                        model.say(Message::Opened(path.to_owned()));
                     }
                 }
-                Err(error) => state.model.say(Message::NotOpened(path.to_owned(), error)),
+                Err(error) => model.say(Message::NotOpened(path.to_owned(), error)),
             }
         }
-        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+        Err(error) => model.say(Message::File(path.to_owned(), error)),
     }
 }
 
@@ -101,12 +101,5 @@ pub(super) fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static 
     // The figure of an exercise of the notes opens the exercise, not the list.
     if let Some(number) = name.strip_prefix("exercise-") {
         learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
-    }
-}
-
-/// Reads the figure's own file again, and goes on with it.
-pub(super) fn reload(state: &mut State) {
-    if let Some(path) = state.model.document.path().cloned() {
-        open(state, &path);
     }
 }
