@@ -114,6 +114,9 @@ fn a_figure_and_a_family_need_four_actions() {
     );
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
     window.run();
+    window.harness.event(Event::Text("30, 60".to_owned()));
+    window.run();
+    assert_eq!(window.state().family.first.values, "30, 60", "the values have the keyboard");
     window.click_in_dialog(t.azimuth);
     window.harness.event(Event::Text("10, 20".to_owned()));
     window.run();
@@ -122,6 +125,23 @@ fn a_figure_and_a_family_need_four_actions() {
     window.choose(&picture);
     window.wait(|_| picture.exists());
     assert_eq!(window.state().family.last[0].values, "10, 20");
+}
+
+/// A name without a folder would land in the folder in which the program was started, so the system's dialog asks.
+#[test]
+fn without_a_folder_the_dialog_of_the_system_asks() {
+    let t = en::WINDOW;
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.file_flow.native = true;
+    window.command_key(Key::G);
+    window.wait_for("House: ");
+    window.search_cards("mirror image");
+    window.run();
+    window.key(Key::Enter);
+    window.command_key(Key::S);
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Title(_))));
+    assert!(window.harness.query_by_role_and_label(Role::TextInput, t.title_file).is_none());
+    assert!(window.harness.query_by_role_and_label(Role::Button, t.save_as).is_some());
 }
 
 /// Gives the figure a title, in the place of the one that it has.

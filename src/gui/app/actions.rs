@@ -12,7 +12,9 @@ use crate::gui::pictures::photograph::tool::PhotographTool;
 
 /// Does what has been asked since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {
-    for action in std::mem::take(&mut state.model.actions) {
+    // One may bring others.
+    while !state.model.actions.is_empty() {
+        let action = state.model.actions.remove(0);
         ctx.request_repaint();
         let open = |state: &mut State, dialog| state.file_flow.dialog = Some(dialog);
         match action {

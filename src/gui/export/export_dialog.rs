@@ -74,7 +74,9 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
     };
     let errors = area.show(ui, |ui| ui.horizontal_top(row).inner).inner;
     ui.add_space(10.0);
-    let pressed = match buttons(ui, t.cancel, &[t.export_action], (first && !export.on_paper).then_some(0)) {
+    // Unless a field has the keyboard.
+    let begins = first && !export.on_paper && state.family.variations().is_none();
+    let pressed = match buttons(ui, t.cancel, &[t.export_action], begins.then_some(0)) {
         Pressed::Nothing if enter => Pressed::Action(0),
         pressed => pressed,
     };

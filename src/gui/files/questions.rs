@@ -294,6 +294,7 @@ impl FileFlow {
             Some(Dialog::Path(purpose, _) | Dialog::Overwrite(purpose, _) | Dialog::ReadOnly(purpose, ..)) => {
                 saves(purpose)
             }
+            Some(Dialog::Title(form)) => form.then.as_ref().is_some_and(saves),
             Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
             // Nothing comes after the answer to any other question.
             Some(_) | None => false,

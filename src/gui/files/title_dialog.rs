@@ -1,5 +1,7 @@
 //! The question for the title and the caption of a figure, in both languages.
 
+use std::path::Path;
+
 use eframe::egui::{self, Key, Modifiers, RichText};
 
 use super::file_kind::FileKind;
@@ -9,7 +11,7 @@ use crate::gui::files::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::model::Model;
-use crate::i18n::window::Texts;
+use crate::i18n::window::{Texts, sharing};
 use crate::i18n::{Lang, told};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
@@ -72,22 +74,30 @@ pub(in crate::gui) fn show(
         }
     }
     ui.label(RichText::new(t.title_note).small().weak());
-    let path = form.then.as_ref().map(|purpose| {
+    let by_system = state.file_flow.native && !state.model.in_browser;
+    let path = form.then.as_ref().and_then(|purpose| {
         let mut path = form.path.clone().unwrap_or_else(|| proposal(state, purpose, form.title.clone()));
+        // Without a folder it would land anywhere: the system's dialog asks.
+        let has_folder = Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
+        if by_system && form.path.is_none() && !has_folder {
+            return None;
+        }
+        let hint = if state.model.in_browser { sharing::texts(t.lang).name_hint } else { t.path_hint };
         let label = ui.label(t.title_file);
         let field = TextField::line(&mut path, MAX_TYPED);
-        let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(t.path_hint).return_key(None));
+        let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint).return_key(None));
         let response = field.show(ui, t.lang).labelled_by(label.id);
         done |= response.has_focus() && entered;
         if response.changed() {
             form.path = Some(path.clone());
         }
-        path
+        Some(path)
     });
     ui.add_space(10.0);
-    let actions: &[&str] = match path {
-        None => &[t.title_action],
-        Some(_) if state.file_flow.native && !state.model.in_browser => &[t.title_choose, t.save_action],
+    let actions: &[&str] = match &path {
+        None if form.then.is_none() => &[t.title_action],
+        None => &[t.save_as],
+        Some(_) if by_system => &[t.title_choose, t.save_action],
         Some(_) => &[t.save_action],
     };
     let last = actions.len() - 1;
@@ -95,20 +105,21 @@ pub(in crate::gui) fn show(
         Pressed::Nothing if done => Pressed::Action(last),
         pressed => pressed,
     };
-    match pressed {
-        Pressed::Action(which) if which == last && path.as_ref().is_none_or(|path| !path.trim().is_empty()) => {
-            let purpose = accept(&mut state.model, &mut state.file_flow, form)?;
-            Some(Answer::Save(purpose, path?.trim().to_owned()))
-        }
-        Pressed::Action(which) if which < last => {
-            accept(&mut state.model, &mut state.file_flow, form).map(Answer::Choose)
-        }
-        Pressed::Cancel => None,
-        Pressed::Action(_) | Pressed::Nothing => {
-            state.file_flow.dialog = Some(Dialog::Title(form));
-            None
-        }
+    let waits = match (&pressed, &path) {
+        (Pressed::Nothing, _) => true,
+        (Pressed::Action(which), Some(path)) => *which == last && path.trim().is_empty(),
+        (Pressed::Action(_) | Pressed::Cancel, _) => false,
+    };
+    if waits {
+        state.file_flow.dialog = Some(Dialog::Title(form));
+        return None;
     }
+    let Pressed::Action(which) = pressed else { return None };
+    let purpose = accept(&mut state.model, &mut state.file_flow, form)?;
+    Some(match path {
+        Some(path) if which == last => Answer::Save(purpose, path.trim().to_owned()),
+        Some(_) | None => Answer::Choose(purpose),
+    })
 }
 
 /// The file of a figure with this title.

@@ -62,6 +62,10 @@ const RAISED: [&str; 2] = ["0123456789+−=()ni", "⁰¹²³⁴⁵⁶⁷⁸⁹�
 
 /// The LaTeX word for a sign beyond ASCII, the first of several.
 pub(super) fn word_for(sign: char) -> Option<String> {
+    // The square needs a package, which pictures for LaTeX do without.
+    if sign == '□' {
+        return None;
+    }
     let (word, _) = SIGNS.iter().chain(BETWEEN).find(|(_, written)| written.chars().eq([sign]))?;
     (!sign.is_ascii()).then(|| format!("\\{word}"))
 }

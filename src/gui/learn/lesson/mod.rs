@@ -206,11 +206,12 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
     let asks = (presents && asks).then_some(playing.step);
-    let fits = Fits { size, lang: t.lang, writes, presents, asks, shows };
+    let below = [playing.shows_text, notes, playing.hands.answered == Some(playing.step)];
+    let fits = Fits { size, lang: t.lang, writes, presents, asks, below, shows };
     let kept = playing.height.as_ref().filter(|(kept, _)| *kept == fits).map(|(_, height)| *height);
     let mut height = match kept {
         Some(height) => height,
-        _ if writes || asks.is_some() => most,
+        _ if writes || asks.is_some() && shows => most,
         _ => first_height(ui, t, learn, &fits).min(most),
     };
     let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
@@ -254,6 +255,8 @@ pub(in crate::gui) struct Fits {
     presents: bool,
     /// The step whose question is shown, in a presentation.
     asks: Option<usize>,
+    /// The text, the notes and the counted hands are shown.
+    below: [bool; 3],
     /// There is more than the bar.
     shows: bool,
 }
