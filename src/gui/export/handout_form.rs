@@ -1,4 +1,4 @@
-//! The choices of what is printed.
+//! The choices for printing.
 
 use super::handout_pages::{Content, Job};
 use crate::exercises::Exercise;
@@ -13,7 +13,7 @@ pub(super) const MAX_SEED: u32 = 9_999;
 /// The choices in the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandoutForm {
-    /// The lesson that is printed; `None` means exercises are.
+    /// The lesson to print; `None` prints exercises.
     pub lesson: Option<OpenLesson>,
     /// The exercises, by their identifiers, in the order in which they were chosen.
     pub exercises: Vec<String>,

@@ -114,7 +114,7 @@ pub struct Changed {
 pub struct TitleForm {
     pub(super) title: Bilingual,
     pub(super) caption: Bilingual,
-    /// The words of the gallery's card, of which the figure was made.
+    /// The words of the gallery card that the figure was made from.
     pub(super) of_card: [Option<Bilingual>; 2],
     /// The save that goes with it.
     pub(super) then: Option<Purpose>,

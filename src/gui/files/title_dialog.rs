@@ -20,7 +20,7 @@ use crate::sanitize;
 pub(in crate::gui) enum Answer {
     /// In this file.
     Save(Purpose, String),
-    /// In a file of which the system's dialog asks.
+    /// In a file that the system's dialog asks for.
     Choose(Purpose),
 }
 

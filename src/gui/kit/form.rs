@@ -171,7 +171,7 @@ pub(in crate::gui) fn choice<T: PartialEq + Copy>(
         .selected_text(chosen)
         .width(116.0)
         .show_ui(ui, |ui| {
-            // A press brings a dialog to the front. Where the click that it begins opens a list in the same frame, only
+            // A press brings a dialog to the front. If its click opens a list in the same frame, only
             // this puts the list before the dialog.
             if below.order == ui.layer_id().order {
                 ui.ctx().set_sublayer(below, ui.layer_id());

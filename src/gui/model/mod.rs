@@ -105,7 +105,7 @@ pub struct Model {
     pub(in crate::gui) motion: Option<Motion>,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them that the user, closing the window, has decided not to save. Kept again where it is not closed.
+    /// Those of them that the user, closing the window, has decided not to save. Kept again if it isn't closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// Requests of features to others, to be done once this frame's panels are drawn.
     pub actions: Vec<Action>,

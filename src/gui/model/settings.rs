@@ -36,7 +36,7 @@ pub struct Settings {
     pub numbers_open: bool,
     /// The first lesson and the gallery have been offered.
     pub welcomed: bool,
-    /// The pictures alone, without menus: a figure in somebody's page.
+    /// The views alone, without menus: a figure in another page.
     pub bare: bool,
     /// The place of the window, once it's known; at first, that of the last one.
     pub window: Option<WindowPlace>,

@@ -523,7 +523,7 @@ fn show_lessons(state: &mut State) {
     show_dialog(state, Dialog::Lessons);
 }
 
-/// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
+/// Shows the QR code of the link to the screen. Without the address of a page, it asks for that first.
 fn show_code(state: &mut State) {
     let has_address = state.own_address.is_some() || !state.page_address.is_empty();
     show_dialog(state, if has_address { Dialog::Qr } else { Dialog::Link });

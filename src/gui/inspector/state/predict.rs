@@ -138,7 +138,7 @@ impl About {
         mark.map(|mark| [mark[0] - to[0], mark[1] - to[1]])
     }
 
-    /// True if what was said is what happens.
+    /// True if the prediction was right.
     #[must_use]
     pub fn is_right(&self) -> bool {
         match self {

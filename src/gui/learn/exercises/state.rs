@@ -546,7 +546,7 @@ impl Exercises {
     }
 }
 
-/// The answer in the fields, as one text. Empty if nothing was typed. Where the first field holds a whole list or
+/// The answer in the fields, as one text. Empty if nothing was typed. If the first field holds a whole list or
 /// matrix in brackets, it is the answer.
 #[must_use]
 pub fn joined(ask: &Ask, fields: &[String]) -> String {

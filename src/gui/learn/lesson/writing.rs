@@ -101,7 +101,7 @@ impl Writing {
         !if back { &self.earlier } else { &self.later }.is_empty()
     }
 
-    /// True if what is typed is not in the file.
+    /// True if the typed text isn't in the file.
     #[must_use]
     pub fn is_ahead(&self) -> bool {
         self.typed != self.kept

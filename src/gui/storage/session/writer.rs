@@ -110,7 +110,7 @@ impl Writer {
         Self { file, lock: Arc::new(lock), worker, asked: None, version: None }
     }
 
-    /// True if what was asked for last is still what is wanted.
+    /// True if the last request is still wanted.
     pub(super) fn is_up_to_date(&mut self, kept: Kept<'_>, restoring: bool) -> bool {
         let Kept { document, seen, text, .. } = kept;
         match &self.asked {

@@ -3,7 +3,7 @@
 /// The name of a table.
 type Tag = [u8; 4];
 
-/// A font with these glyphs of another one, numbered anew, and their characters by number. `None` if either is no
+/// A font with these glyphs of another one, renumbered, and their characters by number. `None` if either is no
 /// font.
 ///
 /// *Guarantees*: the same glyphs give the same bytes.

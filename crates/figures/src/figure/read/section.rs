@@ -196,7 +196,7 @@ impl<'a> Section<'a> {
         self.quantity_in(key, Dimension::Number, least, most, default)
     }
 
-    /// As [`number_in`](Self::number_in), if the key is there; the default where it is wrong.
+    /// As [`number_in`](Self::number_in), if the key is there; the default if it's wrong.
     pub fn optional_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> Option<f64> {
         let is_present = self.is_present(key);
         let number = self.number_in(key, least, most, default);

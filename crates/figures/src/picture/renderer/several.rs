@@ -31,7 +31,7 @@ impl Renderer {
         beside.resize_with(beside.len().max(count.saturating_sub(1)), || Self::sharing(&self.shadow_maps));
         for other in &mut beside {
             other.measure(self.clock);
-            // How far this one has come is told.
+            // Reports the progress of this one.
             other.watch(&self.progress.part());
         }
         let mut reports: Vec<Option<RenderReport>> = requests.iter().map(|_| None).collect();

@@ -5,7 +5,7 @@ use crate::camera::ParameterKey;
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
 
 crate::worded! {
-    /// The nature of what a question asks for.
+    /// The nature of the answer.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Nature {
         /// A length, an angle or a share: never negative.
