@@ -7,7 +7,7 @@
 #[cfg(target_arch = "wasm32")]
 fn main() {
     #[cfg(feature = "gui")]
-    camera_lab::gui::platform::web::run();
+    camera_lab::gui::app::web::run();
 }
 
 #[cfg(not(target_arch = "wasm32"))]

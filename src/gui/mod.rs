@@ -94,7 +94,7 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.state.file_flow.news.tell(storage::session::News::NoHome);
             }
             if let Some(open) = lesson {
-                files::file_flow::begin(&context.egui_ctx, &mut app.state, model::action::AfterSave::Lesson(open));
+                app::file_flow::begin(&context.egui_ctx, &mut app.state, model::action::AfterSave::Lesson(open));
             }
             Ok(Box::new(app))
         }),

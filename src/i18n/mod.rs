@@ -67,6 +67,7 @@ macro_rules! translated {
 
 pub mod command_line;
 pub mod families;
+pub mod file_names;
 pub mod learn;
 pub mod messages;
 pub mod pictures;

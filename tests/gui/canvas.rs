@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
+use camera_lab::gui::app::frame::pictures;
 use camera_lab::gui::kit::theme;
 use camera_lab::gui::pictures::Canvas;
 use camera_lab::gui::{Start, State};
@@ -61,7 +62,10 @@ pub(super) fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> 
         .with_size([1110.0, 330.0])
         .with_step_dt(0.05)
         .with_context_setup(theme::install_fonts)
-        .build_ui_state(|ui, stage: &mut Stage| stage.canvas.ui(ui, &mut stage.state), Stage { state, canvas });
+        .build_ui_state(
+            |ui, stage: &mut Stage| pictures(ui, &mut stage.canvas, &mut stage.state),
+            Stage { state, canvas },
+        );
     harness.run();
     harness
 }

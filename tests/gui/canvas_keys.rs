@@ -77,7 +77,7 @@ fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
     use camera_lab::geometry::Angle;
     for (convention, degrees) in [(Convention::RightHand, -5.0), (Convention::Vtk, 5.0)] {
         let mut h = focused_image();
-        h.state_mut().state.operations.convention = convention;
+        h.state_mut().state.model.operations.convention = convention;
         let camera = h.state().state.model.document.camera().clone();
         h.key_press(Key::ArrowUp);
         h.run();

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use camera_lab::camera::{Api, Ndc, Parameters};
 use camera_lab::figure::Explanation;
-use camera_lab::gui::files::file_flow;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::model::action::AfterSave;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::coach;
@@ -27,7 +27,7 @@ fn window(lang: Lang) -> Window {
 
 fn settled(window: &mut Window) {
     window.run();
-    window.app_mut().state.coach.take(Duration::from_secs(60));
+    window.app_mut().state.model.coach.take(Duration::from_secs(60));
     window.run();
 }
 
@@ -46,7 +46,7 @@ fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
         window.click(button);
         settled(&mut window);
         assert!(!window.says(why));
-        let advice = window.state().coach.advice().expect("it is known").clone();
+        let advice = window.state().model.coach.advice().expect("it is known").clone();
         assert!(advice.diagnosis.expect("it can be drawn").visible > 0);
         window.command_key(Key::Z);
         assert_eq!(window.state().model.document.figure().camera, behind, "one step back");
@@ -151,11 +151,11 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
 #[test]
 fn what_has_not_changed_is_not_looked_at_again() {
     let mut window = window(Lang::En);
-    let known = window.state().coach.advice().expect("it is known").clone();
+    let known = window.state().model.coach.advice().expect("it is known").clone();
     for _ in 0..3 {
         window.run();
     }
-    assert_eq!(window.state().coach.advice(), Some(&known));
+    assert_eq!(window.state().model.coach.advice(), Some(&known));
 }
 
 /// The explanation of depths is in the convention that is worked in, and draws what it says of two planes.

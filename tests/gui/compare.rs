@@ -3,7 +3,7 @@
 use camera_lab::appearance::{DepthFormat, Shading, Visibility};
 use camera_lab::camera::Projection;
 use camera_lab::figure::Comparison;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::View;

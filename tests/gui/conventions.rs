@@ -4,8 +4,8 @@ use std::fs;
 
 use camera_lab::camera::{Api, Ndc, Projection};
 use camera_lab::figure::Explanation;
-use camera_lab::gui::files::questions::Dialog;
-use camera_lab::gui::model::conventions::Conventions;
+use camera_lab::gui::app::file_flow::questions::Dialog;
+use camera_lab::gui::model::explained::conventions::Conventions;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::{Probe, View, Views};

@@ -4,7 +4,7 @@ use std::fs;
 
 use camera_lab::appearance::Theme;
 use camera_lab::export::format::PictureFormat;
-use camera_lab::gui::files::questions::{Dialog, Purpose};
+use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::views::{View, Views};
 use eframe::egui::accesskit::Role;

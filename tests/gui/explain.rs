@@ -3,8 +3,8 @@
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::{Explanation, Measure, Measured, NamedPoint};
+use camera_lab::gui::model::explained::matrices::{Matrices, Reading};
 use camera_lab::gui::model::layout::{Side, Tab};
-use camera_lab::gui::model::matrices::{Matrices, Reading};
 use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;

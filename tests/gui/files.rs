@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use camera_lab::export::png;
 use camera_lab::figure::{Explanation, View};
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::{files, gui};

@@ -4,7 +4,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::gallery::Part;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;

@@ -124,7 +124,7 @@ fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut St
 fn draw(window: &mut Window, path: &PathBuf) {
     window.harness.remove_cursor();
     window.harness.run_steps(6);
-    window.app_mut().state.coach.take(Duration::from_secs(60));
+    window.app_mut().state.model.coach.take(Duration::from_secs(60));
     window.harness.run_steps(6);
     write(path, &window.harness.render().unwrap());
 }

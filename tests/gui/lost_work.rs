@@ -11,11 +11,12 @@ use std::time::Duration;
 
 use camera_lab::camera::Parameters;
 use camera_lab::files::{open_figure, read_lesson};
-use camera_lab::gui::app::command::Command;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::learn::exercises::state::Chosen;
+use camera_lab::gui::model::command::Command;
 use camera_lab::gui::model::document::Document;
-use camera_lab::gui::storage::session::{Sessions, UnsavedText};
+use camera_lab::gui::model::unsaved_text::UnsavedText;
+use camera_lab::gui::storage::session::Sessions;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::learn::{exercise_window, lessons as words};
 use camera_lab::i18n::{Lang, told, window};

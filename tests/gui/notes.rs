@@ -2,7 +2,7 @@
 
 use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::model::layout::{Side, Tab};
 use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::i18n::Lang;

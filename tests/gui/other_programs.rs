@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use camera_lab::files;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::i18n::Lang;
 use eframe::egui::{Event, Key, Modifiers};
 

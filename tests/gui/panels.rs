@@ -507,8 +507,8 @@ fn a_size_of_an_export_that_cannot_be_is_said_and_nothing_is_written() {
 
 #[test]
 fn a_multiple_of_the_screen_that_is_too_large_is_said_and_not_made_smaller() {
+    use camera_lab::gui::app::file_flow::questions::Dialog;
     use camera_lab::gui::export::Export;
-    use camera_lab::gui::files::questions::Dialog;
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
     let mut export = Export::new([[9000, 100]; 3], 1.0);

@@ -165,7 +165,7 @@ fn a_photograph_without_a_scene_is_no_empty_image() {
     let empty = coach::texts(Lang::En).image_empty;
     let mut window = window(Lang::En, WRONG);
     let is_empty = |window: &mut Window| {
-        window.app_mut().state.coach.take(Duration::from_secs(60));
+        window.app_mut().state.model.coach.take(Duration::from_secs(60));
         window.run();
         window.says(empty)
     };

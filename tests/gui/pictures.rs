@@ -20,7 +20,7 @@ const TOLERANCE: u8 = 2;
 fn assert_window(name: &str, window: &mut Window) {
     window.harness.remove_cursor();
     window.run();
-    window.app_mut().state.coach.take(Duration::from_secs(60));
+    window.app_mut().state.model.coach.take(Duration::from_secs(60));
     window.run();
     let actual = window.harness.render().expect("a picture");
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/images/window");
@@ -77,7 +77,7 @@ fn a_problem_and_its_repairs_in_a_narrow_window() {
     let mut window = first(Lang::PtBr, Theme::Light, [640.0, 560.0]);
     window.enter("F", "20");
     // The camera check knows it too.
-    window.app_mut().state.coach.take(Duration::from_secs(60));
+    window.app_mut().state.model.coach.take(Duration::from_secs(60));
     window.run();
     assert_window("problem", &mut window);
 }

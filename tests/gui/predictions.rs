@@ -169,7 +169,7 @@ fn predicting() -> Window {
     let mut state = State::new(Start { figure, lang: Lang::En, ..Start::default() }).unwrap();
     state.file_flow.native = false;
     state.model.settings.reduce_motion = true;
-    state.operations.predict.on = true;
+    state.model.operations.predict.on = true;
     let mut window = Window::with_state(state, [1280.0, 720.0]);
     window.run();
     window
@@ -226,11 +226,11 @@ fn a_zoom_asks_for_sizes_and_says_by_how_much() {
     window.run();
     let times = before / window.state().model.document.camera().window_height();
     assert!(times > 1.0);
-    let asked = window.state().operations.predict.asked.as_ref().unwrap();
+    let asked = window.state().model.operations.predict.asked.as_ref().unwrap();
     assert!(asked.is_done && !asked.about.is_right());
     assert!(window.says(&format!("{} times as large", Lang::En.mark().number(times, 3))));
 }
 
-fn placing_of(state: &mut State) -> Option<camera_lab::gui::learn::exercises::state::Placing> {
-    state.learn.placing(&state.model, &state.operations)
+fn placing_of(state: &mut State) -> Option<camera_lab::gui::model::operations::placing::Placing> {
+    state.learn.placing(&state.model)
 }

@@ -4,7 +4,7 @@
 use std::fs;
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::app::command::Command;
+use camera_lab::gui::model::command::Command;
 use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;

@@ -9,7 +9,7 @@ use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::FileError;
 use camera_lab::geometry::Angle;
 use camera_lab::gui;
-use camera_lab::gui::files::file_flow;
+use camera_lab::gui::app::file_flow;
 use camera_lab::gui::model::action::AfterSave;
 use camera_lab::gui::model::message::Message;
 use camera_lab::gui::{LaunchOptions, Start, State};

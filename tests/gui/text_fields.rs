@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::files::questions::{Dialog, Purpose};
+use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::limits::{MAX_EXPRESSION, MAX_TYPED, MAX_TYPED_NAME};
 use eframe::egui::accesskit::Role;

@@ -4,7 +4,7 @@ use std::fs;
 
 use camera_lab::figure::Bilingual;
 use camera_lab::files::read_lesson;
-use camera_lab::gui::files::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::i18n::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};

@@ -119,6 +119,7 @@ impl Window {
                     let app = app.get_or_insert_with(|| {
                         let mut app = App::new(&ctx, start.take().expect("once"));
                         app.canvas.patience = Duration::from_secs(60);
+                        app.state.file_flow.reading.patience = Duration::from_secs(60);
                         app
                     });
                     // The harness leaves a margin; the window has none.
@@ -143,6 +144,7 @@ impl Window {
         eframe::egui::Popup::close_all(&ctx);
         let mut app = App::new(&ctx, state);
         app.canvas.patience = Duration::from_secs(60);
+        app.state.file_flow.reading.patience = Duration::from_secs(60);
         *self.harness.state_mut() = Some(app);
         self.run();
     }

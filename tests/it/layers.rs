@@ -61,39 +61,8 @@ const CRATES: [(&str, &[Row]); 4] = [
     ),
 ];
 
-/// The rooms of the window, with the rooms that each uses besides `model`, `kit` and `background`. `app` uses all.
-const ROOMS: &[Row] = &[
-    ("background", &[]),
-    ("export", &["app", "files", "inspector", "learn"]),
-    ("files", &["app", "export", "gallery", "inspector", "learn", "platform", "storage"]),
-    ("gallery", &[]),
-    ("inspector", &["app", "export", "files", "learn", "pictures", "why"]),
-    ("kit", &[]),
-    ("learn", &["app", "files", "inspector", "storage"]),
-    ("model", &["export", "storage"]),
-    ("pictures", &["app", "files", "inspector", "learn", "why"]),
-    ("platform", &["app", "files"]),
-    ("storage", &["app", "files", "learn"]),
-    ("why", &["export", "inspector"]),
-];
-
-/// The files outside of `app` that take everything the window knows: questions about files and exports, which lead to
-/// any of its features, the views, which show them all, and the preferences and the page, which keep and open it.
-const WHOLE_STATE: &[&str] = &[
-    "gui/export/export_dialog.rs",
-    "gui/export/handout_dialog.rs",
-    "gui/files/changed_file.rs",
-    "gui/files/file_flow.rs",
-    "gui/files/file_kind.rs",
-    "gui/files/link_dialog.rs",
-    "gui/files/qr.rs",
-    "gui/files/sequence.rs",
-    "gui/files/title_dialog.rs",
-    "gui/pictures/mod.rs",
-    "gui/pictures/pointer/interaction.rs",
-    "gui/platform/web/mod.rs",
-    "gui/storage/preferences/store.rs",
-];
+/// The rooms of the window that serve every feature, and those of them that each may use. `app` uses every room.
+const SHARED_ROOMS: &[Row] = &[("background", &[]), ("kit", &[]), ("model", &["background"])];
 
 /// The modules that may open files.
 const FILES: &[&str] = &["files", "cli", "gui"];
@@ -270,34 +239,31 @@ fn modules_use_what_the_table_allows_and_nothing_else() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The model and the widgets serve every feature. A feature leaves the others alone, but for those in the table.
+/// A feature of the window uses what serves every feature, and never another feature or everything the window knows.
 #[test]
-fn rooms_of_the_window_use_what_the_table_allows_and_nothing_else() {
-    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    let mut whole = BTreeSet::new();
+fn features_of_the_window_do_not_use_each_other() {
+    let mut faults = Vec::new();
     for (path, code) in sources("src") {
         let module = module_of(&path);
         let [gui, room, ..] = &module[..] else { continue };
         if gui != "gui" || room == "app" {
             continue;
         }
-        let used: Vec<Names> = paths(&code).iter().map(|path| resolved(path, &module)).collect();
-        let used: Vec<Names> = used.into_iter().filter(|names| names.len() > 1 && names[0] == "gui").collect();
-        if used.iter().any(|names| names.iter().any(|name| name == "State")) {
-            whole.insert(path.clone());
+        let row = SHARED_ROOMS.iter().find(|(shared, _)| shared == room);
+        let may_use = |other: &str| match row {
+            Some((_, allowed)) => allowed.contains(&other),
+            None => SHARED_ROOMS.iter().any(|(shared, _)| *shared == other),
+        };
+        for used in paths(&code).iter().map(|path| resolved(path, &module)) {
+            let [root, other, ..] = &used[..] else { continue };
+            let is_whole = used.iter().any(|name| name == "State");
+            let is_room = other.chars().next().is_some_and(char::is_lowercase) && other != "fresh";
+            if root == "gui" && (is_whole || is_room && other != room && !may_use(other)) {
+                faults.push(format!("{path} uses {}", used.join("::")));
+            }
         }
-        let shared = if room == "background" { &[][..] } else { &["model", "kit", "background"] };
-        let others = used.into_iter().map(|names| names[1].clone());
-        let is_room = |name: &str| name == "app" || ROOMS.iter().any(|(room, _)| *room == name);
-        let others = others.filter(|other| is_room(other) && other != room && !shared.contains(&other.as_str()));
-        found.entry(room.clone()).or_default().extend(others);
     }
-    let table: BTreeMap<String, BTreeSet<String>> = ROOMS
-        .iter()
-        .map(|(room, others)| ((*room).to_owned(), others.iter().map(|other| (*other).to_owned()).collect()))
-        .collect();
-    assert_eq!(found, table);
-    assert_eq!(whole, WHOLE_STATE.iter().map(|path| (*path).to_owned()).collect());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
@@ -336,8 +302,8 @@ fn circles_in(sources: &[(String, String)]) -> Vec<Vec<String>> {
             let target = resolved(&path, &module);
             let known = (1..=target.len()).rev().find_map(|end| handed_on.get(&target[..end]).cloned());
             let Some(file) = known.or_else(|| file_of(&target)) else { continue };
-            // A module and the files below it are one thing. The state of the window names every feature, and some
-            // still take it whole.
+            // A module and the files below it are one thing. The state of the window names every feature, and `app`
+            // takes it whole.
             let is_state = [&file, &module].iter().any(|names| names.join("::") == "gui::app::state");
             if !is_state && file[0] == module[0] && !file.starts_with(&module) && !module.starts_with(&file) {
                 arrows.entry(module.clone()).or_default().insert(file);

@@ -3,7 +3,7 @@
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
-use crate::gui::files::questions::{Dialog, FileFlow};
+use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::i18n::window::Texts;
 

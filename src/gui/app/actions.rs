@@ -3,12 +3,12 @@
 use eframe::egui::Context;
 
 use super::state::State;
-use crate::gui::files::file_flow::{ask, begin};
-use crate::gui::files::questions::{Dialog, Purpose};
+use crate::gui::app::file_flow::questions::{Dialog, Purpose};
+use crate::gui::app::file_flow::{ask, begin};
 use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::model::action::{Action, AfterSave};
-use crate::gui::pictures::photograph::tool::PhotographTool;
+use crate::gui::model::photograph::PhotographTool;
 
 /// Does what has been asked since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {
@@ -43,6 +43,8 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
             Action::Note(note) => state.explain.explain_by_note(&mut state.model, note),
             Action::Delete { names, below } => open(state, Dialog::Delete { names, below }),
             Action::DeleteProgress => open(state, Dialog::DeleteProgress),
+            Action::LookThrough(index) => state.cameras.look_through(&mut state.model, index),
+            Action::PutMark(of, place) => state.learn.put_mark(&mut state.model, &of, place),
             Action::Coach => open(state, Dialog::Coach),
             Action::Compare => {
                 let form = CompareForm::of(state.model.document.figure());

@@ -6,35 +6,9 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::app::state::State;
 use crate::gui::model::Model;
-use crate::gui::model::layout::{ObserverChange, Tab};
+use crate::gui::model::command::Command;
 use crate::i18n::window::Texts;
-use crate::views::{Arrangement, View};
 pub use table::MENUS;
-
-/// The enum of the commands, and the list of those without a value.
-macro_rules! commands {
-    ($($plain:ident)*; $($valued:ident($value:ty))*) => {
-        /// Something that can be done. `Arrange(None)` gives the pictures the arrangement that fits best.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[expect(missing_docs, reason = "what each does is said in its row, by its hint")]
-        pub enum Command {
-            $($plain,)*
-            $($valued($value),)*
-        }
-
-        #[cfg(test)]
-        const WITHOUT_VALUE: &[Command] = &[$(Command::$plain),*];
-    };
-}
-
-commands! {
-    New Open Gallery Recent Save SaveAs Title Export ExportFamily Handout ExerciseSheet CopyLink QrCode Search Quit Undo Redo Reset
-    CopyNumbers Language Theme ReduceMotion Presentation NextFigure PreviousFigure Pen
-    Spot Freeze Blank ClearAnnotations ZoomIn ZoomOut ZoomReset ParametersPanel NumbersPanel ViewBack ViewForward
-    Section Dimensions Compare KeepCamera SwapSides LinkOrbits Labels Pipeline Numerics Explain Exercises Lessons AddStep StepAgain
-    StepText StepQuestion StepNotes WriteLesson LeaveLesson Help About;
-    Tab(Tab) Show(View) Arrange(Option<Arrangement>) Observe(ObserverChange)
-}
 
 /// A menu: its title, and its commands in groups, between which is a line.
 #[derive(Debug)]
@@ -186,8 +160,11 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
+    use crate::gui::model::command::WITHOUT_VALUE;
+    use crate::gui::model::layout::{ObserverChange, Tab};
     use crate::i18n::{Lang, window};
     use crate::views::observer::Viewpoint;
+    use crate::views::{Arrangement, View};
 
     #[test]
     fn every_command_has_one_row() {

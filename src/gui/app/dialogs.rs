@@ -7,17 +7,17 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
-use super::command::{Command, MENUS};
+use super::command::MENUS;
 use super::menu;
 use super::search;
+use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::file_kind::FileKind;
+use crate::gui::app::file_flow::questions::{Agreed, Changed, Dialog, FileFlow, Purpose};
+use crate::gui::app::file_flow::title_dialog::{self, Answer};
+use crate::gui::app::file_flow::{link_dialog, qr};
 use crate::gui::app::state::State;
-use crate::gui::export::{export_dialog, handout_dialog};
+use crate::gui::export::export_dialog::{self, Choices};
 use crate::gui::files::comparison::{Comparison, LineOrigin};
-use crate::gui::files::file_flow;
-use crate::gui::files::file_kind::FileKind;
-use crate::gui::files::questions::{Agreed, Changed, Dialog, FileFlow, Purpose};
-use crate::gui::files::title_dialog::{self, Answer};
-use crate::gui::files::{link_dialog, qr};
 use crate::gui::gallery::{self, Chosen};
 use crate::gui::inspector::{coach, compare_dialog, scene};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
@@ -26,10 +26,11 @@ use crate::gui::kit::keys::written;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::learn::lesson;
+use crate::gui::learn::{handout, lesson};
 use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
-use crate::gui::model::source::Source;
+use crate::gui::model::command::Command;
+use crate::gui::model::document::source::Source;
 use crate::gui::platform::native::Wanted;
 use crate::i18n::learn::{exercise_window, lessons};
 use crate::i18n::window::gallery as gallery_words;
@@ -80,7 +81,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Coach => coach::WIDTH,
             Dialog::Search => search::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
-            Dialog::Handout(_) => handout_dialog::WIDTH,
+            Dialog::Handout(_) => handout::dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_)
             | Dialog::UnsavedText(_)
@@ -133,8 +134,23 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 Some(Answer::Choose(purpose)) => file_flow::ask(ctx, state, purpose),
                 None => {}
             },
-            Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
-            Dialog::Handout(form) => handout_dialog::show(ui, state, form, first),
+            Dialog::Export(mut export) => {
+                let State { model, family, export: last, file_flow, .. } = &mut *state;
+                let mut choices = Choices { family, last, preview: &mut file_flow.preview };
+                match export_dialog::show(ui, t, model, &mut choices, &mut export, first) {
+                    Pressed::Action(_) => file_flow::ask(ctx, state, Purpose::Export(export)),
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
+                    Pressed::Cancel => {}
+                }
+            }
+            Dialog::Handout(mut form) => {
+                let State { model, learn, file_flow, .. } = &mut *state;
+                match handout::dialog::show(ui, model, learn, &mut file_flow.pages, &mut form, first) {
+                    Pressed::Action(_) => file_flow::ask(ctx, state, Purpose::Handout(form)),
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Handout(form)),
+                    Pressed::Cancel => {}
+                }
+            }
             // It has no frame.
             Dialog::Qr => {}
             Dialog::Lessons => {
@@ -153,7 +169,11 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Help => help(ui, t, &state.model, &mut state.file_flow, first),
             Dialog::About => about::show(ui, t, &mut state.file_flow, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
-            Dialog::Coach => coach::show(ui, t, &mut state.model, &mut state.file_flow, &state.coach, first),
+            Dialog::Coach => {
+                if coach::show(ui, t, &mut state.model, first) {
+                    state.file_flow.dialog = Some(Dialog::Coach);
+                }
+            }
             // It has a window of its own.
             Dialog::Compare(_) => {}
             Dialog::Search => wanted = search::show(ui, state, first),

@@ -10,9 +10,8 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::{App, actions, dialogs, menu, presentation, status};
-use crate::gui::app::command::Command;
+use crate::gui::app::file_flow::{self, changed_file};
 use crate::gui::app::state::State;
-use crate::gui::files::{changed_file, file_flow};
 use crate::gui::inspector::{numerics, operations, parameters, values};
 use crate::gui::kit::context_help;
 use crate::gui::kit::focus::{self, Region};
@@ -20,9 +19,11 @@ use crate::gui::kit::{text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
 use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
+use crate::gui::model::command::Command;
 use crate::gui::model::layout::Side;
 use crate::gui::model::shown::PanelHover;
-use crate::gui::pictures::motion;
+use crate::gui::pictures::long_work::is_long;
+use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session::Kept;
 use crate::gui::storage::session_news;
@@ -59,7 +60,7 @@ impl App {
         });
         self.caret.follow(ctx);
         motion::advance(ctx, &mut self.state.model);
-        lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, &self.state.file_flow);
+        lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, self.state.file_flow.is_asking());
         self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.model.document.commit();
@@ -67,7 +68,10 @@ impl App {
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
         self.act(ctx);
-        self.canvas.listen_for_cancel(ctx, &mut self.state.model, &self.state.file_flow);
+        let of_files = self.state.file_flow.running(self.state.model.settings.lang);
+        if !self.state.file_flow.is_asking() && self.canvas.listen_for_cancel(ctx, &mut self.state.model, &of_files) {
+            self.state.file_flow.cancel(is_long);
+        }
         if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
             && let Some(command) =
                 presentation::escape(ctx, &self.state.model, &self.state.file_flow, &self.state.annotations)
@@ -124,7 +128,7 @@ impl App {
         if let Some(note) = context_help::called(&ctx) {
             self.state.explain.explain_by_note(&mut self.state.model, note);
         }
-        motion::show_done(&ctx, &mut self.state.model, &mut self.state.operations);
+        motion::show_done(&ctx, &mut self.state.model);
         self.act(&ctx);
         self.state.model.follow_panels();
         self.state.model.answered = self.state.learn.exercises.answered_camera();
@@ -134,7 +138,7 @@ impl App {
     /// News and offers, each in a line of its own.
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
-        session_news::bar(ui, &mut self.state.model, &mut self.state.file_flow);
+        session_news::bar(ui, self.state.model.settings.lang, &mut self.state.file_flow.news);
         changed_file::bar(ui, &mut self.state);
         if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
@@ -179,8 +183,12 @@ impl App {
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
                 let State { model, explain, learn, .. } = &mut self.state;
                 why::ui(ui, model, explain, &mut |ui, model, part| match part {
-                    why::Part::Head => exercises::head(ui, model, learn),
-                    why::Part::Content => exercises::ui(ui, model, learn),
+                    why::Part::Exercise => exercises::head(ui, model, learn),
+                    why::Part::Exercises => exercises::ui(ui, model, learn),
+                    why::Part::Matrices => {
+                        let compared = model.settings.conventions.compared;
+                        values::list(ui, model, false, compared, |table| table.is_matrix());
+                    }
                 });
             });
             name_handle(ui, id, t.panel_width);
@@ -192,7 +200,7 @@ impl App {
         let share = if self.state.model.settings.numbers_open { 0.56 } else { 0.8 };
         let half = ui.available_height() * share;
         egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
-            operations::ui(ui, &mut self.state.model, &mut self.state.operations);
+            operations::ui(ui, &mut self.state.model);
             focus::keep_in_sight(ui);
         });
         ui.add_space(4.0);
@@ -205,12 +213,11 @@ impl App {
     /// The pictures; then the commands that they and the panels have called.
     fn pictures(&mut self, ui: &mut egui::Ui, called: Called) {
         let ctx = ui.ctx().clone();
-        let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        let pictures = egui::CentralPanel::no_frame().show(ui, |ui| pictures(ui, &mut self.canvas, &mut self.state));
         if let Some(command) = self.canvas.take_wanted() {
             self.perform(&ctx, command);
         }
-        self.act(&ctx);
-        self.state.coach.check_camera(&self.state.model, &ctx);
+        self.state.model.check_camera(&ctx);
         presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
@@ -281,6 +288,24 @@ impl App {
         }
         self.show_notices();
     }
+}
+
+/// Shows the pictures, with what they show of other features, and does what they ask of those.
+pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
+    let State { model, learn, annotations, explain, file_flow, label_mode, photograph, .. } = state;
+    let inputs = Inputs {
+        placing: learn.placing(model),
+        fades: learn.lesson.as_ref().map_or(0, |playing| playing.fades),
+        keys: presentation::keys(ui.ctx(), model, learn, annotations),
+        frozen: annotations.frozen,
+        of_files: file_flow.running(model.settings.lang),
+        triangle_waits: explain.triangle.is_searched(),
+        on_triangle: &mut |ctx, model, request, pointer, triangle| {
+            why::clicked(ctx, model, explain, request, pointer, triangle)
+        },
+    };
+    canvas.ui(ui, model, (label_mode, photograph), inputs);
+    actions::perform(ui.ctx(), state);
 }
 
 /// Names the handle of a panel in the language of the window: egui's own name for it is English.

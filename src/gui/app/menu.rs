@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Button, RichText, TextStyle};
 
-use super::command::{Command, MENUS};
+use super::command::MENUS;
 use crate::gui::app::state::State;
 use crate::gui::app::status;
 use crate::gui::kit::elide;
@@ -11,6 +11,7 @@ use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
+use crate::gui::model::command::Command;
 use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
 

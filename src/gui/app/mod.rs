@@ -1,20 +1,25 @@
-//! The program of the window: its frames, commands, menus, search and settings.
+//! The program of the window: its frames, commands, menus, search, questions about files, and preferences.
+//!
+//! Only here are features used, in order, and only functions here take everything that the window knows.
 
 pub(super) mod about;
 mod actions;
-pub(super) mod annotations;
 pub mod command;
 pub mod dialogs;
-mod frame;
+pub mod file_flow;
+pub mod frame;
 pub(super) mod key_repeat;
 pub mod launch_options;
 pub mod menu;
+pub mod preferences;
 pub(super) mod presentation;
 pub(super) mod search;
 pub(super) mod search_state;
 pub mod state;
 pub mod status;
 pub(super) mod tab_order;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
 
 use std::path::Path;
 
@@ -22,20 +27,20 @@ use eframe::egui::os::OperatingSystem;
 use eframe::egui::{self, KeyboardShortcut, Vec2, ViewportCommand};
 
 use crate::appearance::Theme;
-use crate::gui::app::command::{Command, Run};
+use crate::gui::app::command::Run;
 use crate::gui::app::key_repeat::HeldKey;
 use crate::gui::app::launch_options::LaunchOptions;
+use crate::gui::app::preferences::Preferences;
 use crate::gui::app::presentation::RestingPointer;
 use crate::gui::app::state::State;
 use crate::gui::app::tab_order::KeyOrder;
-use crate::gui::files::{file_flow, sequence};
 use crate::gui::kit::focus::Focus;
 use crate::gui::kit::{text_field, theme};
+use crate::gui::model::command::Command;
 use crate::gui::model::message::Message;
 use crate::gui::pictures::Canvas;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
-use crate::gui::storage::preferences::Preferences;
 use crate::gui::storage::session::{Keeping, Restored, Sessions};
 use crate::sanitize;
 
@@ -193,7 +198,7 @@ impl App {
                 if self.state.learn.lesson.is_some() {
                     self.state.learn.step_lesson(&mut self.state.model, forwards);
                 } else {
-                    sequence::step(&mut self.state, forwards);
+                    file_flow::step(ctx, &mut self.state, forwards);
                 }
             }
         }

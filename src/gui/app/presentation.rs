@@ -7,14 +7,14 @@ use eframe::egui::{
     Pos2, RawInput, Rect, Sense, Shape, Stroke, TextStyle, Ui, text::LayoutJob, vec2,
 };
 
-use super::command::Command;
 use super::menu;
-use crate::gui::app::annotations::Annotations;
+use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::state::State;
-use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::theme;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
+use crate::gui::model::command::Command;
+use crate::gui::pictures::annotations::Annotations;
 use crate::i18n::learn::lessons;
 use crate::i18n::{told, window};
 

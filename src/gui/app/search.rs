@@ -4,15 +4,14 @@ use std::borrow::Cow;
 
 use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
 
-use super::command::Command;
 use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
 use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
+use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::search_state::Search;
 use crate::gui::app::state::State;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::Dialog;
 use crate::gui::inspector::operations;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field;
@@ -23,6 +22,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::list;
 use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
+use crate::gui::model::command::Command;
 use crate::gui::model::layout::{Side, Tab};
 use crate::gui::why;
 use crate::i18n::learn::exercises as exercise_words;
@@ -353,7 +353,7 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
             number_field::take_keyboard(ctx, name);
         }
         Target::Operation(freedom) => {
-            state.operations.open(freedom);
+            state.model.operations.open(freedom);
             state.model.settings.panels_mut().show(Side::Right);
             number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.model.settings.lang)));
         }

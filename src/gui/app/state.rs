@@ -6,24 +6,22 @@ use crate::camera::CameraError;
 use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
 use crate::gui::Start;
-use crate::gui::app::annotations::Annotations;
+use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::search_state::Search;
 use crate::gui::background::memo::Memo;
 use crate::gui::export::Export;
 use crate::gui::export::family_choice::FamilyChoice;
-use crate::gui::files::questions::FileFlow;
 use crate::gui::gallery::Gallery;
+use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::inspector::state::cameras::CameraList;
-use crate::gui::inspector::state::coach::Coach;
-use crate::gui::inspector::state::operations::Operations;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::document::Document;
+use crate::gui::model::photograph::PhotographTool;
+use crate::gui::pictures::annotations::Annotations;
 use crate::gui::pictures::labels::label_mode::LabelMode;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::storage::recent::Recent;
 use crate::gui::why::state::explain::Explain;
-use crate::gui::why::state::numerics::Numerics;
 use crate::share::ShareError;
 use crate::views::View;
 
@@ -32,8 +30,6 @@ use crate::views::View;
 pub struct State {
     /// The document, the layout and all else that every feature may use.
     pub model: Model,
-    /// The panel of operations.
-    pub operations: Operations,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
     /// The address of that page, where others can open it too.
@@ -70,8 +66,6 @@ pub struct State {
     /// By the address, and whether it holds a whole lesson. Made when the dialog is opened, since nothing behind it
     /// changes.
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
-    /// The faults of the picture, and the health of the camera.
-    pub coach: Coach,
 }
 
 /// The document at the start. Operations of the command line are a change of the figure in the file. They can be
@@ -103,7 +97,6 @@ impl State {
             model: Model::new(document, start.lang, square),
             own_address: None,
             page_address: String::new(),
-            operations: Operations::default(),
             file_flow: FileFlow::new(true),
             recent: Recent::default(),
             gallery: Gallery::default(),
@@ -119,7 +112,6 @@ impl State {
             learn: Learn::default(),
             cameras: CameraList::default(),
             shown_link: Memo::default(),
-            coach: Coach::default(),
         };
         state.model.show_screen(screen);
         if let Some(open) = start.lesson {

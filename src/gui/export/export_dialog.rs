@@ -8,12 +8,8 @@ use super::preview::{Preview, can_be_copied};
 use crate::appearance::Theme;
 use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
-use crate::gui::app::state::State;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::{Dialog, FileFlow, Purpose};
-use crate::gui::inspector::state::operations::Operations;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
@@ -40,11 +36,29 @@ const AROUND: f32 = 130.0;
 /// The narrowest picture that is worth its room.
 const LEAST_PICTURE: f32 = 120.0;
 
-/// Asks how. Goes on to the question where.
-pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
+/// The parts of the window's state that the dialog changes.
+pub(in crate::gui) struct Choices<'a> {
+    /// The family that is exported.
+    pub(in crate::gui) family: &'a mut FamilyChoice,
+    /// The settings of the last export.
+    pub(in crate::gui) last: &'a mut Export,
+    /// The picture as it will be.
+    pub(in crate::gui) preview: &'a mut Option<Preview>,
+}
+
+/// Asks how, and returns the button that was pressed: the file comes next.
+pub(in crate::gui) fn show(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    model: &Model,
+    choices: &mut Choices<'_>,
+    export: &mut Export,
+    first: bool,
+) -> Pressed {
     let mut enter = !first && enter(ui);
-    if first && state.family.variations().is_some() {
-        family::take_keyboard(ui.ctx(), t, &state.family);
+    let is_family = choices.family.variations().is_some();
+    if first && is_family {
+        family::take_keyboard(ui.ctx(), t, choices.family);
     } else if first && export.on_paper {
         number_field::take_keyboard(ui.ctx(), t.export_width_cm);
     }
@@ -61,13 +75,13 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
         let column = |ui: &mut egui::Ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.x = 8.0;
-            settings(ui, t, &state.model, &state.file_flow, &mut state.family, &mut export, &mut enter)
+            settings(ui, t, model, choices, export, &mut enter)
         };
         let errors = ui.vertical(column).inner;
         if room >= LEAST_PICTURE {
             ui.vertical(|ui| {
                 ui.set_width(room);
-                picture(ui, t, state, &export, (vec2(room, PICTURE.y), errors.is_empty()));
+                picture(ui, t, model, choices, export, (vec2(room, PICTURE.y), errors.is_empty()));
             });
         }
         errors
@@ -75,19 +89,22 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
     let errors = area.show(ui, |ui| ui.horizontal_top(row).inner).inner;
     ui.add_space(10.0);
     // Unless a field has the keyboard.
-    let begins = first && !export.on_paper && state.family.variations().is_none();
+    let begins = first && !export.on_paper && !is_family;
     let pressed = match buttons(ui, t.cancel, &[t.export_action], begins.then_some(0)) {
         Pressed::Nothing if enter => Pressed::Action(0),
         pressed => pressed,
     };
     match pressed {
         Pressed::Action(_) if errors.is_empty() => {
-            state.export = export;
-            state.family.last = state.family.remembered();
-            file_flow::ask(ui.ctx(), state, Purpose::Export(export));
+            *choices.last = *export;
+            choices.family.last = choices.family.remembered();
+            pressed
         }
-        Pressed::Cancel => state.family.give_up(),
-        Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
+        Pressed::Cancel => {
+            choices.family.give_up();
+            pressed
+        }
+        Pressed::Action(_) | Pressed::Nothing => Pressed::Nothing,
     }
 }
 
@@ -113,21 +130,28 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
 }
 
 /// The present screen, for the export.
-fn subject(model: &Model, operations: &Operations, family: &FamilyChoice, export: &Export) -> ExportSource {
+fn subject(model: &Model, family: &FamilyChoice, export: &Export) -> ExportSource {
     ExportSource::of(&model.document, model.figure_as_shown(), model.settings.lang, export.theme)
-        .with_family(family.clone(), operations.convention)
+        .with_family(family.clone(), model.operations.convention)
 }
 
 /// The picture as it will be, how large it is, and the button that copies it.
-fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Export, (room, valid): (Vec2, bool)) {
+fn picture(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    model: &Model,
+    choices: &mut Choices<'_>,
+    export: &Export,
+    (room, valid): (Vec2, bool),
+) {
     let ctx = ui.ctx().clone();
-    let mut preview = state.file_flow.preview.take().unwrap_or_default();
+    let mut preview = choices.preview.take().unwrap_or_default();
     if valid {
         preview.follow(
             &ctx,
-            (export, &state.family),
+            (export, choices.family),
             [room.x, room.y].map(|side| side * ctx.pixels_per_point()),
-            || subject(&state.model, &state.operations, &state.family, export),
+            || subject(model, choices.family, export),
         );
     }
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
@@ -151,8 +175,8 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
             (false, _) => t.export_copy_too_large,
         };
         if button.explained(hint).explained_disabled(hint).clicked() {
-            state.export = *export;
-            let subject = subject(&state.model, &state.operations, &state.family, export);
+            *choices.last = *export;
+            let subject = subject(model, choices.family, export);
             preview.copy(&ctx, export, subject);
         }
         match &preview.copied {
@@ -170,7 +194,7 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
         let text = format!("⚠ {}", pictures::crowded(t.lang, crowded));
         ui.add(egui::Label::new(RichText::new(text).color(ui.visuals().warn_fg_color)).wrap());
     }
-    state.file_flow.preview = Some(preview);
+    *choices.preview = Some(preview);
 }
 
 /// The picture in the middle of a place, on a chequered ground where it has none of its own.
@@ -215,8 +239,7 @@ fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
     model: &Model,
-    file_flow: &FileFlow,
-    family: &mut FamilyChoice,
+    choices: &mut Choices<'_>,
     export: &mut Export,
     enter: &mut bool,
 ) -> Vec<Fault> {
@@ -232,7 +255,7 @@ fn settings(
         (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
-    family::rows(ui, t, family, enter);
+    family::rows(ui, t, choices.family, enter);
     let sizes = [
         ((Some(1), false), "1 ×"),
         ((Some(2), false), "2 ×"),
@@ -249,8 +272,8 @@ fn settings(
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(model.picture_sizes, model.screen_scale);
     // A family in multiples of the screen is larger than its figure.
-    let of_family = file_flow.preview.as_ref().and_then(Preview::size);
-    let of_family = of_family.filter(|_| size.0.is_some() && family.variations().is_some());
+    let of_family = choices.preview.as_ref().and_then(Preview::size);
+    let of_family = of_family.filter(|_| size.0.is_some() && choices.family.variations().is_some());
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         if size == (None, false) {
             return pixels(ui, t, export);

@@ -1,12 +1,8 @@
 //! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
 
-pub(super) mod chart_export;
 pub(super) mod export_dialog;
 pub(super) mod family;
 pub mod family_choice;
-pub(super) mod handout_dialog;
-pub mod handout_form;
-pub(super) mod handout_pages;
 pub mod preview;
 
 use std::path::{Path, PathBuf};
@@ -15,7 +11,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use crate::appearance::Theme;
-use crate::camera::{Camera, CameraError, Convention, Decomposition};
+use crate::camera::{Camera, Convention, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
@@ -28,16 +24,17 @@ use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
 use crate::gui::background::worker::{Running, Worker};
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::model::document::Document;
-use crate::i18n::{Lang, families, messages, pictures, window};
+use crate::gui::model::export_error::ExportError;
+use crate::gui::model::handout::Job;
+use crate::i18n::{Lang, pictures};
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, Metadata, NoComposite, OnPaper,
-    PictureError, PictureFile, SheetSize,
+    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, Metadata, OnPaper, PictureError,
+    PictureFile, SheetSize,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
-use crate::scene::SceneError;
 use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
 
 /// The export settings: pictures, size, theme.
@@ -211,62 +208,8 @@ const FILM: [u32; 2] = [640, 480];
 /// Duration of a step in it.
 const STEP_SECONDS: f64 = 2.0;
 
-/// Why a picture was not written.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum ExportError {
-    #[error(transparent)]
-    Camera(#[from] CameraError),
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    #[error(transparent)]
-    Picture(#[from] PictureError),
-    #[error(transparent)]
-    File(#[from] FileError),
-    #[error(transparent)]
-    Family(#[from] VariationError),
-    /// A picture without background, in a format that has no transparency.
-    #[error("{} has no transparency", .0.name())]
-    NoTransparency(PictureFormat),
-    /// The user does not want it any more.
-    #[error("cancelled")]
-    Cancelled,
-    /// The export panicked.
-    #[error("a bug in this program")]
-    Panic,
-}
-
 /// The result of an export. A shortfall, or the reason why nothing was written.
 pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
-
-impl ExportError {
-    /// Why the picture `name` was not written.
-    pub(super) fn text(&self, lang: Lang, name: &str) -> String {
-        let t = window::texts(lang);
-        match self {
-            Self::Camera(error) => messages::camera(lang, error),
-            Self::Scene(error) => messages::scene(lang, error),
-            Self::Family(error) => families::error(lang, error),
-            Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
-            Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
-                t.picture_too_large.to_owned()
-            }
-            Self::Picture(PictureError::Composite(NoComposite::UnevenRows { count, columns })) => {
-                families::uneven_rows(lang, *count, *columns)
-            }
-            Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
-                format!("{count} {}", t.picture_no_room)
-            }
-            Self::Picture(PictureError::Strokes) => messages::over_budget(lang, &OverBudget::Strokes),
-            Self::Picture(error @ PictureError::Font) => error.to_string(),
-            Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
-            Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
-            Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
-            Self::File(error) => messages::file(lang, name, error),
-            Self::NoTransparency(format) => format!("{} {}", format.name(), t.export_no_transparency),
-            Self::Panic => format!("{} {name}", t.picture_failed),
-        }
-    }
-}
 
 /// A picture that is being written.
 #[derive(Debug)]
@@ -287,7 +230,8 @@ pub(super) struct ExportSource {
 }
 
 impl ExportSource {
-    /// The present screen, in a theme. The figure is [`State::figure_as_shown`](super::State::figure_as_shown).
+    /// The present screen, in a theme: `shown` comes from
+    /// [`Model::figure_as_shown`](crate::gui::model::Model::figure_as_shown).
     pub(super) fn of(document: &Document, shown: Figure, lang: Lang, theme: Theme) -> Self {
         let mut figure = shown;
         figure.style.theme = theme;
@@ -397,7 +341,7 @@ pub(super) struct Task {
 pub(super) enum ExportKind {
     Pictures(Export),
     /// Pages to print.
-    Handout(Box<handout_pages::Job>),
+    Handout(Box<Job>),
     /// The way to the canonical volume by these steps, in a theme.
     Animation(Decomposition, Theme),
 }

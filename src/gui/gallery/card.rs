@@ -11,7 +11,7 @@ use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::Bilingual;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
-use crate::gui::model::source::Source;
+use crate::gui::model::document::source::Source;
 use crate::i18n::{Lang, messages, pictures, told, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;

@@ -14,7 +14,7 @@ use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
 use crate::gui::background::worker::Worker;
-use crate::gui::model::source::Source;
+use crate::gui::model::document::source::Source;
 use crate::i18n::window::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
 pub use card::figures_in;

@@ -17,7 +17,7 @@ use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::source::Source;
+use crate::gui::model::document::source::Source;
 use crate::i18n::Lang;
 use crate::i18n::window::gallery as words;
 use crate::i18n::window::gallery::Texts;

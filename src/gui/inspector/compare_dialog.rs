@@ -20,14 +20,6 @@ use crate::i18n::window::compare as words;
 use crate::i18n::window::compare::Texts as Words;
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 
-/// A button that opens the dialog.
-pub(in crate::gui) fn button(ui: &mut Ui, model: &mut Model) {
-    let words = words::texts(model.settings.lang);
-    if ui.button(words.command).explained(words.command_hint).clicked() {
-        model.actions.push(Action::Compare);
-    }
-}
-
 /// Shows the dialog in a window of its own, which can be moved. The pictures beside it show what is chosen, and can be
 /// used. The form, while it stays open. While the user `draws` on the views, Esc is for that.
 pub(in crate::gui) fn show(

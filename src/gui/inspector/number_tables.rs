@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
 use crate::gui::model::Model;
-use crate::gui::model::conventions::Conventions;
+use crate::gui::model::explained::conventions::Conventions;
 use crate::i18n::why::conventions;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;

@@ -5,13 +5,13 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::predict;
 use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
-use crate::gui::inspector::state::operations::{Operations, Scrub};
 use crate::gui::kit::context_help::help_topic_row;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::pictures::motion;
+use crate::gui::model::operations::Scrub;
+use crate::gui::model::operations::motion::arrow;
 use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
@@ -70,53 +70,57 @@ pub(in crate::gui) fn step_name(freedom: Freedom, t: &Texts) -> String {
 }
 
 /// Shows the operations.
-pub fn ui(ui: &mut egui::Ui, model: &mut Model, operations: &mut Operations) {
+pub fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
     let possible = model.document.problem().is_none();
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
-        ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, model, operations, written));
+        ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, model, written));
         let rows = ui.add_enabled_ui(possible, |ui| {
             for Descriptor { freedom, .. } in &OPERATIONS {
-                ui.push_id(freedom, |ui| operation(ui, t, model, operations, *freedom));
+                ui.push_id(freedom, |ui| operation(ui, t, model, *freedom));
             }
         });
         if !ui.rect_contains_pointer(rows.response.rect) {
-            operations.close_others();
+            model.operations.close_others();
         }
         kept(ui, t, model);
         more(ui, t, t.vtk, |ui| {
-            let mut vtk = operations.convention == Convention::Vtk;
+            let mut vtk = model.operations.convention == Convention::Vtk;
             ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
-            operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
+            model.operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
         });
     });
     if !ui.input(|input| input.pointer.any_down()) {
-        operations.scrub = None;
+        model.operations.scrub = None;
     }
 }
 
 /// One row with its buttons. Below the open one are its effect and its slider.
-fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
+fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Freedom) {
     let row = ui.scope(|ui| {
-        controls(ui, t, model, operations, freedom);
-        if operations.shows(freedom) {
-            detail(ui, t, model, operations, freedom);
+        controls(ui, t, model, freedom);
+        if model.operations.shows(freedom) {
+            detail(ui, t, model, freedom);
         }
     });
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     // What is to be predicted isn't shown.
-    if model.hover.ghost.is_none() && hovered && !operations.predict.on && !ui.input(|input| input.pointer.any_down()) {
+    if model.hover.ghost.is_none()
+        && hovered
+        && !model.operations.predict.on
+        && !ui.input(|input| input.pointer.any_down())
+    {
         let before = model.document.camera().clone();
-        let operation = stepped(freedom, operations.steps[freedom as usize], true);
-        model.hover.ghost = Some(Ghost { before, operation, convention: operations.convention });
+        let operation = stepped(freedom, model.operations.steps[freedom as usize], true);
+        model.hover.ghost = Some(Ghost { before, operation, convention: model.operations.convention });
     }
 }
 
 /// The effect of the open operation, or how far it has been pulled, and its slider.
-fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
-    let amount = operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
+fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Freedom) {
+    let amount = model.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
     ui.scope(|ui| {
         ui.spacing_mut().interact_size.y = TEXT_LINE;
         let small = match amount {
@@ -125,16 +129,16 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &
         };
         ui.add(egui::Label::new(small).truncate());
     });
-    ui.add_enabled_ui(!operations.predict.on, |ui| slider(ui, t, model, operations, freedom));
-    let is_last = operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
-    let keeps = is_last && operations.led_to(model.document.camera()).is_some();
+    ui.add_enabled_ui(!model.operations.predict.on, |ui| slider(ui, t, model, freedom));
+    let is_last = model.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
+    let keeps = is_last && model.operations.led_to(model.document.camera()).is_some();
     let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
     if is_last {
         number_field::answer_call(ui, &button, t.keep_operation);
     }
     if button.explained(t.keep_operation_hint).explained_disabled(t.keep_operation_disabled).clicked() {
         let camera = model.document.camera().clone();
-        operations.keep(&camera, &mut model.document.show_mut().operations);
+        model.operations.keep(&camera, &mut model.document.show_mut().operations);
     }
     ui.add_space(3.0);
 }
@@ -178,12 +182,12 @@ fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
 }
 
 /// The name, which opens the operation, and − step +.
-fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
+fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Freedom) {
     let name = name(freedom, t);
     let error = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        let is_open = operations.shows(freedom);
-        let explained = explained(freedom, t, operations.convention);
+        let is_open = model.operations.shows(freedom);
+        let explained = explained(freedom, t, model.operations.convention);
         let sign = if is_open { "▾" } else { "▸" };
         let title = egui::Button::new(format!("{sign} {name}")).frame(false).truncate();
         let rest = 2.0 * BUTTON + STEP + 3.0 * ui.spacing().item_spacing.x;
@@ -208,11 +212,11 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations:
         let title = title.inner.explained(explained).accessible_name(name);
         title.widget_info(|| egui::WidgetInfo::selected(egui::Role::DisclosureTriangle, true, is_open, name));
         if title.clicked() {
-            operations.open(freedom);
-            operations.close_others();
+            model.operations.open(freedom);
+            model.operations.close_others();
         }
-        button(ui, t, model, operations, freedom, false);
-        let step = &mut operations.steps[freedom as usize];
+        button(ui, t, model, freedom, false);
+        let step = &mut model.operations.steps[freedom as usize];
         let title = step_name(freedom, t);
         let field = match freedom.descriptor().amount {
             Amount::Factor => NumberField::new(title, Step::Multiply(1.1)).prefix("×"),
@@ -220,7 +224,7 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations:
             Amount::Angle => NumberField::angle(title, 5.0),
         };
         let error = field.positive().width(STEP).hint(t.step_hint).show(ui, t, step).error;
-        button(ui, t, model, operations, freedom, true);
+        button(ui, t, model, freedom, true);
         error
     });
     if let Some(error) = error.inner {
@@ -232,25 +236,18 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, operations:
 const BUTTON: f32 = 38.0;
 const STEP: f32 = 58.0;
 
-fn button(
-    ui: &mut egui::Ui,
-    t: &Texts,
-    model: &mut Model,
-    operations: &mut Operations,
-    freedom: Freedom,
-    forwards: bool,
-) {
+fn button(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
-    let arrow = motion::arrow(model.document.camera(), freedom, forwards, operations.convention);
+    let arrow = arrow(model.document.camera(), freedom, forwards, model.operations.convention);
     let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
     let button = egui::Button::new(text).min_size(egui::vec2(BUTTON, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
-    if ui.add(button).accessible_name(name).explained(explained(freedom, t, operations.convention)).clicked() {
-        let step = operations.steps[freedom as usize];
+    if ui.add(button).accessible_name(name).explained(explained(freedom, t, model.operations.convention)).clicked() {
+        let step = model.operations.steps[freedom as usize];
         let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
-        operations.open(freedom);
-        if !operations.predict_first(model, freedom, amount) {
-            motion::begin(model, operations, freedom, amount);
+        model.operations.open(freedom);
+        if !model.predict_first(freedom, amount) {
+            model.begin_motion(freedom, amount);
         }
     }
 }
@@ -297,18 +294,18 @@ fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
 const COILS: u8 = 12;
 
 /// Pulls the camera from where it was taken. Springs back when it is let go.
-fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, operations: &mut Operations, freedom: Freedom) {
+fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     let free = ui.input(|input| input.modifiers.command);
     let (range, grain) = match freedom.descriptor().amount {
         Amount::Factor => (3.0, 0.05),
         Amount::Length => {
-            let start = operations.scrub.as_ref().map_or(model.document.camera(), |s| &s.start);
+            let start = model.operations.scrub.as_ref().map_or(model.document.camera(), |s| &s.start);
             (start.distance(), 0.0)
         }
         Amount::Angle if free => (180.0, 0.0),
         Amount::Angle => (180.0, SNAP),
     };
-    let mut amount = operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
+    let mut amount = model.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
     ui.spacing_mut().slider_width = ui.available_width().max(40.0);
     // Springs take the place of the rail.
     ui.spacing_mut().slider_rail_height = 0.0;
@@ -320,12 +317,12 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, operations: &mut Oper
     #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
     springs(ui, response.rect, ((amount + range) / (2.0 * range)).clamp(0.0, 1.0) as f32);
     if response.drag_started() {
-        operations.scrub = Some(Scrub { freedom, start: model.document.camera().clone(), amount: 0.0 });
+        model.operations.scrub = Some(Scrub { freedom, start: model.document.camera().clone(), amount: 0.0 });
     }
     // Where it is let go counts too: the pointer may have moved since the last frame.
     if response.dragged() || response.drag_stopped() {
-        let convention = operations.convention;
-        if let Some(scrub) = operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
+        let convention = model.operations.convention;
+        if let Some(scrub) = model.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
             model.hover.ghost =
                 Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
@@ -340,11 +337,11 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, operations: &mut Oper
             }
         }
         if response.drag_stopped() && amount != 0.0 {
-            operations.last = model.hover.ghost.clone();
+            model.operations.last = model.hover.ghost.clone();
         }
     } else if response.changed() {
         let (before, operation) = (model.document.camera().clone(), pulled(freedom, amount));
-        operations.last = Some(Ghost { before, operation, convention: operations.convention });
-        operations.operate(model, operation);
+        model.operations.last = Some(Ghost { before, operation, convention: model.operations.convention });
+        model.operate(operation);
     }
 }

@@ -3,13 +3,11 @@
 use eframe::egui::{self, Button, RichText};
 
 use crate::camera::Operation;
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::inspector::state::predict::{About, Change, Prediction};
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{number_field, prose};
-use crate::gui::learn::exercises::color;
 use crate::gui::model::Model;
-use crate::gui::pictures::motion;
+use crate::gui::model::operations::predict::{About, Change, Prediction};
 use crate::i18n::learn::exercise_messages;
 use crate::i18n::window::Texts as WindowTexts;
 use crate::i18n::window::predict as words;
@@ -19,15 +17,9 @@ use crate::i18n::window::predict::Texts;
 type Written = fn(Operation, &WindowTexts) -> String;
 
 /// Shows the switch, and the operation that asks.
-pub(super) fn ui(
-    ui: &mut egui::Ui,
-    window: &'static WindowTexts,
-    model: &mut Model,
-    operations: &mut Operations,
-    written: Written,
-) {
+pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, model: &mut Model, written: Written) {
     let t = words::texts(window.lang);
-    let predict = &mut operations.predict;
+    let predict = &mut model.operations.predict;
     let switch = ui.checkbox(&mut predict.on, t.switch).explained(t.switch_hint);
     number_field::answer_call(ui, &switch, t.switch);
     if switch.changed() && !predict.on {
@@ -47,13 +39,13 @@ pub(super) fn ui(
         ui.horizontal(|ui| {
             let button = ui.add_enabled(asked.about.is_said(), Button::new(t.do_it)).explained(t.do_it_hint);
             if button.explained_disabled(t.do_it_hint).clicked() {
-                motion::begin(model, operations, asked.freedom, asked.amount);
+                model.begin_motion(asked.freedom, asked.amount);
                 asked.is_done = true;
             }
             goes_on = !ui.button(t.cancel).clicked();
         });
     });
-    operations.predict.asked = Some(asked).filter(|_| goes_on);
+    model.operations.predict.asked = Some(asked).filter(|_| goes_on);
 }
 
 /// The question of the operation, and the choices.
@@ -92,7 +84,7 @@ fn verdict(ui: &mut egui::Ui, t: &Texts, asked: &Prediction) {
         (About::Place { .. }, None) => return,
     };
     let sign = if is_right { format!("✓ {}", t.as_said) } else { format!("✗ {}", t.otherwise) };
-    ui.label(RichText::new(sign).strong().color(color(ui, is_right)));
+    ui.label(RichText::new(sign).strong().color(theme::verdict_color(ui, is_right)));
     prose::show(ui, &text);
 }
 

@@ -10,6 +10,7 @@ use crate::explain::Matrix;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::number_tables::{GAP, Table, ndc_of, report, tables};
 use crate::gui::kit::context_help::{self, help_topic, help_topic_row};
+use crate::gui::kit::mathematics::brackets;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
@@ -250,17 +251,4 @@ const MOST_TO_FIT: usize = 7;
 
 fn width(ui: &egui::Ui, job: LayoutJob) -> f32 {
     ui.painter().layout_job(job).size().x
-}
-
-/// Length of the ends of a bracket, in points.
-const BRACKET: f32 = 4.0;
-
-/// Square brackets at both sides of a place.
-pub(in crate::gui) fn brackets(ui: &egui::Ui, place: egui::Rect) {
-    let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
-    let (top, bottom) = (place.top() + 1.0, place.bottom() - 1.0);
-    for (x, inwards) in [(place.left() + 1.0, BRACKET), (place.right() - 1.0, -BRACKET)] {
-        let points = [(x + inwards, top), (x, top), (x, bottom), (x + inwards, bottom)];
-        ui.painter().line(points.map(|(x, y)| egui::pos2(x, y)).to_vec(), stroke);
-    }
 }

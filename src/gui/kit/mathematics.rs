@@ -273,6 +273,19 @@ pub(in crate::gui) fn chain(ui: &mut Ui, name: &Both, said: &[Both], links: Link
     }
 }
 
+/// Length of the ends of a bracket, in points.
+const BRACKET: f32 = 4.0;
+
+/// Square brackets at both sides of a place.
+pub(in crate::gui) fn brackets(ui: &Ui, place: Rect) {
+    let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+    let (top, bottom) = (place.top() + 1.0, place.bottom() - 1.0);
+    for (x, inwards) in [(place.left() + 1.0, BRACKET), (place.right() - 1.0, -BRACKET)] {
+        let points = [(x + inwards, top), (x, top), (x, bottom), (x + inwards, bottom)];
+        ui.painter().line(points.map(|(x, y)| pos2(x, y)).to_vec(), stroke);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::Ink;

@@ -2,10 +2,14 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{TextStyle, Ui};
+use eframe::egui::{Color32, TextStyle, Ui};
 use egui_plot::{Axis, AxisHints, GridInput, GridMark, Plot};
 
+use crate::appearance::Rgba;
 use crate::chart::power_of_ten;
+use crate::export::plot::COLORS;
+use crate::gui::kit::tooltip::Explained;
+use crate::i18n::{Lang, window};
 
 /// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer are shown
 /// beside it.
@@ -83,4 +87,19 @@ mod tests {
         }
         assert!(decades(42.0)(GridInput { bounds: (0.0, 1e300), base_step_size: 1.0 }).len() <= MOST_MARKS);
     }
+}
+
+/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
+/// lightened. Grey without.
+pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
+    let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
+    let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);
+    let Rgba { r, g, b, .. } = own.legible_on(ground);
+    Color32::from_rgb(r, g, b)
+}
+
+/// A button that exports a chart. True if it was clicked.
+pub(in crate::gui) fn export_button(ui: &mut Ui, lang: Lang) -> bool {
+    let t = window::texts(lang);
+    ui.button(t.export_chart).explained(t.export_chart_hint).clicked()
 }

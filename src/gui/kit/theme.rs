@@ -7,6 +7,7 @@ use eframe::egui::{
     text::{LayoutJob, TextFormat},
 };
 
+use crate::numerics::health::Level;
 use crate::text::{self, runs};
 
 /// Letters for titles and the heads of sections: Latin, Greek and the signs of mathematics.
@@ -253,4 +254,22 @@ fn dress(mut v: Visuals, p: &Palette) -> Visuals {
         state.expansion = 0.0;
     }
     v
+}
+
+/// The colour of right and wrong answers.
+pub(in crate::gui) fn verdict_color(ui: &egui::Ui, right: bool) -> Color32 {
+    match (right, ui.visuals().dark_mode) {
+        (false, _) => ui.visuals().error_fg_color,
+        (true, true) => Color32::from_rgb(0x6c, 0xc6, 0x7a),
+        (true, false) => Color32::from_rgb(0x1e, 0x7a, 0x34),
+    }
+}
+
+/// The colour of a level of health.
+pub(in crate::gui) fn level_color(ui: &egui::Ui, level: Level) -> Color32 {
+    match level {
+        Level::Good => ui.visuals().text_color(),
+        Level::Fair => ui.visuals().warn_fg_color,
+        Level::Poor => ui.visuals().error_fg_color,
+    }
 }

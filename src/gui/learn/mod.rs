@@ -1,6 +1,7 @@
 //! Exercises and lessons, with what they remember.
 
 pub mod exercises;
+pub mod handout;
 pub(super) mod lesson;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,15 +10,15 @@ use std::sync::Arc;
 
 use eframe::egui;
 
-use crate::gui::inspector::state::operations::Operations;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::document::Document;
 use crate::gui::model::follow::Follow;
+use crate::gui::model::operations::placing::{Mark, Placing};
 use crate::gui::model::scene_tree::SceneTree;
 use crate::i18n::learn::exercise_window;
 use crate::lessons::Lesson;
-use exercises::state::{Exercises, Mark, Placing};
+use exercises::state::Exercises;
 use lesson::state::Playing;
 
 /// The exercises, the lesson that is played, and what was done of them.
@@ -91,14 +92,14 @@ impl Learn {
     }
 
     /// The question for a place in the image that is asked now.
-    pub fn placing(&mut self, model: &Model, operations: &Operations) -> Option<Placing> {
-        self.placing_of_question(model).or_else(|| operations.placing(model))
+    pub fn placing(&mut self, model: &Model) -> Option<Placing> {
+        self.placing_of_question(model).or_else(|| model.placing_of_operation())
     }
 
     /// Puts the mark of a question for a place there.
-    pub(in crate::gui) fn put_mark(&mut self, operations: &mut Operations, placing: &Placing, [x, y]: [f64; 2]) {
-        match &placing.of {
-            Mark::Operation => operations.predict.put_mark([x, y]),
+    pub(in crate::gui) fn put_mark(&mut self, model: &mut Model, of: &Mark, [x, y]: [f64; 2]) {
+        match of {
+            Mark::Operation => model.operations.predict.put_mark([x, y]),
             Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
         }
     }

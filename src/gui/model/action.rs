@@ -4,11 +4,13 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use crate::camera::Decomposition;
+use crate::chart::Chart;
 use crate::export::plot::Block;
+use crate::gui::model::operations::placing::Mark;
 use crate::lessons::OpenLesson;
 
 /// A request of one feature to another. The window does it once the panels of the frame are drawn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Action {
     /// Ask for a mesh.
     Mesh(MeshFor),
@@ -39,6 +41,10 @@ pub enum Action {
     },
     /// Ask whether the progress in exercises is to be deleted.
     DeleteProgress,
+    /// Look through another camera of the figure: its place in the list.
+    LookThrough(usize),
+    /// Put the mark of a question for a place there: pixels of the image from its left upper corner.
+    PutMark(Mark, [f64; 2]),
     /// Show the camera check.
     Coach,
     /// Forget what belonged to the figure before this one.
@@ -49,6 +55,13 @@ pub enum Action {
     Lessons,
     /// Show a note.
     Note(&'static str),
+}
+
+impl Action {
+    /// Asks where to write a chart with this title.
+    pub(in crate::gui) fn chart(title: &str, chart: Chart) -> Self {
+        Self::Chart(Box::new(Block { title: title.to_owned(), rows: vec![vec![chart]] }))
+    }
 }
 
 /// An action to be done once nothing can be lost any more.

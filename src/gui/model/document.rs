@@ -1,5 +1,7 @@
 //! The figure that is being edited: the last one that was possible, the draft that may not be, its file, undo and redo.
 
+pub mod source;
+
 use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};

@@ -1,8 +1,12 @@
 //! The part of the explanations that views and figure files share: which is shown, its matrix entry and its steps.
 
-use super::matrices::Matrices;
-use super::steps::Steps;
+pub mod conventions;
+pub mod matrices;
+pub mod steps;
+
 use crate::figure::{Explanation, TransformPreview};
+use crate::gui::model::explained::matrices::Matrices;
+use crate::gui::model::explained::steps::Steps;
 use crate::pipeline::StageReport;
 
 /// A question that the side of explanations answers.

@@ -1,5 +1,8 @@
 //! The layout of the window, and requests to the pictures.
 
+pub mod asked_layout;
+pub mod view_history;
+
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View, Views};
 

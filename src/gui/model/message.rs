@@ -5,14 +5,12 @@ use std::path::{Path, PathBuf};
 
 use crate::camera::CameraError;
 use crate::files::FileError;
-use crate::gui::export::ExportError;
-use crate::gui::storage::session::{Keeping, News};
+use crate::gui::model::export_error::ExportError;
 use crate::i18n::learn::{exercise_messages, lessons};
 use crate::i18n::messages::faults;
 use crate::i18n::why::explain_point;
 use crate::i18n::window::{canvas, compare, scenes, sessions, sharing};
 use crate::i18n::{Lang, messages, window};
-use crate::limits::MAX_SESSIONS;
 use crate::pipeline::OverBudget;
 use crate::sanitize;
 use crate::scene::{MeshNotice, Preset, SceneError};
@@ -222,29 +220,4 @@ enum Tone {
     Lasting,
     /// Something went wrong.
     Error,
-}
-
-/// A message about a window that did not close, or about the storage of this one.
-pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
-    let t = window::texts(lang);
-    match news {
-        // Nothing has gone wrong where a page was left.
-        News::Restored if cfg!(target_arch = "wasm32") => sharing::texts(lang).restored.to_owned(),
-        News::Restored => t.restored.to_owned(),
-        News::RestoredInPart(keys, path) => {
-            let keys: Vec<String> = keys.iter().map(|key| sanitize::escaped(key)).collect();
-            sessions::in_part(lang, &sanitize::within(&keys.join(", "), 200), &sanitize::path(path))
-        }
-        News::Damaged(path) => sessions::damaged(lang, &sanitize::path(path)),
-        News::Unusable(path, error) => messages::file(lang, &sanitize::path(path), error),
-        News::Taken => t.taken.to_owned(),
-        News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
-        News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &sanitize::path(path)),
-        News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &sanitize::path(path)),
-        News::NotKept(not_kept) => {
-            let what = [Keeping::Session, Keeping::Preferences, Keeping::Progress].map(|what| not_kept.is_about(what));
-            sessions::not_kept(lang, what, &messages::file(lang, &sanitize::path(&not_kept.path), &not_kept.error))
-        }
-        News::NoHome => sessions::no_home(lang).to_owned(),
-    }
 }

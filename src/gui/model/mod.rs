@@ -2,23 +2,24 @@
 //! layout, what is selected and explained, the shot of the pictures.
 
 pub mod action;
-pub mod asked_layout;
-pub mod conventions;
+pub mod coach;
+pub mod command;
 pub mod document;
 pub mod explained;
+pub mod export_error;
 pub mod follow;
+pub mod handout;
 pub mod history;
 pub mod layout;
-pub mod matrices;
 pub mod message;
-pub mod motion;
+pub mod operations;
+pub mod photograph;
 pub mod scene_cache;
 pub mod scene_tree;
+pub mod selected_placement;
 pub mod settings;
 pub mod shown;
-pub mod source;
-pub mod steps;
-pub mod view_history;
+pub mod unsaved_text;
 
 use glam::DVec3;
 
@@ -29,25 +30,27 @@ use crate::figure::Figure;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, NamedPoint, Observers};
 use crate::gui::background::memo::Memo;
-use crate::gui::model::source::Source;
+use crate::gui::model::document::source::Source;
+use crate::gui::model::explained::conventions::Conventions;
+use crate::gui::model::layout::asked_layout::AskedLayout;
+use crate::gui::model::layout::view_history::ViewHistory;
+use crate::gui::model::operations::motion::Motion;
 use crate::i18n::messages::faults;
 use crate::i18n::{Lang, told, window};
 use crate::limits::MAX_NAMED_POINTS;
 use crate::views::{Probe, View};
 use action::Action;
-use asked_layout::AskedLayout;
-use conventions::Conventions;
+use coach::Coach;
 use document::Document;
 use explained::Explained;
 use follow::Follow;
 use layout::{Layout, ObserverChange, Panels, Side, Tab};
 use message::Message;
-use motion::Motion;
+use operations::Operations;
 use scene_cache::SceneCache;
 use scene_tree::{SceneTree, Selected};
 use settings::Settings;
 use shown::{OpenPanels, PanelHover, SeenBy};
-use view_history::ViewHistory;
 
 /// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
@@ -95,6 +98,10 @@ pub struct Model {
     pub(in crate::gui) asked_layout: Option<AskedLayout>,
     /// The target of the pointer. Written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
+    /// The faults of the picture, and the health of the camera.
+    pub coach: Coach,
+    /// The operations: their steps and signs, and what was done by them last.
+    pub operations: Operations,
     /// The followed point.
     pub follow: Follow,
     /// The part of the explanations that the views share.
@@ -151,6 +158,8 @@ impl Model {
             open_panels: OpenPanels::default(),
             asked_layout: None,
             probe: None,
+            coach: Coach::default(),
+            operations: Operations::default(),
             follow: Follow::default(),
             explained: Explained::default(),
             answered: None,

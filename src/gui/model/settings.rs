@@ -1,7 +1,7 @@
 //! The settings of the window.
 
 use crate::appearance::Theme;
-use crate::gui::model::conventions::Conventions;
+use crate::gui::model::explained::conventions::Conventions;
 use crate::gui::model::layout::{Panels, Tab, WindowPlace};
 use crate::i18n::Lang;
 

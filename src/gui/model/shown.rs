@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::asked_layout::shown_entry;
 use crate::camera::Ndc;
 use crate::explain::Symbol;
 use crate::figure::{
@@ -10,9 +9,10 @@ use crate::figure::{
 };
 use crate::gui::model::Model;
 use crate::gui::model::document::Seen;
+use crate::gui::model::explained::steps;
 use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Side;
-use crate::gui::model::steps;
+use crate::gui::model::layout::asked_layout::shown_entry;
 use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;

@@ -6,9 +6,7 @@ use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
 use crate::gui::background::worker::Running;
-use crate::gui::files::questions::FileFlow;
 use crate::gui::model::Model;
-use crate::i18n::window;
 use crate::i18n::window::canvas as words;
 use crate::i18n::window::{progress, scenes};
 use crate::sanitize;
@@ -25,9 +23,14 @@ pub(super) struct LongWork {
     pub(super) share: Option<f32>,
 }
 
+/// Whether work is reported and can be cancelled.
+pub(in crate::gui) fn is_long(running: Running) -> bool {
+    running.time >= MAX_WAIT
+}
+
 impl LongWork {
     /// The longest-running long work.
-    pub(super) fn of(canvas: &Canvas, model: &Model, files: &FileFlow) -> Option<Self> {
+    pub(super) fn of(canvas: &Canvas, model: &Model, of_files: &[(String, Running)]) -> Option<Self> {
         let lang = model.settings.lang;
         let mesh = model
             .scene_cache
@@ -37,10 +40,8 @@ impl LongWork {
             let view = canvas.shot.pictures.get(running.slot)?.kind;
             Some((words::texts(lang).view(view).to_owned(), running))
         });
-        let exports = files
-            .running()
-            .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, sanitize::path(path)), running));
-        let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= MAX_WAIT);
+        let of_files = of_files.iter().map(|(text, running)| (text.clone(), *running));
+        let all = of_files.chain(mesh).chain(picture).filter(|(_, running)| is_long(*running));
         let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
         // The name, which may be long, comes last, where it may be elided.
         let doing = now.map(|(doing, share)| format!("{} · ", progress::progress(lang, doing, share)));
@@ -50,22 +51,28 @@ impl LongWork {
 }
 
 impl Canvas {
-    /// Cancels long work where Esc is pressed and means nothing else.
-    pub fn listen_for_cancel(&mut self, ctx: &egui::Context, model: &mut Model, files: &FileFlow) {
+    /// Cancels long work of the pictures if Esc is pressed and means nothing else. True if it's to cancel long work
+    /// with files too.
+    pub(in crate::gui) fn listen_for_cancel(
+        &mut self,
+        ctx: &egui::Context,
+        model: &mut Model,
+        of_files: &[(String, Running)],
+    ) -> bool {
         let busy = ctx.text_edit_focused() || ctx.input(|input| input.pointer.any_down());
-        if files.is_asking() || busy || LongWork::of(self, model, files).is_none() {
-            return;
+        if busy || LongWork::of(self, model, of_files).is_none() {
+            return false;
         }
-        if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-            let is_long = |running: Running| running.time >= MAX_WAIT;
+        let pressed = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        if pressed {
             if self.rendering.running().is_some_and(is_long) {
                 self.rendering.cancel();
             }
             if model.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
                 model.scene_cache.cancel();
             }
-            files.cancel(is_long);
         }
+        pressed
     }
 }
 
@@ -79,7 +86,8 @@ mod tests {
     use crate::files::Overwrite;
     use crate::gui::Start;
     use crate::gui::State;
-    use crate::gui::export::{Export, ExportError, ExportKind, Exported, Exporting, Task};
+    use crate::gui::export::{Export, ExportKind, Exported, Exporting, Task};
+    use crate::gui::model::export_error::ExportError;
     use crate::i18n::Lang;
     use crate::progress::{Activity, Progress};
 
@@ -114,14 +122,18 @@ mod tests {
                 modifiers: Modifiers::NONE,
             };
             let input = egui::RawInput { events: vec![key], ..egui::RawInput::default() };
-            let mut output =
-                ctx.run_ui(input, |ui| canvas.listen_for_cancel(ui.ctx(), &mut state.model, &state.file_flow));
+            let mut output = ctx.run_ui(input, |ui| {
+                let exporting = state.file_flow.running(Lang::En);
+                if canvas.listen_for_cancel(ui.ctx(), &mut state.model, &exporting) {
+                    state.file_flow.cancel(is_long);
+                }
+            });
             output.textures_delta.clear();
         };
         // Too early: nothing is reported, and Escape means something else.
         press(&mut state);
         std::thread::sleep(MAX_WAIT + Duration::from_millis(100));
-        let told = LongWork::of(&Canvas::default(), &state.model, &state.file_flow).expect("told");
+        let told = LongWork::of(&Canvas::default(), &state.model, &state.file_flow.running(Lang::En)).expect("told");
         assert_eq!(told.share, Some(0.75));
         assert!(told.text.contains("a.png") && told.text.contains("painting… 75 %"), "{}", told.text);
         assert!(told.text.contains("Esc cancels"), "{}", told.text);
@@ -134,6 +146,6 @@ mod tests {
             assert!(since.elapsed().as_secs() < 60);
         };
         assert!(done.0 == path && matches!(done.1, Err(ExportError::Cancelled)));
-        assert_eq!(LongWork::of(&Canvas::default(), &state.model, &state.file_flow), None);
+        assert_eq!(LongWork::of(&Canvas::default(), &state.model, &state.file_flow.running(Lang::En)), None);
     }
 }

@@ -3,14 +3,16 @@
 //! Nothing is stored that can be computed: each frame describes anew the request of each visible picture, and only a
 //! picture whose request has changed is drawn again.
 
+pub(in crate::gui) mod annotations;
 mod arrange;
 mod axis_cross;
+mod brief;
 mod card;
 pub(super) mod highlight;
 mod icons;
 mod image_place;
 pub(super) mod labels;
-mod long_work;
+pub(super) mod long_work;
 pub(super) mod motion;
 pub(super) mod photograph;
 pub(super) mod pointer;
@@ -25,10 +27,13 @@ use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+    Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
+use glam::DVec2;
+
 use self::arrange::{Axis, Framed, Shares, arrange, automatic};
+use self::brief::{Brief, why_empty};
 use self::card::CardPlace;
 use self::long_work::LongWork;
 use self::rendering::{Missing, RenderJob, Rendering};
@@ -37,32 +42,26 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::Rgba;
 use crate::figure::{Explanation, Observer};
-use crate::gui::app::annotations::Annotations;
-use crate::gui::app::command::Command;
-use crate::gui::app::presentation;
-use crate::gui::app::state::State;
-use crate::gui::inspector::coach;
-use crate::gui::inspector::coach::Brief;
-use crate::gui::inspector::state::coach::Coach;
+use crate::gui::background::worker::Running;
 use crate::gui::kit::focus;
 use crate::gui::kit::focus::Region;
-use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
+use crate::gui::model::command::Command;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::model::message::Message;
+use crate::gui::model::operations::placing::Placing;
+use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
 use crate::gui::pictures::highlight::Highlight;
 use crate::gui::pictures::labels::label_mode::LabelMode;
-use crate::gui::pictures::photograph::tool::PhotographTool;
 use crate::gui::pictures::pointer::held::Drag;
 use crate::gui::pictures::pointer::keyboard_probe::{ProbeStep, Probing};
 use crate::gui::pictures::pointer::picking::{PickRequest, Picker};
 use crate::gui::pictures::pointer::probe_steps::Click;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::pointer::vertex_name::VertexNames;
-use crate::gui::why;
 use crate::i18n::pictures::labels;
 use crate::i18n::window;
 use crate::i18n::window::canvas as words;
@@ -119,6 +118,27 @@ pub struct Canvas {
     /// The command of a context menu.
     wanted: Option<Command>,
 }
+
+/// The parts of other features that the pictures show or act on.
+pub struct Inputs<'a> {
+    /// The question for a place in the image.
+    pub(in crate::gui) placing: Option<Placing>,
+    /// How often a step of a lesson has had its pictures fade in.
+    pub(in crate::gui) fades: u64,
+    /// The keys of a presentation, with their opacity, as long as they are to be seen.
+    pub(in crate::gui) keys: Option<(&'static str, f32)>,
+    /// The pictures stay as they are while one edits.
+    pub(in crate::gui) frozen: bool,
+    /// The files that are being written or read, each in a sentence, and how far that has come.
+    pub(in crate::gui) of_files: Vec<(String, Running)>,
+    /// The pixels of the triangle that is followed are still being searched.
+    pub(in crate::gui) triangle_waits: bool,
+    /// Takes a click on a triangle of the image. False if it means nothing there.
+    pub(in crate::gui) on_triangle: &'a mut OnTriangle<'a>,
+}
+
+/// Takes a click in an image: its request, the pointer in pixels, and the triangle there by its object and number.
+type OnTriangle<'a> = dyn FnMut(&Context, &mut Model, &Request, DVec2, Option<(usize, u32)>) -> bool + 'a;
 
 /// A picture on the screen, and what is kept of it from one frame to the next.
 #[derive(Default)]
@@ -231,96 +251,97 @@ impl Canvas {
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
-    pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        model: &mut Model,
+        (label_mode, photograph): (&mut LabelMode, &mut PhotographTool),
+        mut inputs: Inputs<'_>,
+    ) {
         let room = ui.available_rect_before_wrap();
         ui.take_available_space();
-        let texts = words::texts(state.model.settings.lang);
-        let lines = status::height(ui, room.width(), state.model.settings.presentation);
+        let texts = words::texts(model.settings.lang);
+        let lines = status::height(ui, room.width(), model.settings.presentation);
         let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
-        let stages = if state.model.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
+        let stages = if model.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
         let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
 
         let ctx = ui.ctx().clone();
-        if state.model.tree.settle() {
+        if model.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) =
-            state.model.scene_cache.update(&ctx, &state.model.document, state.model.settings.theme, self.patience)
-        {
-            state.model.say(Message::Scene(error));
-        } else if state.model.scene_cache.loading().is_empty() {
-            state.model.forget_missing();
+        if let Err(error) = model.scene_cache.update(&ctx, &model.document, model.settings.theme, self.patience) {
+            model.say(Message::Scene(error));
+        } else if model.scene_cache.loading().is_empty() {
+            model.forget_missing();
         }
-        if let Some(notice) = state.model.scene_cache.take_notice() {
-            state.model.say(Message::NoPhotograph(notice));
+        if let Some(notice) = model.scene_cache.take_notice() {
+            model.say(Message::NoPhotograph(notice));
         }
         self.hover = Hover {
-            ghost: state.model.hover.ghost.clone(),
-            measured: state.model.hover.measured.clone(),
-            object: why::object_transform(&state.model),
-            gizmo: Movable::selected(&state.model).map(|movable| movable.gizmo),
+            ghost: model.hover.ghost.clone(),
+            measured: model.hover.measured.clone(),
+            object: model.object_transform(),
+            gizmo: Movable::selected(model).map(|movable| movable.gizmo),
             ..Hover::default()
         };
-        self.shot = state.model.shot(std::mem::take(&mut self.shot.pictures));
+        self.shot = model.shot(std::mem::take(&mut self.shot.pictures));
         self.shot.pictures.truncate(MAX_PICTURES);
         self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
-        let mut panes = self.panes(ui, pictures, &mut state.model, texts);
+        let mut panes = self.panes(ui, pictures, model, texts);
         self.pictures.iter_mut().for_each(|picture| picture.place = None);
         for pane in &panes {
             self.pictures[pane.picture].place = Some(pane.rect.rect);
-            state.model.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
-            state.model.screen_scale = pane.rect.size.scale;
+            model.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
+            model.screen_scale = pane.rect.size.scale;
         }
-        self.settle_observers(ui, &mut state.model, &mut panes);
-        let mut status = self.interact(ui, state, &panes, texts);
-        self.pin_clicked(&ctx, &mut state.model);
-        self.take_click(&ctx, &mut state.model, &mut state.explain);
-        self.take_probe_steps(&ctx, &mut state.model, &panes);
-        state.model.probe = state.model.pinned().or(self.hover.probe);
-        state.model.seen = Picture::observers(&self.shot.pictures);
-        self.draw(ui, &mut state.model, &state.learn, &state.annotations, &mut panes);
-        self.decorate(ui, &state.model, &panes, texts);
-        self.axis_cross(ui, &state.model, &panes, texts);
-        self.outline_labels(ui, &state.label_mode, &panes);
-        self.labels_card(ui, &mut state.model, &mut state.label_mode, &panes);
-        Self::marks(ui, state.learn.placing(&state.model, &state.operations).as_ref(), &panes);
-        Self::wipers(ui, &mut state.model, &panes);
-        Self::photograph_lines(ui, &state.model, &mut state.photograph, &panes);
-        Self::photograph_card(ui, &mut state.model, &mut state.photograph, &panes);
+        self.settle_observers(ui, model, &mut panes);
+        let mut status = self.interact(ui, model, label_mode, photograph, &mut inputs.placing, &panes, texts);
+        self.pin_clicked(&ctx, model);
+        self.take_click(&ctx, model, &mut inputs);
+        self.take_probe_steps(&ctx, model, &panes);
+        model.probe = model.pinned().or(self.hover.probe);
+        model.seen = Picture::observers(&self.shot.pictures);
+        self.draw(ui, model, &inputs, &mut panes);
+        self.decorate(ui, model, &panes, texts);
+        self.axis_cross(ui, model, &panes, texts);
+        self.outline_labels(ui, label_mode, &panes);
+        self.labels_card(ui, model, label_mode, &panes);
+        Self::marks(ui, inputs.placing.as_ref(), &panes);
+        Self::wipers(ui, model, &panes);
+        Self::photograph_lines(ui, model, photograph, &panes);
+        Self::photograph_card(ui, model, photograph, &panes);
 
-        if state.model.layout.strip {
-            self.strip(ui, stages, &mut state.model, texts);
+        if model.layout.strip {
+            self.strip(ui, stages, model, texts);
         }
 
         // Below the titles, whose buttons a card would cover.
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
-        self.describe_probe((ui, room), &panes, &mut state.model, &mut status, texts);
-        self.say_why_empty(ui, &mut state.model, &state.coach, &panes);
-        status.coach = Brief::of(&state.model, &state.coach);
-        status.presenting = state.model.settings.presentation;
-        status.keys = presentation::keys(&ctx, &state.model, &state.learn, &mut state.annotations);
-        let loading = loading(&state.model);
+        self.describe_probe((ui, room), &panes, model, &mut status, texts);
+        self.say_why_empty(ui, model, &panes);
+        status.coach = Brief::of(model);
+        status.presenting = model.settings.presentation;
+        status.keys = inputs.keys;
+        let loading = loading(model);
         if !loading.is_empty() {
             status.message = loading;
         }
-        status.work = LongWork::of(self, &state.model, &state.file_flow);
-        if self.rendering.running().is_some()
-            || state.model.scene_cache.running().is_some()
-            || state.file_flow.running().next().is_some()
-        {
+        status.work = LongWork::of(self, model, &inputs.of_files);
+        if self.rendering.running().is_some() || model.scene_cache.running().is_some() || !inputs.of_files.is_empty() {
             ctx.request_repaint_after(TELL);
         }
-        status.hidden = if state.model.layout.maximized.is_none() {
-            View::ALL.into_iter().filter(|p| !state.model.layout.shown[p.index()]).collect()
+        status.hidden = if model.layout.maximized.is_none() {
+            View::ALL.into_iter().filter(|p| !model.layout.shown[p.index()]).collect()
         } else {
             Vec::new()
         };
-        status.arrangement = (panes.len() > 1).then_some(state.model.layout.arrangement);
+        status.arrangement = (panes.len() > 1).then_some(model.layout.arrangement);
         match status.show(ui, lines, texts) {
             None => {}
-            Some(StatusAction::ShowAgain(view)) => state.model.layout.shown[view.index()] = true,
-            Some(StatusAction::Arrange(arrangement)) => state.model.layout.arrangement = arrangement,
-            Some(StatusAction::Coach) => state.model.actions.push(Action::Coach),
+            Some(StatusAction::ShowAgain(view)) => model.layout.shown[view.index()] = true,
+            Some(StatusAction::Arrange(arrangement)) => model.layout.arrangement = arrangement,
+            Some(StatusAction::Coach) => model.actions.push(Action::Coach),
         }
     }
 
@@ -336,11 +357,11 @@ impl Canvas {
     }
 
     /// Explains an empty image, in it.
-    fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, coach: &Coach, panes: &[Pane]) {
+    fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
         if let Some(pane) = image.filter(is_there) {
-            coach::why_empty(ui, pane.rect.rect, model, coach);
+            why_empty(ui, pane.rect.rect, model);
         }
     }
 
@@ -446,7 +467,7 @@ impl Canvas {
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
-    fn draw(&mut self, ui: &Ui, model: &mut Model, learn: &Learn, annotations: &Annotations, panes: &mut [Pane]) {
+    fn draw(&mut self, ui: &Ui, model: &mut Model, inputs: &Inputs<'_>, panes: &mut [Pane]) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let style = model.style();
@@ -463,12 +484,11 @@ impl Canvas {
             let request = Request { scene: scene.clone(), ..pane.request.clone() };
             let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, self.patience);
             let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;
-            if !annotations.frozen {
+            if !inputs.frozen {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
             }
         }
-        let fades = learn.lesson.as_ref().map_or(0, |playing| playing.fades);
-        if std::mem::replace(&mut self.faded, fades) < fades {
+        if std::mem::replace(&mut self.faded, inputs.fades) < inputs.fades {
             let now = ui.input(|input| input.time);
             self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));
         }
@@ -502,7 +522,7 @@ impl Canvas {
     }
 
     /// Tells the side of explanations how the picture came about.
-    fn report(&self, ctx: &eframe::egui::Context, model: &mut Model) {
+    fn report(&self, ctx: &Context, model: &mut Model) {
         let of = model.layout.strip_of;
         let is_asked = model.shows_explanation(Explanation::Stages) && model.layout.is_shown(of);
         let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);

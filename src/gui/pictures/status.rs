@@ -4,10 +4,10 @@ use eframe::egui::{
     self, Align, Color32, FontId, Id, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
 };
 
+use super::brief::Brief;
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
-use crate::gui::inspector::coach::Brief;
 use crate::gui::kit::elide;
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
-use crate::gui::learn::lesson::moving::FADE;
+use crate::gui::model::operations::motion::FADE;
 use crate::picture::Pixels;
 use crate::views;
 

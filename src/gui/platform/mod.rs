@@ -1,7 +1,5 @@
-//! Native and web shells.
+//! The system under the window: its file dialogs, and the size that a window can have.
 
 pub mod native;
-#[cfg(target_arch = "wasm32")]
-pub mod web;
 #[cfg(not(target_arch = "wasm32"))]
 pub(super) mod window_size;

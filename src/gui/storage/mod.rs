@@ -1,7 +1,8 @@
-//! Storage that outlives a window: preferences, sessions, recent files, progress.
+//! Storage that outlives a window: sessions, recent files, and the files that several windows write.
 
-pub mod preferences;
+pub(in crate::gui) mod plain;
 pub(super) mod recent;
 pub mod recovery;
 pub mod session;
 pub mod session_news;
+pub(in crate::gui) mod shared_file;

@@ -3,28 +3,27 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::focus::with_room_before;
-use crate::gui::model::Model;
-use crate::gui::model::message::about_session;
-use crate::gui::storage::session::News;
-use crate::i18n::window;
+use crate::gui::storage::session::{Keeping, News, NewsList};
+use crate::i18n::window::{self, sessions, sharing};
+use crate::i18n::{Lang, messages};
+use crate::limits::MAX_SESSIONS;
+use crate::sanitize;
 
 /// Shows the lines, where there are any.
-pub fn bar(ui: &mut egui::Ui, model: &mut Model, file_flow: &mut FileFlow) {
-    if file_flow.news.is_empty() {
+pub fn bar(ui: &mut egui::Ui, lang: Lang, list: &mut NewsList) {
+    if list.is_empty() {
         return;
     }
-    let lang = model.settings.lang;
     let t = window::texts(lang);
     let mut closed = None;
     egui::Panel::top("session news").show(ui, |ui| {
-        for (index, news) in file_flow.news.iter().enumerate() {
+        for (index, news) in list.iter().enumerate() {
             ui.push_id(index, |ui| {
                 // A row has its own height: all that the panel had before would make it grow with each frame.
                 ui.horizontal(|ui| {
                     let line = |ui: &mut egui::Ui| {
-                        ui.add(Label::new(text(ui, about_session(lang, news), news)).truncate());
+                        ui.add(Label::new(text(ui, sentence(lang, news), news)).truncate());
                     };
                     with_room_before(ui, line, |ui| {
                         if ui.button(t.close).clicked() {
@@ -36,7 +35,7 @@ pub fn bar(ui: &mut egui::Ui, model: &mut Model, file_flow: &mut FileFlow) {
         }
     });
     if let Some(index) = closed {
-        file_flow.news.close(index);
+        list.close(index);
     }
 }
 
@@ -53,5 +52,30 @@ fn text(ui: &egui::Ui, text: String, news: &News) -> RichText {
         | News::ProgressSetAside(_)
         | News::NotKept(_)
         | News::NoHome => RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color),
+    }
+}
+
+/// The sentence.
+fn sentence(lang: Lang, news: &News) -> String {
+    let t = window::texts(lang);
+    match news {
+        // Nothing has gone wrong where a page was left.
+        News::Restored if cfg!(target_arch = "wasm32") => sharing::texts(lang).restored.to_owned(),
+        News::Restored => t.restored.to_owned(),
+        News::RestoredInPart(keys, path) => {
+            let keys: Vec<String> = keys.iter().map(|key| sanitize::escaped(key)).collect();
+            sessions::in_part(lang, &sanitize::within(&keys.join(", "), 200), &sanitize::path(path))
+        }
+        News::Damaged(path) => sessions::damaged(lang, &sanitize::path(path)),
+        News::Unusable(path, error) => messages::file(lang, &sanitize::path(path), error),
+        News::Taken => t.taken.to_owned(),
+        News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
+        News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &sanitize::path(path)),
+        News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &sanitize::path(path)),
+        News::NotKept(not_kept) => {
+            let what = [Keeping::Session, Keeping::Preferences, Keeping::Progress].map(|what| not_kept.is_about(what));
+            sessions::not_kept(lang, what, &messages::file(lang, &sanitize::path(&not_kept.path), &not_kept.error))
+        }
+        News::NoHome => sessions::no_home(lang).to_owned(),
     }
 }

@@ -8,7 +8,7 @@ use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Wr
 use crate::figure::Measured;
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::{Both, Formula as Typeset, Links, chain};
-use crate::gui::model::matrices::Matrices;
+use crate::gui::model::explained::matrices::Matrices;
 use crate::i18n::Lang;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;

@@ -5,19 +5,20 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine};
 
+use super::compare_button;
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
 use crate::figure::Depth;
-use crate::gui::export::chart_export;
-use crate::gui::inspector::compare_dialog;
-use crate::gui::inspector::numerics::color_of;
 use crate::gui::kit::form::{choice, row};
 use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::plotting::color_of;
+use crate::gui::kit::plotting::export_button;
 use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::gui::why::state::explain::Explain;
 use crate::i18n::window::{coach as words, compare};
 use crate::i18n::{Lang, window};
@@ -66,7 +67,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
     if format != old {
         model.document.edit(|figure| figure.style.depth_format = format);
     }
-    compare_dialog::button(ui, model);
+    compare_button(ui, model);
 }
 
 /// Shows what follows from a camera. Gives one with other planes where that is wanted.
@@ -83,7 +84,9 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
     plot(ui, lang, camera, space.ndc(), probe);
     ui.horizontal(|ui| {
-        chart_export::button(ui, model, t.depth_chart, || chart(lang, camera, space.ndc(), &said));
+        if export_button(ui, lang) {
+            model.actions.push(Action::chart(t.depth_chart, chart(lang, camera, space.ndc(), &said)));
+        }
     });
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);

@@ -3,9 +3,9 @@
 
 use eframe::egui::{self, RichText, Slider, Ui};
 
+use super::compare_button;
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
-use crate::gui::inspector::compare_dialog;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -45,7 +45,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     if ui.checkbox(&mut depth, t.depth).explained(t.depth_hint).changed() {
         reveal = Reveal { depth: if depth { Depth::Stored } else { Depth::Off }, ..reveal };
     }
-    compare_dialog::button(ui, model);
+    compare_button(ui, model);
     let words = window::texts(model.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
     let figure = model.document.figure();

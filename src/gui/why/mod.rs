@@ -28,11 +28,12 @@ use crate::gui::kit::elide;
 use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::gui::model::explained::Question;
 use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::explain;
 use crate::i18n::why::explain::Texts;
-pub(in crate::gui) use subject::object_transform;
+use crate::i18n::window::compare as words;
 pub(super) use triangle::clicked;
 
 /// A name and a hint.
@@ -57,13 +58,15 @@ struct ExplanationRow {
 /// Shows an explanation, or its head.
 type Content = fn(&mut Ui, &mut Model, &mut Explain);
 
-/// A part of the exercises, which are shown among the explanations.
+/// A part of another feature, shown among the explanations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
-    /// The part that stays in sight.
-    Head,
-    /// The part that scrolls.
-    Content,
+    /// The part of the exercises that stays in sight.
+    Exercise,
+    /// The part of them that scrolls.
+    Exercises,
+    /// The matrices, by the conventions that are chosen.
+    Matrices,
 }
 
 impl ExplanationRow {
@@ -146,7 +149,7 @@ pub(super) fn ui(
     ui: &mut Ui,
     model: &mut Model,
     explain: &mut Explain,
-    exercises: &mut dyn FnMut(&mut Ui, &mut Model, Part),
+    other: &mut dyn FnMut(&mut Ui, &mut Model, Part),
 ) {
     let t = explain::texts(model.settings.lang);
     ui.add_space(2.0);
@@ -168,7 +171,7 @@ pub(super) fn ui(
     };
     match row.head {
         Some(head) => head(ui, model, explain),
-        None if row.content.is_none() => exercises(ui, model, Part::Head),
+        None if row.content.is_none() => other(ui, model, Part::Exercise),
         None => {}
     }
     if row.head.is_some() || row.content.is_none() {
@@ -177,7 +180,10 @@ pub(super) fn ui(
     egui::ScrollArea::vertical().id_salt(("explain", row.explanation)).auto_shrink(false).show(ui, |ui| {
         match row.content {
             Some(content) => content(ui, model, explain),
-            None => exercises(ui, model, Part::Content),
+            None => other(ui, model, Part::Exercises),
+        }
+        if row.explanation == Explanation::Conventions {
+            other(ui, model, Part::Matrices);
         }
         keep_in_sight(ui);
     });
@@ -219,4 +225,12 @@ fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
         });
     }
     ui.separator();
+}
+
+/// A button that opens the comparison.
+fn compare_button(ui: &mut Ui, model: &mut Model) {
+    let words = words::texts(model.settings.lang);
+    if ui.button(words.command).explained(words.command_hint).clicked() {
+        model.actions.push(Action::Compare);
+    }
 }

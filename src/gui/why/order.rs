@@ -7,9 +7,9 @@ use eframe::egui::{self, RichText, Slider, Ui};
 use glam::{DMat4, DVec3};
 
 use super::answer::Writing;
+use super::order_list;
 use super::steps::numbers;
 use super::subject::ExplainedSetting;
-use super::{order_list, subject};
 use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, exchanged, in_force, read, same};
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
@@ -30,7 +30,7 @@ use crate::scene::transform::{Trs, put_on_chain};
 /// Shows the part that stays in sight above the list: its object, and the button that applies the list.
 pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = words::texts(model.settings.lang);
-    let selected = subject::selected(model);
+    let selected = model.selected_placement();
     explain.order.follow(own(selected.as_ref()));
     let calls = explain.order.calls();
     let links = chain(&calls);
@@ -59,7 +59,7 @@ pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
 /// Shows the tab.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = words::texts(model.settings.lang);
-    let selected = subject::selected(model);
+    let selected = model.selected_placement();
     model.explained.placed.clear();
     let mut order = std::mem::take(&mut explain.order);
     order.follow(own(selected.as_ref()));

@@ -2,25 +2,26 @@
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
-use super::Command::{self, *};
 use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
+use crate::files::Overwrite;
+use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
-use crate::gui::export::handout_form::HandoutForm;
-use crate::gui::files::file_flow;
-use crate::gui::files::questions::{Agreed, Dialog, Purpose, TitleForm};
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare as kept_camera;
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::learn::Learn;
+use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::action::AfterSave;
+use crate::gui::model::command::Command::{self, *};
+use crate::gui::model::layout::view_history::ViewHistory;
 use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
 use crate::gui::model::message::Message;
-use crate::gui::model::view_history::ViewHistory;
 use crate::i18n::Lang;
 use crate::i18n::learn::{handouts, lessons};
 use crate::i18n::window::Texts;
@@ -450,7 +451,7 @@ fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static st
 /// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
 fn record_step(state: &mut State, ctx: &Context) {
     match state.learn.file.clone() {
-        Some(path) => state.learn.add_step(&mut state.model, &path, &Agreed::default()),
+        Some(path) => state.learn.add_step(&mut state.model, &path, Overwrite::Writable),
         None => file_flow::ask(ctx, state, Purpose::Step),
     }
 }

@@ -2,21 +2,21 @@
 //! camera on which it was worst.
 
 mod plot;
+pub(in crate::gui) mod state;
 
 use std::time::Duration;
 
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
-use crate::gui::export::chart_export;
+use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::kit::focus::keep_in_sight;
+use crate::gui::kit::plotting::{color_of, export_button};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
-use crate::gui::why::state::numerics::Numerics;
 use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
-pub(in crate::gui) use plot::color_of;
 
 /// Interval between looks at the progress.
 const GLANCE: Duration = Duration::from_millis(100);
@@ -134,10 +134,11 @@ fn chart(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Fin
             ui.selectable_value(&mut numerics.over_time, false, t.over_parameter);
             ui.selectable_value(&mut numerics.over_time, true, t.over_time);
             let over_time = numerics.over_time;
-            chart_export::button(ui, model, words::title(lang, findings.study), || {
+            if export_button(ui, lang) {
                 let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));
-                if over_time { pair.by_time } else { pair.by_parameter }
-            });
+                let chart = if over_time { pair.by_time } else { pair.by_parameter };
+                model.actions.push(Action::chart(words::title(lang, findings.study), chart));
+            }
         });
         let over_time = numerics.over_time;
         let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));

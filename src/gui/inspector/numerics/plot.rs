@@ -1,12 +1,10 @@
 //! The chart of one case of a study. Its axes are logarithms.
 
-use eframe::egui::{self, Color32, Ui};
+use eframe::egui::{self, Ui};
 use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points};
 
-use crate::appearance::Rgba;
 use crate::chart::{Chart, Look, Series};
-use crate::export::plot::COLORS;
-use crate::gui::kit::plotting::{logarithmic_x, logarithmic_y, still};
+use crate::gui::kit::plotting::{color_of, logarithmic_x, logarithmic_y, still};
 use crate::i18n::Lang;
 use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
@@ -108,12 +106,3 @@ fn lie_together(a: &Series, b: &Series) -> bool {
 
 /// The part of an axis beyond its last mark.
 const BEYOND: f64 = 0.04;
-
-/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
-/// lightened. Grey without.
-pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
-    let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
-    let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);
-    let Rgba { r, g, b, .. } = own.legible_on(ground);
-    Color32::from_rgb(r, g, b)
-}

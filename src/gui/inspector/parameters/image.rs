@@ -12,7 +12,7 @@ use crate::gui::kit::context_help::{has_focus, help_topic_row};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::pictures::photograph::tool::PhotographTool;
+use crate::gui::model::photograph::PhotographTool;
 use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
 use crate::limits;

@@ -10,7 +10,7 @@ use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
-use crate::gui::pictures::photograph::tool::PhotographTool;
+use crate::gui::model::photograph::PhotographTool;
 use crate::i18n::window::photograph::{self as words, Texts};
 use crate::i18n::{messages, window};
 use crate::sanitize;

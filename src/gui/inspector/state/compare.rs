@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
-use crate::files;
+use crate::files::{FileError, Opened};
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
@@ -63,19 +63,18 @@ pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
 }
 
 /// Compares with the figure in a file.
-pub(in crate::gui) fn with_file(model: &mut Model, path: &Path) {
-    match files::open_figure_with_any_camera(path) {
-        Ok((opened, _)) => {
-            let is_same_scene = opened.figure.scene == model.document.figure().scene;
-            let figure = compared_with(model, &opened.figure);
-            take(model, figure);
-            model.document.commit();
-            model.actions.push(Action::Compare);
-            if !is_same_scene {
-                model.say(Message::OtherScene(path.to_owned()));
-            }
-        }
-        Err(error) => model.say(Message::File(path.to_owned(), error)),
+pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<Opened, FileError>) {
+    let other = match opened {
+        Ok(opened) => opened.figure,
+        Err(error) => return model.say(Message::File(path.to_owned(), error)),
+    };
+    let is_same_scene = other.scene == model.document.figure().scene;
+    let figure = compared_with(model, &other);
+    take(model, figure);
+    model.document.commit();
+    model.actions.push(Action::Compare);
+    if !is_same_scene {
+        model.say(Message::OtherScene(path.to_owned()));
     }
 }
 

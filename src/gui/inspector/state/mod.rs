@@ -1,8 +1,5 @@
 //! The state of the panels between frames.
 
 pub(in crate::gui) mod cameras;
-pub(in crate::gui) mod coach;
 pub(in crate::gui) mod compare;
 pub(in crate::gui) mod insert;
-pub(in crate::gui) mod operations;
-pub(in crate::gui) mod predict;

@@ -1,6 +1,6 @@
 //! Fields for answers, and their interpretation before they are judged.
 
-use eframe::egui::{self, Align2, Color32, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
+use eframe::egui::{self, Align2, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
 use crate::clock;
@@ -8,6 +8,7 @@ use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
 use crate::gui::kit::form::complaint;
 use crate::gui::kit::text_field::{self, TextField};
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{mathematics, prose};
 use crate::gui::learn::Learn;
@@ -197,15 +198,6 @@ fn marks(learn: &Learn, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     entries.iter().flatten().enumerate().map(|(k, right)| Some(*right).filter(|_| is_same(k) && typed(k))).collect()
 }
 
-/// The colour of right and wrong answers.
-pub(in crate::gui) fn color(ui: &Ui, right: bool) -> Color32 {
-    match (right, ui.visuals().dark_mode) {
-        (false, _) => ui.visuals().error_fg_color,
-        (true, true) => Color32::from_rgb(0x6c, 0xc6, 0x7a),
-        (true, false) => Color32::from_rgb(0x1e, 0x7a, 0x34),
-    }
-}
-
 /// A field for each number.
 fn numbers(
     ui: &mut Ui,
@@ -294,7 +286,7 @@ const fn fields_are_many([rows, columns]: [usize; 2]) -> bool {
 
 /// Marks a field by colour and sign.
 fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
-    let color = color(ui, right);
+    let color = theme::verdict_color(ui, right);
     ui.painter().rect_stroke(rect, 2.0, Stroke::new(1.5, color), StrokeKind::Inside);
     let sign = match (broken, right) {
         (true, _) => "⚠",

@@ -25,7 +25,6 @@ use crate::gui::model::Model;
 use crate::i18n::learn::exercise_messages as messages;
 use crate::i18n::learn::exercise_window as words;
 use crate::i18n::learn::exercise_window::Texts;
-pub(in crate::gui) use answers::color;
 
 /// The exercise that is worked on, and the words of the window.
 #[derive(Clone, Copy)]

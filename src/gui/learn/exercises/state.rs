@@ -10,6 +10,7 @@ use crate::camera::{Camera, RecoveryError};
 use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Guess, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 use crate::files::{self, FileError, OwnExercises};
+use crate::gui::model::operations::placing::{Mark, Placing};
 use crate::lessons::in_order_of_lessons;
 
 /// An exercise with the numbers of a seed.
@@ -49,34 +50,6 @@ impl Typed {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
         self.free.iter().filter_map(|(name, text)| Some((name.clone(), number(text)?))).collect()
     }
-}
-
-/// A question for a place in the image. Places are pixels from its left edge and from its upper one.
-#[derive(Clone, Debug)]
-pub struct Placing {
-    /// The question.
-    pub(in crate::gui) of: Mark,
-    /// The point that is followed, where it is now.
-    pub from: Option<[f64; 2]>,
-    /// The place that was chosen.
-    pub mark: Option<[f64; 2]>,
-    /// The guess that can't be changed any more.
-    pub guess: Option<[f64; 2]>,
-    /// The right place, once it may be seen.
-    pub right: Option<[f64; 2]>,
-    /// The mark may be put elsewhere.
-    pub is_open: bool,
-    /// The words in the empty picture.
-    pub(in crate::gui) hint: &'static str,
-}
-
-/// The owner of a mark in the image.
-#[derive(Clone, Debug)]
-pub(in crate::gui) enum Mark {
-    /// A question of an exercise or a lesson.
-    Ask(Box<Ask>),
-    /// An operation that asks where a point will go.
-    Operation,
 }
 
 /// The two numbers in the fields of a place.

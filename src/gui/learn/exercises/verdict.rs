@@ -2,10 +2,10 @@
 
 use eframe::egui::{self, RichText, Ui};
 
-use super::answers::color;
 use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
 use crate::gui::kit::prose;
+use crate::gui::kit::theme;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, joined};
 use crate::gui::model::Model;
@@ -44,7 +44,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
             for (condition, right) in judged.conditions.iter().zip(entries) {
                 let sign = if *right { '✓' } else { '✗' };
                 let text = format!("{sign} {}", said::condition(t.lang, condition));
-                ui.add(egui::Label::new(RichText::new(text).color(color(ui, *right))).wrap());
+                ui.add(egui::Label::new(RichText::new(text).color(theme::verdict_color(ui, *right))).wrap());
             }
             if let Some(carried) = said::carried(t.lang, judged) {
                 prose::show(ui, &carried);
@@ -146,7 +146,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, ask: &Ask, judged: &exercises::Judged
         _ if ask.places => format!("✗ {}", t.wrong),
         (false, all) => format!("✗ {} ({})", t.wrong, messages::right_of(t.lang, right, all)),
     };
-    ui.add(egui::Label::new(RichText::new(text).strong().color(color(ui, judged.right))).wrap());
+    ui.add(egui::Label::new(RichText::new(text).strong().color(theme::verdict_color(ui, judged.right))).wrap());
 }
 
 /// Says that all is right, once it is.
@@ -154,6 +154,6 @@ pub(super) fn all(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>) {
     let right = learn.exercises.right();
     if sheet.exercise.asks.iter().all(|ask| right.contains(ask.name.as_str())) {
         ui.separator();
-        ui.label(RichText::new(format!("✓ {}", sheet.t.all_right)).strong().color(color(ui, true)));
+        ui.label(RichText::new(format!("✓ {}", sheet.t.all_right)).strong().color(theme::verdict_color(ui, true)));
     }
 }

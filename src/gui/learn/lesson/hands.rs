@@ -5,11 +5,10 @@ use std::collections::BTreeMap;
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
-use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::prose;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
-use crate::gui::learn::exercises::color;
 use crate::gui::model::Model;
 use crate::i18n::learn::exercises as said;
 use crate::i18n::learn::lessons::Texts;
@@ -57,8 +56,8 @@ pub(super) fn question_with_choices(step: &Step) -> Option<(Exercise, usize)> {
 }
 
 /// Counts hands by keys: a letter raises one for its choice, Shift and the letter lower one.
-pub(super) fn count(ctx: &Context, model: &Model, learn: &mut Learn, file_flow: &FileFlow) {
-    let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
+pub(super) fn count(ctx: &Context, model: &Model, learn: &mut Learn, is_asking: bool) {
+    let listens = model.settings.presentation && !ctx.text_edit_focused() && !is_asking;
     let Some(playing) = learn.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
     let Some((_, choices)) = playing.now().and_then(question_with_choices) else { return };
     let step = playing.step;
@@ -125,14 +124,14 @@ fn row(ui: &mut Ui, t: &Texts, ask: &Ask, place: Place, is_answered: bool) -> bo
         }
         let line = ui.text_style_height(&egui::TextStyle::Body);
         let sign = if is_right { "✓" } else { "✗" };
-        ui.label(RichText::new(format!("{letter} {sign}")).strong().color(color(ui, is_right)));
+        ui.label(RichText::new(format!("{letter} {sign}")).strong().color(theme::verdict_color(ui, is_right)));
         ui.label(name);
         if most > 0 {
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 #[expect(clippy::cast_precision_loss, reason = "hands of a class")]
                 let width = (BAR * line * count as f32 / most as f32).max(1.0);
                 let (rect, _) = ui.allocate_exact_size(vec2(width, 0.7 * line), Sense::hover());
-                ui.painter().rect_filled(rect, 2.0, color(ui, is_right));
+                ui.painter().rect_filled(rect, 2.0, theme::verdict_color(ui, is_right));
                 ui.label(RichText::new(count.to_string()).strong());
             });
         }

@@ -19,8 +19,6 @@ use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 
 use crate::clock;
 use crate::figure::{Bilingual, Explanation};
-use crate::gui::app::command::Command;
-use crate::gui::files::questions::FileFlow;
 use crate::gui::kit::focus;
 use crate::gui::kit::focus::Region;
 use crate::gui::kit::tooltip::Explained;
@@ -29,6 +27,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
+use crate::gui::model::command::Command;
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
 use crate::i18n::learn::lessons::Texts;
@@ -63,7 +62,7 @@ const ANSWER: f32 = 0.23;
 const TYPED: f64 = 0.9;
 
 /// Goes on with the move to a step, and with what is typed; at the begin of a frame.
-pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &FileFlow) {
+pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, is_asking: bool) {
     let now = ctx.input(|input| input.time);
     let presses = |event: &egui::Event| {
         matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
@@ -75,8 +74,8 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mu
     if learn.go_on_moving(model, now) {
         ctx.request_repaint();
     }
-    typed_step(ctx, model, learn, file_flow, now);
-    hands::count(ctx, model, learn, file_flow);
+    typed_step(ctx, model, learn, is_asking, now);
+    hands::count(ctx, model, learn, is_asking);
     learn.check_goal(model);
 }
 
@@ -157,8 +156,8 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
 }
 
 /// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
-fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, file_flow: &FileFlow, now: f64) {
-    let listens = model.settings.presentation && !ctx.text_edit_focused() && !file_flow.is_asking();
+fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, is_asking: bool, now: f64) {
+    let listens = model.settings.presentation && !ctx.text_edit_focused() && !is_asking;
     let Some(playing) = learn.lesson.as_mut().filter(|_| listens) else { return };
     // In their order, and each as often as it was pressed: a slow frame brings several.
     ctx.input_mut(|input| {

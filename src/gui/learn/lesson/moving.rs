@@ -6,11 +6,9 @@ use crate::camera::{Camera, Parameters};
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::document::Document;
+use crate::gui::model::operations::motion::FADE;
 use crate::lessons::Passage;
 use crate::numbers::round_to;
-
-/// Seconds in which the pictures of a step before fade into those of the next one.
-pub(in crate::gui) const FADE: f64 = 0.4;
 
 /// A move from one step to another.
 #[derive(Debug)]

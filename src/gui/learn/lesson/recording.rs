@@ -4,8 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
-use crate::files::{self, FileError};
-use crate::gui::files::questions::Agreed;
+use crate::files::{self, FileError, Overwrite};
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::layout::Side;
@@ -25,7 +24,7 @@ impl Learn {
     }
 
     /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
-    pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) {
+    pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         if self
             .lesson
             .as_ref()
@@ -34,7 +33,7 @@ impl Learn {
             // The window has the text of the file, and knows what it has written.
             return self.add_to_written(model, path);
         }
-        match added(self, model, path, agreed) {
+        match added(self, model, path, overwrite) {
             Ok(lesson) => self.step_is_added(model, path, lesson),
             Err(error) => model.say(Message::File(path.to_owned(), error)),
         }
@@ -83,7 +82,7 @@ impl Learn {
     }
 }
 
-fn added(learn: &Learn, model: &mut Model, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
+fn added(learn: &Learn, model: &mut Model, path: &Path, overwrite: Overwrite) -> Result<Lesson, FileError> {
     let (lesson, text) = if files::disk::exists(path) {
         let (lesson, text) = files::read_lesson(path)?;
         (Some(lesson), text)
@@ -93,7 +92,7 @@ fn added(learn: &Learn, model: &mut Model, path: &Path, agreed: &Agreed) -> Resu
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let (figure, draft) = (as_shown(model), learn.draft_of_step(model, lesson.as_ref()));
     let (text, lesson) = with_step(&text, &stem, &draft, &figure)?;
-    files::save(path, text.as_bytes(), agreed.overwrite())?;
+    files::save(path, text.as_bytes(), overwrite)?;
     Ok(lesson)
 }
 

@@ -4,12 +4,12 @@ use eframe::egui::{
     self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
 };
 
-use crate::gui::app::command::Command;
 use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
+use crate::gui::model::command::Command;
 use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
 use crate::lessons::{self, Task};

@@ -15,10 +15,10 @@ use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::lesson::writing::Writing;
 use crate::gui::model::Model;
 use crate::gui::model::document::Document;
+use crate::gui::model::document::source::Source;
 use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Panels;
 use crate::gui::model::message::Message;
-use crate::gui::model::source::Source;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 use crate::share;
 
@@ -244,7 +244,7 @@ impl Learn {
     }
 
     /// Plays a lesson. The figure is lost. Only the window's start calls this, and
-    /// [`file_flow`](crate::gui::files::file_flow) once it has asked.
+    /// [`file_flow`](crate::gui::app::file_flow) once it has asked.
     pub(in crate::gui) fn play(&mut self, model: &mut Model, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
         if step == 0 {

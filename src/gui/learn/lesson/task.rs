@@ -5,6 +5,7 @@ use eframe::egui::{RichText, Ui};
 use super::hands;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::kit::prose;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, exercises};
@@ -78,6 +79,6 @@ pub(super) fn show(
 /// Says that the task is done, once it is.
 fn said(ui: &mut Ui, t: &Texts, is_done: bool) {
     if is_done {
-        ui.label(RichText::new(format!("✓ {}", t.done)).strong().color(exercises::color(ui, true)));
+        ui.label(RichText::new(format!("✓ {}", t.done)).strong().color(theme::verdict_color(ui, true)));
     }
 }

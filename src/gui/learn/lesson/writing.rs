@@ -6,12 +6,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, FigureError};
-use crate::files::{self, FileError};
-use crate::gui::files::questions::Agreed;
+use crate::files::{self, FileError, Overwrite};
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::message::Message;
-use crate::gui::storage::session::UnsavedText;
+use crate::gui::model::unsaved_text::UnsavedText;
 use crate::i18n::Lang;
 use crate::lessons::{
     Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
@@ -315,11 +314,11 @@ impl Learn {
     }
 
     /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
-    pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) -> bool {
+    pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
         let Some(text) = writing.ahead.clone() else { return false };
-        if let Err(error) = files::save(path, text.as_bytes(), agreed.overwrite()) {
+        if let Err(error) = files::save(path, text.as_bytes(), overwrite) {
             model.say(Message::File(path.to_owned(), error));
             return false;
         }
@@ -421,11 +420,11 @@ impl Learn {
     }
 
     /// Goes on with a lesson of the program as the user's own, in a copy in a file.
-    pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, agreed: &Agreed) {
+    pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         let Some(playing) = &self.lesson else { return };
         let id = playing.lesson.id.clone();
         let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
-        match files::save(path, shipped.text.as_bytes(), agreed.overwrite()) {
+        match files::save(path, shipped.text.as_bytes(), overwrite) {
             Ok(()) => {
                 // The figure of the step stays as it is on the screen.
                 if let Some(playing) = &mut self.lesson {
@@ -447,7 +446,7 @@ impl Learn {
             model.say(Message::LessonChanged(path.to_owned()));
             return false;
         }
-        match files::save(path, text.as_bytes(), Agreed::default().overwrite()) {
+        match files::save(path, text.as_bytes(), Overwrite::Writable) {
             Ok(()) => {
                 let before = std::mem::replace(&mut writing.text, text);
                 if writing.earlier.len() == MOST_EARLIER {

@@ -2,9 +2,9 @@
 
 use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
-use crate::gui::app::command::Command;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::model::command::Command;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
 use crate::i18n::window;

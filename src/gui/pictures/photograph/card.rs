@@ -2,12 +2,12 @@
 
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
-use super::tool::Drawn;
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::pictures::photograph::tool::PhotographTool;
+use crate::gui::model::photograph::Drawn;
+use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::i18n::why::photograph as steps;
 use crate::i18n::window;

@@ -7,10 +7,10 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-use super::tool::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
 use crate::gui::model::Model;
+use crate::gui::model::photograph::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};

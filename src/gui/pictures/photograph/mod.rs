@@ -2,4 +2,3 @@
 
 mod card;
 mod lines;
-pub(in crate::gui) mod tool;

@@ -13,11 +13,10 @@ use super::pixel::pixel_of;
 use super::probe_steps::Click;
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
-use crate::gui::app::state::State;
-use crate::gui::inspector::state::cameras::CameraList;
-use crate::gui::inspector::state::operations::Operations;
 use crate::gui::model::Model;
 use crate::gui::model::layout::ObserverChange;
+use crate::gui::model::operations::placing::Placing;
+use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::labels::label_mode::LabelMode;
@@ -43,7 +42,10 @@ impl Canvas {
     pub(in crate::gui::pictures) fn interact(
         &mut self,
         ui: &Ui,
-        state: &mut State,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        photograph: &mut PhotographTool,
+        placing: &mut Option<Placing>,
         panes: &[Pane],
         texts: &'static CanvasTexts,
     ) -> Status {
@@ -52,52 +54,51 @@ impl Canvas {
             self.drag = None;
         }
         let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
-        if escape && state.label_mode.on {
+        if escape && label_mode.on {
             // A field that is being typed in gives the key up first.
-            if !state.label_mode.is_typing {
-                state.label_mode.step_back();
+            if !label_mode.is_typing {
+                label_mode.step_back();
             }
-        } else if escape && state.photograph.on {
+        } else if escape && photograph.on {
             if !ui.ctx().text_edit_focused() {
-                state.photograph.step_back();
+                photograph.step_back();
             }
         } else if escape {
             // One thing after the other.
-            if state.model.pinned().is_none() && !self.is_probing() && state.model.release_shown() {
+            if model.pinned().is_none() && !self.is_probing() && model.release_shown() {
                 ui.request_repaint();
             }
-            state.model.pin(None);
+            model.pin(None);
             self.stop_probing();
         }
         let mut hovered = None;
         self.hover_pick = None;
         self.hover.hovered = None;
-        let placing = state.learn.placing(&state.model, &state.operations);
         for pane in panes {
-            self.focus(ui, state, pane);
-            if Self::place(ui, &mut state.learn, &mut state.operations, pane, placing.as_ref()) {
+            self.focus(ui, model, label_mode, placing, pane);
+            if Self::place(ui, model, pane, placing.as_mut()) {
                 continue;
             }
-            if !self.fingers(ui, &mut state.model, pane) {
-                self.drag(ui, &mut state.model, &mut state.label_mode, pane);
-                self.wheel(ui, &mut state.model, &state.operations, pane);
+            if !self.fingers(ui, model, pane) {
+                self.drag(ui, model, label_mode, pane);
+                self.wheel(ui, model, pane);
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
-                hovered = self.hover(ui, &state.model, &state.label_mode, pane, &mut status, texts);
+                hovered = self.hover(ui, model, label_mode, pane, &mut status, texts);
                 if let Some((probe, place)) = hovered.zip(pane.response.hover_pos()) {
                     self.probed_side = pane.side(place).map(|side| (probe, side.request));
                 }
             }
-            self.click(&mut state.model, &mut state.label_mode, &mut state.cameras, pane, hovered);
+            self.click(model, label_mode, pane, hovered);
             if status.message.is_empty() && pane.response.has_focus() {
                 keys_hint(pane.view, texts).clone_into(&mut status.message);
             }
         }
         if self.drag.is_some() {
-            self.say_drag(ui, &state.model, &mut status, texts);
+            self.say_drag(ui, model, &mut status, texts);
         }
         if status.message.is_empty()
-            && let Some(why) = state.model.impossible_side()
+            && let Some(why) = model.impossible_side()
         {
             (status.message, status.warning) = (why, true);
         }
@@ -114,14 +115,7 @@ impl Canvas {
         status
     }
 
-    fn click(
-        &mut self,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        cameras: &mut CameraList,
-        pane: &Pane,
-        hovered: Option<Probe>,
-    ) {
+    fn click(&mut self, model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, hovered: Option<Probe>) {
         let response = &pane.response;
         if label_mode.on {
             self.label_click(model, label_mode, pane);
@@ -135,7 +129,7 @@ impl Canvas {
         } else if response.clicked_by(PointerButton::Primary)
             && response.hovered()
             && self.hover.hovered.is_none()
-            && other_camera::is_clicked(model, cameras, pane)
+            && other_camera::is_clicked(model, pane)
         {
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
@@ -154,7 +148,7 @@ impl Canvas {
         }
     }
 
-    fn wheel(&mut self, ui: &Ui, model: &mut Model, operations: &Operations, pane: &Pane) {
+    fn wheel(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) {
         if !pane.response.hovered() {
             return;
         }
@@ -164,7 +158,7 @@ impl Canvas {
             let is_own = pane.response.hover_pos().is_some_and(|place| pane.is_own(place));
             if factor != 1.0 && is_own {
                 let dolly = camera_drag::dollied(model.document.camera(), factor);
-                operations.operate(model, dolly);
+                model.operate(dolly);
             }
             return;
         }
@@ -270,7 +264,14 @@ impl Canvas {
     // The keys.
 
     /// Keeps the arrow keys in a picture that has the focus, and lets the keys act.
-    fn focus(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
+    fn focus(
+        &mut self,
+        ui: &Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        placing: &mut Option<Placing>,
+        pane: &Pane,
+    ) {
         if !pane.response.has_focus() {
             return;
         }
@@ -286,11 +287,11 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !Self::place_by_key(&state.model, &mut state.learn, &mut state.operations, pane, key, modifiers)
-                && !self.label_by_key(&mut state.model, &mut state.label_mode, pane, key, modifiers)
-                && !self.probe_by_key(&mut state.model, pane, key, modifiers)
+            if !Self::place_by_key(model, placing.as_mut(), pane, key, modifiers)
+                && !self.label_by_key(model, label_mode, pane, key, modifiers)
+                && !self.probe_by_key(model, pane, key, modifiers)
             {
-                self.key(&mut state.model, &state.operations, pane, key, modifiers);
+                self.key(model, pane, key, modifiers);
             }
             ui.request_repaint();
         }
@@ -317,27 +318,27 @@ impl Canvas {
         probing.is_some()
     }
 
-    fn key(&mut self, model: &mut Model, operations: &Operations, pane: &Pane, key: Key, modifiers: Modifiers) {
+    fn key(&mut self, model: &mut Model, pane: &Pane, key: Key, modifiers: Modifiers) {
         let (picture, view) = (pane.picture, pane.view);
         let arrow = arrow_of(key);
         match (key, view) {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
                 if view == View::Image {
-                    operations.operate(model, Operation::Zoom(factor));
+                    model.operate(Operation::Zoom(factor));
                 } else if let Some(seen) = self.seen(picture) {
                     self.turn(model, picture, seen.zoom(factor));
                 }
             }
             (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
-            (Key::PageUp, View::World | View::Image) => operations.operate(model, Operation::Dolly(STEP_FACTOR)),
+            (Key::PageUp, View::World | View::Image) => model.operate(Operation::Dolly(STEP_FACTOR)),
             (Key::PageDown, View::World | View::Image) => {
-                operations.operate(model, Operation::Dolly(STEP_FACTOR.recip()));
+                model.operate(Operation::Dolly(STEP_FACTOR.recip()));
             }
             (Key::T, View::World) => model.tree.transforming = Transforming::Move,
             (Key::R, View::World) => model.tree.transforming = Transforming::Turn,
             (Key::S, View::World) => model.tree.transforming = Transforming::Scale,
-            _ if arrow != DVec2::ZERO => self.arrow(model, operations, pane, arrow, modifiers),
+            _ if arrow != DVec2::ZERO => self.arrow(model, pane, arrow, modifiers),
             _ => {}
         }
     }
@@ -345,7 +346,7 @@ impl Canvas {
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule
     /// a positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the
     /// world, the observer turns instead.
-    fn arrow(&mut self, model: &mut Model, operations: &Operations, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
+    fn arrow(&mut self, model: &mut Model, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
         let view = pane.view;
         if view == View::Canonical || (view == View::World && modifiers.shift) {
             let step = STEP / orbit::DEGREES_PER_POINT;
@@ -359,14 +360,14 @@ impl Canvas {
             return;
         }
         if arrow.y != 0.0 {
-            let raised = match operations.convention {
+            let raised = match model.operations.convention {
                 Convention::RightHand => -STEP,
                 Convention::Vtk => STEP,
             };
-            operations.operate(model, Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
+            model.operate(Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
         }
         if arrow.x != 0.0 {
-            operations.operate(model, Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
+            model.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
     }
 }

@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::handle_drag;
-use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::model::Model;
+use crate::gui::model::action::Action;
 use crate::gui::pictures::Pane;
 use crate::i18n::window::cameras;
 use crate::sanitize::escaped;
@@ -23,10 +23,10 @@ pub(in crate::gui::pictures) fn lines(index: usize, model: &Model) -> [String; 2
 }
 
 /// Looks through the camera that was clicked. False if there is none.
-pub(in crate::gui::pictures) fn is_clicked(model: &mut Model, cameras: &mut CameraList, pane: &Pane) -> bool {
+pub(in crate::gui::pictures) fn is_clicked(model: &mut Model, pane: &Pane) -> bool {
     let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
     let (request, pointer) = pane.under(place);
     let Some(index) = hovered(&request, pointer, pane) else { return false };
-    cameras.look_through(model, index);
+    model.actions.push(Action::LookThrough(index));
     true
 }

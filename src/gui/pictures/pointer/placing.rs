@@ -4,10 +4,9 @@
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
 
-use crate::gui::inspector::state::operations::Operations;
-use crate::gui::learn::Learn;
-use crate::gui::learn::exercises::state::Placing;
 use crate::gui::model::Model;
+use crate::gui::model::action::Action;
+use crate::gui::model::operations::placing::Placing;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
@@ -19,14 +18,19 @@ const RING: f32 = 7.0;
 /// Pixels of the image for one press of an arrow key with Shift.
 const FAST: f64 = 10.0;
 
+/// Puts the cross there.
+fn put(model: &mut Model, placing: &mut Placing, place: DVec2) {
+    placing.mark = Some(place.to_array());
+    model.actions.push(Action::PutMark(placing.of.clone(), place.to_array()));
+}
+
 impl Canvas {
     /// Puts the cross under the pointer, where a place is asked for. False if none is.
     pub(in crate::gui::pictures) fn place(
         ui: &Ui,
-        learn: &mut Learn,
-        operations: &mut Operations,
+        model: &mut Model,
         pane: &Pane,
-        placing: Option<&Placing>,
+        placing: Option<&mut Placing>,
     ) -> bool {
         let Some(placing) = placing.filter(|placing| placing.is_open && pane.view == View::Image) else { return false };
         let response = &pane.response;
@@ -40,29 +44,28 @@ impl Canvas {
             let request = &pane.request;
             let place = request.shot.look.image.image_from_window(&request.camera.window(), point);
             response.request_focus();
-            learn.put_mark(operations, placing, place.round().to_array());
+            put(model, placing, place.round());
         }
         true
     }
 
     /// Moves the cross by an arrow key. Returns whether it was one.
     pub(in crate::gui::pictures) fn place_by_key(
-        model: &Model,
-        learn: &mut Learn,
-        operations: &mut Operations,
+        model: &mut Model,
+        placing: Option<&mut Placing>,
         pane: &Pane,
         key: Key,
         held: Modifiers,
     ) -> bool {
         let arrow = arrow_of(key);
-        let placing = learn.placing(model, operations).filter(|placing| placing.is_open && pane.view == View::Image);
+        let placing = placing.filter(|placing| placing.is_open && pane.view == View::Image);
         let Some(placing) = placing.filter(|_| arrow != DVec2::ZERO) else { return false };
         let image = pane.request.shot.look.image;
         let sides = DVec2::new(f64::from(image.width), f64::from(image.height));
         let from = placing.mark.map_or(0.5 * sides, DVec2::from_array);
         let step = if held.shift { FAST } else { 1.0 };
         let to = from + step * DVec2::new(arrow.x, -arrow.y);
-        learn.put_mark(operations, &placing, to.clamp(DVec2::ZERO, sides).round().to_array());
+        put(model, placing, to.clamp(DVec2::ZERO, sides).round());
         true
     }
 

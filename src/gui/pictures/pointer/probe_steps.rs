@@ -10,9 +10,7 @@ use crate::figure::Explanation;
 use crate::gui::model::Model;
 use crate::gui::model::layout::{Side, Tab};
 use crate::gui::model::scene_tree::Selected;
-use crate::gui::pictures::{Canvas, Pane};
-use crate::gui::why;
-use crate::gui::why::state::explain::Explain;
+use crate::gui::pictures::{Canvas, Inputs, Pane};
 use crate::views::{Hover, Request, View};
 
 /// A click on an object or on a triangle.
@@ -56,10 +54,10 @@ impl Canvas {
     }
 
     /// Selects the object and chooses the triangle of a click, once they have been found.
-    pub(in crate::gui::pictures) fn take_click(&mut self, ctx: &Context, model: &mut Model, explain: &mut Explain) {
+    pub(in crate::gui::pictures) fn take_click(&mut self, ctx: &Context, model: &mut Model, inputs: &mut Inputs<'_>) {
         let Some(click) = self.clicked.take() else { return };
         // A pixel of the triangle that is followed, or another triangle?
-        let waits = model.shows_explanation(Explanation::Triangle) && explain.triangle.is_searched();
+        let waits = model.shows_explanation(Explanation::Triangle) && inputs.triangle_waits;
         let Some(found) = self.click_picker.found(ctx, &click.pick).filter(|_| !waits) else {
             self.clicked = Some(click).filter(|_| waits || self.click_picker.is_waiting());
             return;
@@ -72,7 +70,7 @@ impl Canvas {
             ctx.request_repaint();
         }
         let is_of_image = request.view == View::Image && model.shows_explanation(Explanation::Triangle);
-        if is_of_image && why::clicked(ctx, model, explain, &request, pointer, found.triangle) {
+        if is_of_image && (inputs.on_triangle)(ctx, model, &request, pointer, found.triangle) {
             // It is what was meant.
             self.clicked_pick = None;
             model.pin(None);

@@ -22,8 +22,8 @@ use crate::gui::model::document::{Document, Seen};
 use crate::gui::model::history::Revision;
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
 pub use news::{Keeping, News, NewsList, NotKept};
+pub use session_file::Restored;
 use session_file::SessionFile;
-pub use session_file::{Restored, UnsavedText};
 pub use writer::Kept;
 use writer::Writer;
 

@@ -8,6 +8,7 @@ use crate::figure::{Bilingual, Figure, read, update};
 use crate::files::{SourceFile, disk};
 use crate::gui::fresh;
 use crate::gui::model::document::Document;
+use crate::gui::model::unsaved_text::UnsavedText;
 use crate::lessons::{TaskKind, TaskText, text_of_step};
 
 /// A path that comes back as it was: as a text where it is one.
@@ -40,21 +41,6 @@ impl KeptPath {
         };
         Some(path).filter(|path| disk::is_whole(path))
     }
-}
-
-/// The text of a lesson that is not in its file. A session stores it, and a window goes on with it after a crash.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnsavedText {
-    /// The file.
-    pub path: PathBuf,
-    /// The step whose texts were written, from 0.
-    pub step: usize,
-    /// The text of the file as the window read or wrote it last.
-    pub text: String,
-    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they were typed.
-    pub words: [Bilingual; 6],
-    /// The task of the step, as it was typed.
-    pub task: TaskText,
 }
 
 /// The stored session. Unknown keys, from a later version, are ignored.

@@ -6,7 +6,6 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::UnsavedText;
 use super::session_file::{SessionFile, SessionPlace};
 use crate::clock;
 use crate::figure::Figure;
@@ -15,6 +14,7 @@ use crate::files::{self, FileError, Overwrite};
 use crate::gui::background::worker::Worker;
 use crate::gui::model::document::{Document, Seen};
 use crate::gui::model::history::Revision;
+use crate::gui::model::unsaved_text::UnsavedText;
 use crate::progress::Progress;
 
 /// The longest wait for a running write before the window closes.

@@ -3,7 +3,6 @@
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
-use crate::gui::inspector::values;
 use crate::gui::kit::form::{choice, complaint, row};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -11,7 +10,7 @@ use crate::gui::why::state::explain::Explain;
 use crate::i18n::why::conventions;
 use crate::i18n::why::conventions::{Texts, finite_instead};
 
-/// Shows the choices, and below them the numbers that depend on them.
+/// Shows the choices. Below them come the numbers that depend on them.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
     let t = conventions::texts(model.settings.lang);
     let camera = model.document.camera();
@@ -34,8 +33,6 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &m
         }
     }
     ui.separator();
-    let compared = shown.compared;
-    values::list(ui, model, false, compared, |table| table.is_matrix());
 }
 
 /// A library, reversed, without a far plane; with `or_none` also none.

@@ -5,9 +5,9 @@ use eframe::egui::{
     pos2, vec2,
 };
 
-use crate::gui::inspector::values::brackets;
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::Formula;
+use crate::gui::kit::mathematics::brackets;
 
 /// An entry as it is written.
 #[derive(Clone, Debug)]

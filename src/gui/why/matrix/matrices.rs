@@ -13,7 +13,7 @@ use crate::gui::kit::mathematics::Both;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{prose, theme};
 use crate::gui::model::Model;
-use crate::gui::model::matrices::{Matrices, Reading};
+use crate::gui::model::explained::matrices::{Matrices, Reading};
 use crate::gui::why::answer;
 use crate::gui::why::answer::Writing;
 use crate::gui::why::state::explain::Explain;

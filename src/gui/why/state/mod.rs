@@ -2,6 +2,5 @@
 
 pub(in crate::gui) mod explain;
 pub(in crate::gui) mod notes;
-pub(in crate::gui) mod numerics;
 pub(in crate::gui) mod order;
 pub(in crate::gui) mod triangle;

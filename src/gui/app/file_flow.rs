@@ -1,0 +1,544 @@
+//! Opening, saving and closing: the questions, their order, and the actions.
+//!
+//! ```text
+//! New, Open, a dropped file, Quit ── unsaved? ── ask ──┐
+//! Save, Save as, Export ── which file? ── there already? changed by another program? read-only? ── ask ── do it ── then what was wanted
+//! ```
+
+pub(super) mod changed_file;
+pub(super) mod file_kind;
+pub(super) mod link_dialog;
+mod opening;
+pub(super) mod qr;
+pub mod questions;
+mod reading;
+mod sequence;
+pub mod title_dialog;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui::{self, ViewportCommand};
+
+use crate::export::format::PictureFormat;
+use crate::figure::read::parse;
+use crate::figure::{Figure, update};
+use crate::files::{self, FileChange, FileError, Overwrite, disk};
+use crate::gui::app::file_flow::file_kind::FileKind;
+use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, texture};
+use crate::gui::app::file_flow::questions::{
+    Agreed, Asking, Changed, Dialog, FileFlow, MESH_ENDINGS, Purpose, Theirs, TitleForm,
+};
+use crate::gui::app::file_flow::reading::{Content, ToRead};
+use crate::gui::app::file_flow::sequence::Search;
+use crate::gui::app::state::State;
+use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
+use crate::gui::inspector::state::compare;
+use crate::gui::model::Model;
+use crate::gui::model::action::{AfterSave, MeshFor};
+use crate::gui::model::document::Document;
+use crate::gui::model::document::source::Source;
+use crate::gui::model::export_error::ExportError;
+use crate::gui::model::layout::Tab;
+use crate::gui::model::message::{Message, NotExported};
+use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
+use crate::picture::file_beside;
+use crate::scene::Shape;
+
+/// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
+/// changes of the figure. Whatever replaces or closes a document comes through here.
+pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+    state.learn.end_move(&mut state.model);
+    state.model.settle_layout(state.learn.lesson.is_some());
+    state.model.document.commit();
+    if !state.learn.save_text(&mut state.model) {
+        // The dialog says why.
+        state.file_flow.refused = state.model.message.take();
+        state.file_flow.dialog = Some(Dialog::UnsavedText(next));
+    } else if next.replaces_figure()
+        && state.learn.has_unsaved(&state.model)
+        && !(next == AfterSave::WriteRecorded && state.learn.is_recorded(&mut state.model))
+    {
+        state.file_flow.dialog = Some(Dialog::Unsaved(next));
+    } else {
+        go_on(ctx, state, next);
+    }
+}
+
+/// Does the `next` action. Changes are lost. Only [`begin`] and the answer to its question call this.
+pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+    match next {
+        AfterSave::New => {
+            if let Ok(document) = Document::new(crate::gui::fresh(), None) {
+                state.learn.take_over(&mut state.model, document);
+            }
+        }
+        AfterSave::Open => ask(ctx, state, Purpose::Open),
+        AfterSave::OpenPath(path) => open(ctx, state, &path),
+        AfterSave::Shipped(name) => open_shipped(&mut state.model, &mut state.learn, name),
+        AfterSave::Text(text) => match parse(&text).map(|figure| Document::new(figure, None)) {
+            Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
+            Ok(Err(error)) => state.model.say(Message::Camera(error)),
+            // The program wrote it, of a camera that it had measured: a test opens every one.
+            Err(_) => {}
+        },
+        AfterSave::Lesson(open) => state.learn.play(&mut state.model, open),
+        AfterSave::LeaveLesson => state.learn.leave_lesson(&mut state.model),
+        AfterSave::WriteRecorded => state.learn.write_recorded(&mut state.model),
+        AfterSave::ReadLesson => state.learn.read_lesson_again(&mut state.model),
+        AfterSave::Reload => reload(ctx, state),
+        AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
+        AfterSave::Quit => quit(ctx, state),
+    }
+}
+
+/// Goes on to the next document that closing would lose. Closes the window once there is none.
+fn quit(ctx: &egui::Context, state: &mut State) {
+    state.learn.gather_held(&mut state.model);
+    if let Some((_, document)) = state.model.kept.pop() {
+        // If the window is not closed after all, the figure is still there.
+        if state.learn.has_unsaved(&state.model) {
+            state.model.given_up.push((Source::of(&state.model.document), state.model.document.clone()));
+        }
+        state.learn.take_over(&mut state.model, document);
+        begin(ctx, state, AfterSave::Quit);
+    } else if state.file_flow.exporting.is_empty() {
+        close(ctx, &mut state.file_flow);
+    } else {
+        state.file_flow.dialog = Some(Dialog::Closing);
+    }
+}
+
+/// Closes the window, whatever is going on.
+pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
+    file_flow.may_close = true;
+    ctx.send_viewport_cmd(ViewportCommand::Close);
+}
+
+/// Saves to the figure's own file. Asks for one where there is none.
+pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
+    let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
+    match state.model.document.path().cloned().or_else(named) {
+        Some(path) => write(ctx, state, &path, then, Agreed::default()),
+        None => ask(ctx, state, Purpose::Save(then)),
+    }
+}
+
+/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no
+/// folders to choose: it asks only for the name of a figure.
+pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
+    // A figure that was made of a card has words of its own.
+    let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.document.shipped_name().is_some();
+    if asks_title && state.file_flow.titled != Some(state.model.document.id()) {
+        let form = TitleForm::of(&state.model, Some(purpose));
+        state.file_flow.dialog = Some(Dialog::Title(form));
+        return;
+    }
+    let kind = FileKind::of(state, &purpose);
+    let hands_out = state.model.in_browser && kind.wanted == Wanted::NewFile;
+    if hands_out && !matches!(purpose, Purpose::Save(_)) {
+        chosen(ctx, state, purpose, kind.proposal());
+    } else if state.file_flow.native && !hands_out {
+        // The shell opens the dialog, in front of its window.
+        let (document, question) = (state.model.document.id(), Some(kind.question()));
+        state.file_flow.asking = Some(Asking { purpose, document, question, dialog: None });
+        ctx.request_repaint();
+    } else {
+        ask_in_window(state, purpose);
+    }
+}
+
+/// Asks for the path of a file in a field.
+fn ask_in_window(state: &mut State, purpose: Purpose) {
+    let text = FileKind::of(state, &purpose).proposal().display().to_string();
+    state.file_flow.refused = None;
+    state.file_flow.dialog = Some(Dialog::Path(purpose, text));
+}
+
+/// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
+pub(in crate::gui) fn open_dialog(ctx: &egui::Context, file_flow: &mut FileFlow, frame: &eframe::Frame) {
+    if let Some(asking) = &mut file_flow.asking
+        && let Some(question) = asking.question.take()
+    {
+        asking.dialog = Some(OpenFileDialog::start(ctx, question, frame));
+    }
+}
+
+/// Takes the answer of the system's dialog.
+fn take_answer(ctx: &egui::Context, state: &mut State) {
+    let asking = state.file_flow.asking.as_mut();
+    let Some(answer) = asking.and_then(|asking| asking.dialog.as_mut()?.poll()) else { return };
+    answered(ctx, state, answer);
+}
+
+/// Goes on with the answer. It belongs to the document that was shown when the question came up.
+fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
+    let Some(Asking { purpose, document, .. }) = state.file_flow.asking.take() else { return };
+    let is_same = document == state.model.document.id();
+    match (answer, purpose) {
+        (FileAnswer::Cancelled, _) => {}
+        // The next question may have a dialog again.
+        (FileAnswer::Unavailable, purpose) => ask_in_window(state, purpose),
+        (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, AfterSave::OpenPath(path)),
+        (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
+            chosen(ctx, state, purpose, path);
+        }
+        (FileAnswer::Chosen(path), _) => state.model.say(Message::OtherFigure(path)),
+    }
+}
+
+/// Goes on with the file that was chosen. Asks before a file is replaced.
+pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
+    let kind = FileKind::of(state, &purpose);
+    let path = kind.with_ending(files::whole(&path));
+    if let Purpose::Export(export) = &mut purpose {
+        export.transparent = export.is_without_ground();
+        export.format = PictureFormat::of(&path).unwrap_or(export.format);
+        if export.transparent && !export.format.has_transparency() {
+            let error = ExportError::NoTransparency(export.format);
+            return state.model.say(Message::NotExported(path, NotExported(error)));
+        }
+    }
+    let own = state.model.document.path() == Some(&path);
+    // A step is added to what is there.
+    let adds = purpose.adds_step();
+    let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
+    if is_new && !replaced(&purpose, &path).is_empty() {
+        state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
+    } else {
+        confirmed(ctx, state, purpose, &path, Agreed::default());
+    }
+}
+
+/// The files that are there already, and that writing to `path` replaces. A picture may have another file beside it.
+#[must_use]
+pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
+    let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_));
+    let beside = file_beside(path).filter(|_| writes_pictures);
+    std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::exists(path)).collect()
+}
+
+/// Opens or writes the file, with the overwrites in `agreed`.
+pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
+    match purpose {
+        Purpose::Open => open(ctx, state, path),
+        Purpose::Save(then) => write(ctx, state, path, then, agreed),
+        Purpose::Export(_)
+        | Purpose::Animation(_)
+        | Purpose::Chart(_)
+        | Purpose::Handout(_)
+        | Purpose::Progress
+        | Purpose::Step
+        | Purpose::NewLesson
+        | Purpose::OwnLesson
+        | Purpose::LessonText(_)
+            if !agreed.read_only && files::is_read_only(path) =>
+        {
+            state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
+        }
+        Purpose::Mesh(which) => mesh(&mut state.model, which, path),
+        Purpose::CompareWith => read(ctx, state, ToRead::Compared(path.to_owned())),
+        Purpose::Texture(object) => texture(&mut state.model, &object, path),
+        Purpose::Photograph => photograph(&mut state.model, path),
+        Purpose::Progress => {
+            save_bytes(&mut state.model, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed);
+        }
+        Purpose::Step => state.learn.add_step(&mut state.model, path, agreed.overwrite()),
+        Purpose::NewLesson => {
+            state.learn.add_step(&mut state.model, path, agreed.overwrite());
+            if state.learn.file.as_deref() == Some(path) {
+                begin(ctx, state, AfterSave::WriteRecorded);
+            }
+        }
+        Purpose::OwnLesson => state.learn.copy_lesson(&mut state.model, path, agreed.overwrite()),
+        Purpose::LessonText(next) => {
+            if state.learn.save_text_as(&mut state.model, path, agreed.overwrite()) {
+                begin(ctx, state, next);
+            }
+        }
+        Purpose::Chart(block) => {
+            let saved = save_chart(&block, state.model.settings.lang, path, agreed.overwrite());
+            say_whether_saved(&mut state.model, path, saved);
+        }
+        Purpose::Animation(decomposition) => {
+            let what = ExportKind::Animation(decomposition, state.model.settings.theme);
+            export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
+        }
+        Purpose::Handout(form) => {
+            let what = ExportKind::Handout(Box::new(form.job(&state.learn)));
+            export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
+        }
+        Purpose::Exercises => state.learn.exercises.look_into(Some(path.to_owned())),
+        Purpose::Folder => {
+            state.gallery.look_into(path.to_owned());
+            state.file_flow.dialog = Some(Dialog::Gallery);
+        }
+        Purpose::Export(options) => {
+            export(ctx, state, ExportKind::Pictures(options), (path.to_owned(), agreed.overwrite()));
+        }
+    }
+}
+
+fn save_bytes(model: &mut Model, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
+    let saved = bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite()));
+    say_whether_saved(model, path, saved);
+}
+
+fn say_whether_saved(model: &mut Model, path: &Path, saved: Result<(), FileError>) {
+    match saved {
+        Ok(()) => say_saved(model, path.to_owned()),
+        Err(error) => model.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
+    let task = Task::new((&state.model.document, state.model.figure_as_shown()), state.model.settings.lang, what, to)
+        .with_family(state.family.clone(), state.model.operations.convention);
+    state.file_flow.exporting.push(Exporting::start(ctx, task));
+    state.model.say(Message::Exporting);
+}
+
+/// Opens a figure, a lesson, or a link in a file. One that was left with changes is as it was left.
+fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
+    match state.model.take_kept(Some(&Source::File(files::whole(path)))) {
+        Some(kept) => {
+            state.learn.take_over(&mut state.model, kept);
+            state.file_flow.look = true;
+        }
+        None => read(ctx, state, ToRead::File(path.to_owned())),
+    }
+}
+
+/// Moves on to the next figure, or back to the one before.
+pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
+    state.model.document.commit();
+    let search = Search::of(&state.model, forwards);
+    read(ctx, state, ToRead::Next(search));
+}
+
+/// Reads something. If it takes long, the window goes on, and [`poll`] takes the content.
+fn read(ctx: &egui::Context, state: &mut State, wanted: ToRead) {
+    state.file_flow.reading.begin(ctx, &state.model, wanted);
+    take_content(ctx, state, state.file_flow.reading.patience);
+}
+
+/// Goes on with a file that was read.
+fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
+    let Some((content, is_changed)) = state.file_flow.reading.take(&state.model, patience) else { return };
+    match content {
+        // It would be lost, and nobody was asked about that.
+        Content::Lesson(path, _) | Content::Figure(path, _) if is_changed && state.learn.has_unsaved(&state.model) => {
+            begin(ctx, state, AfterSave::OpenPath(path));
+        }
+        Content::Lesson(path, lesson) => opening::lesson(state, path, lesson),
+        Content::Figure(path, figure) => opening::figure(state, path, figure),
+        Content::Compared(path, figure) => compare::with_file(&mut state.model, &path, figure),
+        Content::Next(found) => sequence::show(state, *found),
+    }
+}
+
+/// Reads the figure's own file again, and goes on with it.
+fn reload(ctx: &egui::Context, state: &mut State) {
+    if let Some(path) = state.model.document.path().cloned() {
+        open(ctx, state, &path);
+    }
+}
+
+/// Continues with the window's figure although the file holds another one. The same content is not asked about again.
+pub fn keep_mine(file_flow: &mut FileFlow) {
+    file_flow.decided = file_flow.theirs.take();
+}
+
+/// Asks about the content of another program in the figure's file.
+pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSave>) {
+    file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+}
+
+/// The figure as it is written to `path`.
+fn for_folder(model: &Model, path: &Path) -> Figure {
+    files::for_folder(&model.figure_to_save(), model.document.folder(), path.parent())
+}
+
+/// The text that saving would write.
+#[must_use]
+pub fn text_to_save(model: &Model) -> String {
+    let figure = model.document.path().map_or_else(|| model.figure_to_save(), |path| for_folder(model, path));
+    update(model.document.source(), &figure)
+}
+
+/// The text of the present screen, as links carry it.
+#[must_use]
+pub fn text_as_shown(model: &Model) -> String {
+    update(model.document.source(), &model.figure_as_shown())
+}
+
+/// The present content of the figure's file, where it differs from the one read or saved last.
+fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
+    if document.path().is_none_or(|own| own != path) {
+        return None;
+    }
+    match files::look(path, document.source().as_bytes(), None) {
+        FileChange::Other(theirs) => Some(theirs),
+        FileChange::Same(_) | FileChange::Gone => None,
+    }
+}
+
+fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>, agreed: Agreed) {
+    if let Some(error) = state.model.document.problem().filter(|_| state.model.document.has_stand_in_camera()) {
+        state.model.say(Message::NotSaved(error.clone()));
+        return;
+    }
+    if let Some(theirs) = theirs(&state.model.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
+        return ask_about(&mut state.file_flow, theirs, then);
+    }
+    if !agreed.read_only && files::is_read_only(path) {
+        state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
+        return;
+    }
+    let figure = for_folder(&state.model, path);
+    let text = update(state.model.document.source(), &figure);
+    match files::save(path, text.as_bytes(), agreed.overwrite()) {
+        Ok(()) => {
+            if figure.scene != state.model.document.figure().scene {
+                state.model.document.edit(|own| own.scene = figure.scene);
+            }
+            state.model.document.mark_saved(path.to_owned(), text, figure.screen);
+            state.recent.add(path);
+            state.file_flow.theirs = None;
+            state.file_flow.decided = None;
+            say_saved(&mut state.model, path.to_owned());
+            if let Some(then) = then {
+                go_on(ctx, state, then);
+            }
+        }
+        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+/// Says that a file has been written: to where it was wanted, or into the hands of a browser.
+fn say_saved(model: &mut Model, path: PathBuf) {
+    model.say(if model.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
+}
+
+/// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
+/// restored.
+fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
+    let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
+    if std::mem::take(&mut file_flow.look) || focused {
+        file_flow.watch.begin(ctx, &model.document);
+    }
+    match file_flow.watch.take(&model.document) {
+        Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {
+            file_flow.theirs = Some(theirs);
+        }
+        // As it was: there is nothing to say any more.
+        Some(FileChange::Same(_)) => (file_flow.theirs, file_flow.decided) = (None, None),
+        Some(FileChange::Other(_) | FileChange::Gone) | None => {}
+    }
+}
+
+/// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
+pub fn poll(ctx: &egui::Context, state: &mut State) {
+    take_answer(ctx, state);
+    take_content(ctx, state, Duration::ZERO);
+    take_exports(ctx, &mut state.model, &mut state.file_flow);
+    if !state.file_flow.is_closing() {
+        state.model.kept.append(&mut state.model.given_up);
+    }
+    watch(ctx, &state.model, &mut state.file_flow);
+    take_given(ctx, state);
+    if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
+        if state.would_lose_something() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            ask_before_closing(ctx, state);
+        } else {
+            state.file_flow.may_close = true;
+        }
+    }
+    if state.file_flow.dialog.is_none() && state.file_flow.asking.is_none() && !state.file_flow.may_close {
+        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.model.document.id());
+        state.file_flow.dialog = covered.map(|(_, dialog)| dialog);
+    }
+}
+
+/// Asks what closing the window would lose. A dialog that was open comes back if the window stays.
+fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
+    if state.file_flow.is_closing() {
+        // It has been asked.
+        return;
+    }
+    // The answer of a dialog of the system is not waited for any more.
+    state.file_flow.asking = None;
+    let document = state.model.document.id();
+    state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
+    begin(ctx, state, AfterSave::Quit);
+}
+
+/// Opens files that were dropped, or given to a page. The first one, once no question is open that it would replace.
+fn take_given(ctx: &egui::Context, state: &mut State) {
+    let dropped: Vec<PathBuf> =
+        ctx.input(|input| input.raw.dropped_files.iter().map(|file| files::whole(file.path())).collect());
+    if !dropped.is_empty() {
+        state.file_flow.given = dropped;
+    }
+    if state.file_flow.has_question() {
+        return;
+    }
+    let given = std::mem::take(&mut state.file_flow.given);
+    let count = given.len();
+    let Some(path) = given.into_iter().next() else { return };
+    if state.file_flow.is_asking() {
+        state.file_flow.dialog = None;
+        state.gallery.end();
+    }
+    take_file(ctx, state, path.clone());
+    // An error matters more. The files that come with one to a page are those that it names.
+    if count > 1 && !state.model.in_browser && !state.model.message.as_ref().is_some_and(Message::is_error) {
+        state.model.say(Message::FirstOfDropped(path, count));
+    }
+}
+
+/// Opens a dropped file: a figure, or a mesh, which is added to the scene.
+fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    if !MESH_ENDINGS.contains(&ending.as_str()) {
+        return begin(ctx, state, AfterSave::OpenPath(path));
+    }
+    let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
+    let mut shapes = state.model.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    if state.model.in_browser && shapes.any(is_this) {
+        // The scene names it, and had to do without it.
+        return state.model.scene_cache.read_again();
+    }
+    mesh(&mut state.model, MeshFor::New, &path);
+    state.model.settings.tab = Tab::Scene;
+}
+
+/// Reports finished exports. A window that waits for them closes with the last one, unless one has failed: nobody would
+/// see that.
+fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
+    let mut failed = false;
+    for (path, result) in file_flow.exported() {
+        let message = match result {
+            Ok(None) => {
+                say_saved(model, path);
+                continue;
+            }
+            Ok(Some(over_budget)) => Message::SavedOtherwise(path, over_budget),
+            Err(error) => {
+                failed |= !matches!(error, ExportError::Cancelled);
+                Message::NotExported(path, NotExported(error))
+            }
+        };
+        model.say(message);
+    }
+    if file_flow.dialog == Some(Dialog::Closing) && (failed || file_flow.exporting.is_empty()) {
+        file_flow.dialog = None;
+        if !failed {
+            close(ctx, file_flow);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

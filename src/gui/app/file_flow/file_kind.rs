@@ -1,0 +1,183 @@
+//! The kinds of files that are asked for: title, endings, proposed name.
+
+use std::path::{Path, PathBuf};
+
+use crate::export::format::PictureFormat;
+use crate::gui::app::file_flow::questions::{MESH_ENDINGS, Purpose, TEXTURE_ENDINGS};
+use crate::gui::app::state::State;
+use crate::gui::platform::native::{FileQuestion, Wanted};
+use crate::i18n::file_names::name_of_title;
+use crate::i18n::learn::{exercise_window, handouts, lessons};
+use crate::i18n::why::explain;
+use crate::i18n::window::{gallery, photograph, scenes};
+use crate::i18n::{families, told, window};
+use crate::views::Views;
+
+/// A kind of files.
+pub(in crate::gui) struct FileKind {
+    /// A file that is there, a new one, or a folder.
+    pub(in crate::gui) wanted: Wanted,
+    /// The title of the question.
+    pub(in crate::gui) title: &'static str,
+    /// The button below it.
+    pub(in crate::gui) action: &'static str,
+    /// Names of formats with their endings. The first ending is appended to names that have none.
+    filters: Vec<(String, &'static [&'static str])>,
+    /// The name that is proposed. Empty for what is read.
+    name: String,
+    /// The folder in which the question begins.
+    folder: PathBuf,
+}
+
+impl FileKind {
+    /// The kind of file that is asked for.
+    pub(in crate::gui) fn of(state: &State, purpose: &Purpose) -> Self {
+        let lang = state.model.settings.lang;
+        let (t, exercises, film) = (window::texts(lang), exercise_window::texts(lang), explain::texts(lang));
+        let title = state.model.document.figure().title.as_ref().filter(|_| !state.model.document.has_words_of_card());
+        let title = title.and_then(|title| name_of_title(told(lang, title)));
+        let named = if state.model.document.path().is_some() { None } else { title };
+        let figure = named.or_else(|| state.model.document.name()).unwrap_or_else(|| t.untitled_file.to_owned());
+        let figure = PathBuf::from(figure);
+        let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let save_action = t.save_action;
+        let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
+        let (wanted, title, action, filters, name) = match purpose {
+            Purpose::Open | Purpose::CompareWith => {
+                let filters = vec![(t.figure_filter.to_owned(), &["toml", "png", "svg", "pdf"][..])];
+                (Wanted::File, t.open_title, t.open_action, filters, String::new())
+            }
+            Purpose::Save(_) => {
+                let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
+                let name = figure.with_extension("toml").display().to_string();
+                (Wanted::NewFile, t.save_title, t.save_action, filters, name)
+            }
+            Purpose::Export(export) => {
+                let mut formats = PictureFormat::ALL;
+                formats.sort_by_key(|format| *format != export.format);
+                let filters = formats.map(|of| format(t.picture_filter, of)).to_vec();
+                let is_family = state.family.variations().is_some();
+                let what = match export.what {
+                    _ if is_family => {
+                        name_of_title(families::texts(lang).family).map_or_else(String::new, |name| format!("-{name}"))
+                    }
+                    Views::All => String::new(),
+                    some => format!("-{}", some.name().replace(',', "-")),
+                };
+                let name = format!("{stem}{what}.{}", export.format.ending());
+                (Wanted::NewFile, t.export_title, t.save_action, filters, name)
+            }
+            Purpose::Animation(decomposition) => {
+                let mut filters = vec![
+                    (format!("{} GIF", film.animation), &["gif"][..]),
+                    (format!("{} APNG", film.animation), &["apng"][..]),
+                ];
+                filters.extend(PictureFormat::ALL.map(|of| format(film.strip, of)));
+                let name = format!("{stem}-{}.gif", decomposition.name());
+                (Wanted::NewFile, t.export_title, t.save_action, filters, name)
+            }
+            Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText(_) => {
+                let t = lessons::texts(lang);
+                let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
+                let copied = state.learn.lesson.as_ref().filter(|_| !purpose.adds_step());
+                let name = copied.map(|playing| format!("{}.toml", playing.lesson.id));
+                let (title, action) =
+                    if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };
+                (Wanted::NewFile, title, action, filters, name.unwrap_or_else(|| t.step_file.to_owned()))
+            }
+            Purpose::Chart(_) => {
+                let mut formats = PictureFormat::ALL;
+                formats.sort_by_key(|format| *format != PictureFormat::Svg);
+                let filters = formats.map(|of| format(t.chart_filter, of)).to_vec();
+                (Wanted::NewFile, t.export_chart_title, t.save_action, filters, format!("{stem}-{}.svg", t.chart_file))
+            }
+            Purpose::Handout(form) => {
+                let t = handouts::texts(lang);
+                let filters = vec![(format!("{} PDF", t.filter), &["pdf"][..])];
+                (Wanted::NewFile, t.title, save_action, filters, format!("{}.pdf", form.stem()))
+            }
+            Purpose::Progress => {
+                let (filters, name) = (vec![("CSV".to_owned(), &["csv"][..])], exercises.progress_file.to_owned());
+                (Wanted::NewFile, exercises.export_title, t.save_action, filters, name)
+            }
+            Purpose::Mesh(_) => {
+                let t = scenes::texts(lang);
+                let filters = vec![(t.mesh_filter.to_owned(), MESH_ENDINGS)];
+                (Wanted::File, t.mesh_title, t.mesh_action, filters, String::new())
+            }
+            Purpose::Texture(_) => {
+                let t = scenes::texts(lang);
+                let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
+                (Wanted::File, t.texture_title, t.texture_action, filters, String::new())
+            }
+            Purpose::Photograph => {
+                let (words, t) = (photograph::texts(lang), scenes::texts(lang));
+                let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
+                (Wanted::File, words.choose_title, words.choose_action, filters, String::new())
+            }
+            Purpose::Folder => (Wanted::Folder, gallery::texts(lang).choose, t.open_action, Vec::new(), String::new()),
+            Purpose::Exercises => (Wanted::Folder, exercises.own_open, t.open_action, Vec::new(), String::new()),
+        };
+        // A figure without a folder goes to that of the last file.
+        let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
+        let folder = state.model.document.folder().or_else(|| last.and_then(|path| path.parent()));
+        let folder = folder.map(Path::to_owned).unwrap_or_default();
+        Self { wanted, title, action, filters, name, folder }
+    }
+
+    /// The kind for a figure with a title, whose words are its name.
+    pub(in crate::gui) fn with_name_of(self, title: Option<&str>) -> Self {
+        let name = title.and_then(name_of_title).map(|name| format!("{name}.toml"));
+        Self { name: name.unwrap_or(self.name), ..self }
+    }
+
+    /// The path that is proposed.
+    pub(in crate::gui) fn proposal(&self) -> PathBuf {
+        if self.name.is_empty() { self.folder.clone() } else { self.folder.join(&self.name) }
+    }
+
+    /// The path with an ending of this kind, where it is to be written.
+    pub(in crate::gui) fn with_ending(&self, path: PathBuf) -> PathBuf {
+        let endings: Vec<&str> = self.filters.iter().flat_map(|(_, endings)| endings.iter().copied()).collect();
+        let has_one = endings.iter().any(|own| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(own)));
+        match endings.first() {
+            Some(ending) if self.wanted == Wanted::NewFile && !has_one => {
+                let mut name = path.into_os_string();
+                name.push(".");
+                name.push(ending);
+                name.into()
+            }
+            Some(_) | None => path,
+        }
+    }
+
+    /// The question for a dialog outside the window.
+    pub(in crate::gui) fn question(self) -> FileQuestion {
+        let folder = Some(self.folder).filter(|folder| !folder.as_os_str().is_empty());
+        FileQuestion { wanted: self.wanted, title: self.title, filters: self.filters, name: self.name, folder }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::camera::Decomposition;
+    use crate::gui::Start;
+
+    #[test]
+    fn endings_are_appended_once() {
+        let state = State::new(Start::default()).expect("a camera");
+        let kind = FileKind::of(&state, &Purpose::Save(None));
+        for (given, made) in [("a", "a.toml"), ("a.toml", "a.toml"), ("a.TOML", "a.TOML"), ("v1.2", "v1.2.toml")] {
+            assert_eq!(kind.with_ending(PathBuf::from(given)), PathBuf::from(made));
+        }
+        let kind = FileKind::of(&state, &Purpose::Animation(Decomposition::ALL[0]));
+        for (given, made) in [("a", "a.gif"), ("a.APNG", "a.APNG"), ("a.jpeg", "a.jpeg"), ("a.toml", "a.toml.gif")] {
+            assert_eq!(kind.with_ending(PathBuf::from(given)), PathBuf::from(made));
+        }
+        let kind = FileKind::of(&state, &Purpose::Open);
+        assert_eq!(kind.with_ending(PathBuf::from("a")), PathBuf::from("a"), "what is read has the name it has");
+    }
+}

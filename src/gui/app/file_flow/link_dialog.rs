@@ -1,0 +1,156 @@
+//! The figure as a link: its purpose, its address, and its length.
+
+use std::collections::BTreeSet;
+
+use eframe::egui::{self, RichText};
+
+use crate::figure::Figure;
+use crate::files::{self, SHIPPED};
+use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::questions::Dialog;
+use crate::gui::app::state::State;
+use crate::gui::background::memo::Memo;
+use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::form::complaint;
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::model::Model;
+use crate::gui::model::message::Message;
+use crate::i18n::messages;
+use crate::i18n::window::Texts;
+use crate::i18n::window::sharing;
+use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
+use crate::sanitize;
+use crate::scene::Shape;
+use crate::share::{self, Held, ShareError};
+
+/// Shows the dialog; `first`: it has just been opened.
+pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
+    let words = sharing::texts(state.model.settings.lang);
+    ui.heading(words.title);
+    ui.add_space(6.0);
+    ui.label(words.text);
+    ui.add_space(6.0);
+    let address = address(ui, words, state, first);
+    ui.add_space(6.0);
+    if address.is_empty()
+        && let Some(why) = &state.file_flow.refused
+    {
+        complaint(ui, &why.text(state.model.settings.lang));
+        ui.add_space(6.0);
+    }
+    if let Some(playing) = state.learn.lesson.as_mut().filter(|playing| playing.path.is_some()) {
+        ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
+        ui.add_space(6.0);
+    }
+    let link = link(&state.model, &state.learn, &mut state.shown_link, &address, first);
+    match &link {
+        Ok(link) => {
+            // Where the clipboard is out of reach, it can be copied from here.
+            let mut shown = link.as_str();
+            let field = TextField::fixed_line(&mut shown);
+            let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));
+            field.show(ui, state.model.settings.lang).accessible_name(words.link);
+            let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
+            ui.label(RichText::new(length).small().weak());
+        }
+        Err(error) => complaint(ui, &messages::link(state.model.settings.lang, *error)),
+    }
+    let whole = state.learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
+    let own = match whole {
+        Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
+        None => own_files(state.model.document.figure()),
+    };
+    let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
+    if !own.is_empty() {
+        complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
+    }
+    ui.add_space(10.0);
+    let actions: &[&str] = match &link {
+        Ok(_) if !address.is_empty() => &[words.copy, words.code],
+        Ok(_) => &[words.copy],
+        Err(_) => &[],
+    };
+    let asks_address = state.file_flow.refused.is_some();
+    match buttons(ui, t.cancel, actions, (first && !asks_address).then_some(0)) {
+        Pressed::Action(1) => state.file_flow.dialog = Some(Dialog::Qr),
+        Pressed::Action(_) => {
+            if let Ok(link) = link {
+                let length = link.len();
+                ui.ctx().copy_text(link);
+                state.model.say(Message::LinkCopied(length));
+            }
+        }
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Link),
+    }
+}
+
+/// The link to what is on the screen, for a dialog; `first`. It has just been opened.
+///
+/// # Errors
+/// [`ShareError`] if the figure makes it too long.
+pub(in crate::gui) fn link(
+    model: &Model,
+    learn: &Learn,
+    shown_link: &mut Memo<(String, bool), Result<String, ShareError>>,
+    address: &str,
+    first: bool,
+) -> Result<String, ShareError> {
+    if first {
+        shown_link.forget();
+    }
+    let is_whole = learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
+    shown_link.of((address.to_owned(), is_whole), |_| made(model, learn, address)).clone()
+}
+
+/// The link: of a lesson of the program to its step, else with the whole figure in it.
+fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareError> {
+    let of_program = learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
+    if let Some(playing) = of_program {
+        let lang = model.settings.lang.tag();
+        return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
+    }
+    if let Some(text) = whole_lesson(learn) {
+        return share::link(address, Held::Lesson, &text);
+    }
+    share::link(address, Held::Figure, &file_flow::text_as_shown(model))
+}
+
+/// The text of the lesson of the user's own that is played, where the link is to hold it whole.
+fn whole_lesson(learn: &Learn) -> Option<String> {
+    let playing = learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
+    files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
+}
+
+/// The address that the link begins with: that of the page itself, else the one that the user knows.
+fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: bool) -> String {
+    if let Some(own) = &state.own_address {
+        ui.label(format!("{}: {}", words.address, sanitize::escaped(own)));
+        return own.clone();
+    }
+    let label = ui.label(words.address);
+    let address = &mut state.page_address;
+    let field = TextField::line(address, MAX_TYPED);
+    let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
+    let field = field.show(ui, state.model.settings.lang).labelled_by(label.id);
+    if first && address.is_empty() && state.file_flow.refused.is_some() {
+        field.request_focus();
+    }
+    *address = address.split('#').next().unwrap_or_default().trim().to_owned();
+    ui.label(RichText::new(if address.is_empty() { words.no_address } else { words.address_text }).weak());
+    address.clone()
+}
+
+/// The files that a figure names and that are not part of the program.
+fn own_files(figure: &Figure) -> Vec<String> {
+    let shapes = figure.scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    let textures = figure.scene.objects.iter().filter_map(|object| object.texture.as_ref()?.file());
+    let paths = shapes.filter_map(|shape| match shape {
+        Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(sanitize::path_text(path)),
+        _ => None,
+    });
+    let photograph = figure.photograph.as_ref().map(|photograph| photograph.file.as_str());
+    paths.chain(textures.chain(photograph).map(sanitize::path_text)).collect()
+}

@@ -1,0 +1,103 @@
+//! Files that are opened: figures, lessons, and what a scene is made of.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::figure::Photograph;
+use crate::files::{self, FileError, Opened};
+use crate::gui::app::state::State;
+use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::model::Model;
+use crate::gui::model::action::MeshFor;
+use crate::gui::model::document::Document;
+use crate::gui::model::document::source::Source;
+use crate::gui::model::message::Message;
+use crate::lessons::{Lesson, OpenLesson};
+use crate::scene::{Shape, TextureSource};
+use crate::share;
+
+/// Puts a mesh file into the scene.
+pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
+    let named = files::named_in_figure(model.document.folder(), path);
+    match which {
+        MeshFor::New => model.insert_mesh(named),
+        MeshFor::Object(name) => model.document.edit(|figure| {
+            if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
+                object.shape = Some(Shape::Mesh { path: named });
+            }
+        }),
+    }
+}
+
+/// Puts a picture on an object.
+pub(in crate::gui) fn texture(model: &mut Model, object: &str, path: &Path) {
+    let named = files::named_in_figure(model.document.folder(), path);
+    model.document.edit(|figure| {
+        if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
+            object.texture = Some(TextureSource::of(&named));
+        }
+    });
+}
+
+/// Puts a photograph under the image. One in the place of another keeps the opacity.
+pub(in crate::gui) fn photograph(model: &mut Model, path: &Path) {
+    let file = files::named_in_figure(model.document.folder(), path);
+    model.document.edit(|figure| {
+        let opacity = figure.photograph.as_ref().map_or(Photograph::USUAL_OPACITY, |before| before.opacity);
+        figure.photograph = Some(Photograph { file, opacity });
+    });
+}
+
+/// Plays the lesson of a file or link.
+pub(super) fn lesson(state: &mut State, path: PathBuf, lesson: Result<Arc<Lesson>, FileError>) {
+    match lesson {
+        Ok(lesson) => {
+            let is_link = share::link_of(&path).is_some();
+            let path = if is_link { path } else { files::whole(&path) };
+            if !is_link {
+                state.recent.add(&path);
+            }
+            state.learn.play(&mut state.model, OpenLesson { lesson, path: Some(path), step: 0 });
+        }
+        Err(error) => state.model.say(Message::File(path, error)),
+    }
+}
+
+/// Shows the figure of a file or link.
+pub(super) fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, FileError>) {
+    let State { model, learn, recent, .. } = state;
+    let document = match opened {
+        Ok(opened) => {
+            let (figure, file) = opened.at(&path);
+            Document::with_any_camera(figure, Some(file)).map_err(|error| Message::NotOpened(path.clone(), error))
+        }
+        Err(error) => Err(Message::File(path.clone(), error)),
+    };
+    let document = match document {
+        Ok(document) => document,
+        Err(message) => return model.say(message),
+    };
+    let problem = document.problem().cloned();
+    learn.take_over(model, document);
+    if let Some(error) = problem {
+        model.say(Message::Impossible(path, error));
+    } else if share::link_of(&path).is_some() {
+        model.say(Message::LinkOpened);
+    } else {
+        recent.add(&files::whole(&path));
+        model.say(Message::Opened(path));
+    }
+}
+
+/// Goes on with a figure of the program.
+pub(in crate::gui) fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
+    let kept = model.take_kept(Some(&Source::Shipped(name)));
+    if let Some(document) = kept.or_else(|| Document::shipped(name)) {
+        learn.take_over(model, document);
+    }
+    // The figure of an exercise of the notes opens the exercise, not the list.
+    if let Some(number) = name.strip_prefix("exercise-") {
+        learn.exercises.work_on(Chosen { id: format!("0-{number}"), seed: 0 });
+    }
+}

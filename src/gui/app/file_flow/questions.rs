@@ -1,0 +1,340 @@
+//! Questions about files, and pending work with them.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::reading::Reading;
+use crate::camera::Decomposition;
+use crate::export::plot::Block;
+use crate::figure::Bilingual;
+use crate::files::Overwrite;
+use crate::gui::background::worker::Running;
+use crate::gui::export::preview::Preview;
+use crate::gui::export::{Export, Exported, Exporting};
+use crate::gui::files::comparison::Comparison;
+use crate::gui::files::watch::Watch;
+use crate::gui::inspector::state::compare::CompareForm;
+use crate::gui::learn::handout::form::HandoutForm;
+use crate::gui::learn::handout::pages::PagesPreview;
+use crate::gui::model::action::{AfterSave, MeshFor};
+use crate::gui::model::history::Revision;
+use crate::gui::model::message::Message;
+use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
+use crate::gui::storage::session::NewsList;
+use crate::i18n::window::scenes;
+use crate::i18n::{Lang, window};
+use crate::sanitize;
+
+/// The purpose of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Purpose {
+    /// To open it.
+    Open,
+    /// To save the figure in it, and then to go on.
+    Save(Option<AfterSave>),
+    /// To write a picture.
+    Export(Export),
+    /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
+    Animation(Decomposition),
+    /// To put a mesh into the scene.
+    Mesh(MeshFor),
+    /// To put a texture on the object of this name.
+    Texture(String),
+    /// To put a photograph under the image.
+    Photograph,
+    /// A folder, whose figures the gallery is to show.
+    Folder,
+    /// To add a step to a lesson.
+    Step,
+    /// To add a step to a lesson, and to write the lesson.
+    NewLesson,
+    /// To copy a lesson of the program, which is written on from then.
+    OwnLesson,
+    /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
+    LessonText(AfterSave),
+    /// To compare the figure with the one in it.
+    CompareWith,
+    /// To write a chart.
+    Chart(Box<Block>),
+    /// To write a lesson or exercises as pages to print.
+    Handout(HandoutForm),
+    /// To export progress in exercises, as a table for spreadsheets.
+    Progress,
+    /// A folder of a lecturer's own exercises.
+    Exercises,
+}
+
+impl Purpose {
+    /// True if what is on the screen becomes a step of a lesson.
+    pub(in crate::gui) const fn adds_step(&self) -> bool {
+        matches!(self, Self::Step | Self::NewLesson)
+    }
+
+    /// True if the file is for the figure that is shown.
+    pub(in crate::gui) fn is_about_figure(&self) -> bool {
+        !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises | Self::Handout(_))
+    }
+}
+
+/// The endings of mesh files.
+pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
+
+/// The endings of the pictures that can be textures.
+pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
+
+/// The content that another program has written into the figure's file; `None` means unreadable.
+pub type Theirs = Option<Vec<u8>>;
+
+/// Overwrites that the user has agreed to.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Agreed {
+    /// This content of another program in the figure's file.
+    pub theirs: Option<Theirs>,
+    /// A read-only file.
+    pub read_only: bool,
+}
+
+impl Agreed {
+    /// The files that saving may replace.
+    #[must_use]
+    pub fn overwrite(&self) -> Overwrite {
+        if self.read_only { Overwrite::ReadOnlyToo } else { Overwrite::Writable }
+    }
+}
+
+/// A change of the figure's file by another program, with the question that it raises.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Changed {
+    /// The content of the file.
+    pub theirs: Theirs,
+    /// The action after saving.
+    pub then: Option<AfterSave>,
+    /// The lines that differ, once they are wanted.
+    pub comparison: Option<Comparison>,
+}
+
+/// The words of a figure as they are typed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TitleForm {
+    pub(in crate::gui) title: Bilingual,
+    pub(in crate::gui) caption: Bilingual,
+    /// The words of the gallery card that the figure was made from.
+    pub(in crate::gui) of_card: [Option<Bilingual>; 2],
+    /// The save that goes with it.
+    pub(in crate::gui) then: Option<Purpose>,
+    /// The file, once it has another name than the title gives it.
+    pub(in crate::gui) path: Option<String>,
+}
+
+/// A question in the window.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    /// Unsaved changes: save them?
+    Unsaved(AfterSave),
+    /// The text of the lesson cannot be saved: forget it? The reason is in `FileFlow::refused`.
+    UnsavedText(AfterSave),
+    /// The path of a file, as typed.
+    Path(Purpose, String),
+    /// The file is there already: replace it?
+    Overwrite(Purpose, PathBuf),
+    /// Another program has changed the figure's file: write over it?
+    Changed(Changed),
+    /// The file is read-only: replace it all the same?
+    ReadOnly(Purpose, PathBuf, Agreed),
+    /// The title and the caption of the figure.
+    Title(TitleForm),
+    /// The dialog that prints lessons and exercises.
+    Handout(HandoutForm),
+    /// The export dialog.
+    Export(Export),
+    /// Pictures are still being written: the window closes when they are there.
+    Closing,
+    /// Help on mouse and keyboard.
+    Help,
+    /// The program, its version and its components.
+    About,
+    /// Why the picture is empty, and how near the camera is to trouble.
+    Coach,
+    /// The gallery of figures.
+    Gallery,
+    /// The figure in two ways.
+    Compare(CompareForm),
+    /// The search for anything in the window.
+    Search,
+    /// The treatment of the children of objects that are to be deleted.
+    Delete {
+        /// Their names.
+        names: BTreeSet<String>,
+        /// Number of other objects below them.
+        below: usize,
+    },
+    /// Deletion of the progress in exercises.
+    DeleteProgress,
+    /// The figure as a link.
+    Link,
+    /// The lessons.
+    Lessons,
+    /// The link as a QR code.
+    Qr,
+}
+
+/// The state of work with files.
+#[derive(Debug, Default)]
+pub struct FileFlow {
+    /// The open question.
+    pub dialog: Option<Dialog>,
+    /// The reason why the last typed file could not be opened or written, or a text not be saved. Shown in the dialog.
+    pub(in crate::gui) refused: Option<Message>,
+    /// False: paths are typed in the window, as where the system has no dialogs.
+    pub native: bool,
+    /// True from the moment when the window may close.
+    pub may_close: bool,
+    /// The content of another program in the figure's file, as long as that has to be shown.
+    pub theirs: Option<Theirs>,
+    /// Messages about sessions, until the user has closed them.
+    pub(in crate::gui) news: NewsList,
+    /// A reported content of the file, which is not reported again.
+    pub(in crate::gui) decided: Option<Theirs>,
+    /// The session in this slot is to be restored now.
+    pub(in crate::gui) restore: Option<usize>,
+    /// The figure's file is to be looked at in the next frame.
+    pub(in crate::gui) look: bool,
+    pub(in crate::gui) watch: Watch,
+    /// The file that is being read.
+    pub reading: Reading,
+    /// Files that were given to a page, to be opened: the first of them in the next frame.
+    pub(in crate::gui) given: Vec<PathBuf>,
+    pub(in crate::gui) asking: Option<Asking>,
+    /// The dialog of a document that a question because of closing the window has covered.
+    pub(in crate::gui) covered: Option<(Revision, Dialog)>,
+    pub(in crate::gui) exporting: Vec<Exporting>,
+    /// The document of the gallery whose title has been asked for, before its file is.
+    pub(in crate::gui) titled: Option<Revision>,
+    /// The content of the export dialog while it is open.
+    pub preview: Option<Preview>,
+    /// The pages in the dialog that prints, as long as it is open.
+    pub pages: Option<PagesPreview>,
+}
+
+/// A question for a file to the system, until it is answered.
+#[derive(Debug)]
+pub(in crate::gui) struct Asking {
+    /// The purpose of the file.
+    pub(in crate::gui) purpose: Purpose,
+    /// The document that was shown when the question came up.
+    pub(in crate::gui) document: Revision,
+    /// The question, until the dialog is open.
+    pub(in crate::gui) question: Option<FileQuestion>,
+    /// The dialog.
+    pub(in crate::gui) dialog: Option<OpenFileDialog>,
+}
+
+impl Dialog {
+    /// True if something typed or a decision is lost when the dialog is closed.
+    #[must_use]
+    pub fn is_question(&self) -> bool {
+        match self {
+            Self::Unsaved(_)
+            | Self::UnsavedText(_)
+            | Self::Path(..)
+            | Self::Overwrite(..)
+            | Self::Changed(_)
+            | Self::ReadOnly(..)
+            | Self::Export(_)
+            | Self::Handout(_)
+            | Self::Title(_)
+            | Self::Closing
+            | Self::Delete { .. }
+            | Self::DeleteProgress => true,
+            Self::Help
+            | Self::About
+            | Self::Coach
+            | Self::Gallery
+            | Self::Compare(_)
+            | Self::Search
+            | Self::Link
+            | Self::Lessons
+            | Self::Qr => false,
+        }
+    }
+}
+
+impl FileFlow {
+    /// Has a file opened in the next frame, as one that is dropped.
+    pub fn give(&mut self, path: PathBuf) {
+        self.given.push(path);
+    }
+
+    /// True while a dialog waits for an answer, in the window or of the system. The comparison stands beside the
+    /// pictures and waits for none.
+    #[must_use]
+    pub fn is_asking(&self) -> bool {
+        self.waits_for_system() || self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
+    }
+
+    /// True while a dialog of the system is open. A browser holds its page back by itself, and some do not say when
+    /// their dialog is closed.
+    pub(in crate::gui) fn waits_for_system(&self) -> bool {
+        self.asking.is_some() && !cfg!(target_arch = "wasm32")
+    }
+
+    /// True while an open dialog would lose something if another one took its place.
+    pub(in crate::gui) fn has_question(&self) -> bool {
+        // A covered dialog comes back.
+        self.waits_for_system() || self.covered.is_some() || self.dialog.as_ref().is_some_and(Dialog::is_question)
+    }
+
+    /// Work with files, with nothing pending.
+    #[must_use]
+    pub fn new(native: bool) -> Self {
+        Self { native, ..Self::default() }
+    }
+
+    /// True from the first question because of closing the window, until one is answered by *Cancel*.
+    pub(in crate::gui) fn is_closing(&self) -> bool {
+        let closes = |next: &AfterSave| *next == AfterSave::Quit;
+        let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) | Purpose::LessonText(next) if closes(next));
+        let asked = match &self.dialog {
+            Some(Dialog::Closing) => true,
+            Some(Dialog::Unsaved(next) | Dialog::UnsavedText(next)) => closes(next),
+            Some(Dialog::Path(purpose, _) | Dialog::Overwrite(purpose, _) | Dialog::ReadOnly(purpose, ..)) => {
+                saves(purpose)
+            }
+            Some(Dialog::Title(form)) => form.then.as_ref().is_some_and(saves),
+            Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
+            // Nothing comes after the answer to any other question.
+            Some(_) | None => false,
+        };
+        asked || self.may_close || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
+    }
+
+    /// The files that are being written or read, each in a sentence, and how far that has come.
+    pub(in crate::gui) fn running(&self, lang: Lang) -> Vec<(String, Running)> {
+        let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
+        let written = self.exporting.iter().filter_map(|exporting| {
+            Some((about(window::texts(lang).exporting, exporting.path()), exporting.running()?))
+        });
+        let read = self.reading.running();
+        let read = read.map(|(path, running)| (about(scenes::texts(lang).loading, path), running));
+        written.chain(read).collect()
+    }
+
+    /// Gives up work with files if `which` says so.
+    pub(in crate::gui) fn cancel(&mut self, which: impl Fn(Running) -> bool) {
+        if self.reading.running().is_some_and(|(_, running)| which(running)) {
+            self.reading.cancel();
+        }
+        self.exporting.iter().filter(|exporting| exporting.running().is_some_and(&which)).for_each(Exporting::cancel);
+    }
+
+    /// The exports that have come to an end.
+    pub(in crate::gui) fn exported(&mut self) -> Vec<(PathBuf, Exported)> {
+        let mut done = Vec::new();
+        self.exporting.retain_mut(|exporting| {
+            let before = done.len();
+            done.extend(exporting.take());
+            done.len() == before
+        });
+        done
+    }
+}

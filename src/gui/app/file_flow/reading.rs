@@ -1,0 +1,171 @@
+//! Files that are read beside the window's thread: one on a network may take seconds.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::sequence::{Found, Search};
+use crate::clock;
+use crate::files::{self, FileError, Opened};
+use crate::gui::background::worker::{Running, Worker};
+use crate::gui::model::Model;
+use crate::gui::model::history::Revision;
+use crate::lessons::Lesson;
+use crate::progress::Progress;
+
+/// Time that a frame waits for a file. Files on a disk of this machine are there by then.
+const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
+
+/// Something to be read.
+#[derive(Clone, Debug)]
+pub(super) enum ToRead {
+    /// A figure, a lesson, or a link in a file.
+    File(PathBuf),
+    /// The figure that the window's one is compared with.
+    Compared(PathBuf),
+    /// The next figure of a sequence, or the one before.
+    Next(Search),
+}
+
+/// The content of a file, or why it can't be used.
+#[derive(Debug)]
+pub(super) enum Content {
+    /// A lesson.
+    Lesson(PathBuf, Result<Arc<Lesson>, FileError>),
+    /// A figure to be shown.
+    Figure(PathBuf, Result<Opened, FileError>),
+    /// A figure to compare with.
+    Compared(PathBuf, Result<Opened, FileError>),
+    /// A figure of a sequence.
+    Next(Box<Found>),
+}
+
+impl ToRead {
+    fn read(self) -> Content {
+        let figure = |path: &Path| files::open_figure_with_any_camera(path).map(|(opened, _)| opened);
+        match self {
+            Self::File(path) if files::is_lesson(&path) => {
+                let lesson = files::read_lesson(&path).map(|(lesson, _)| Arc::new(lesson));
+                Content::Lesson(path, lesson)
+            }
+            Self::File(path) => {
+                let opened = figure(&path);
+                Content::Figure(path, opened)
+            }
+            Self::Compared(path) => {
+                let opened = figure(&path);
+                Content::Compared(path, opened)
+            }
+            Self::Next(search) => Content::Next(Box::new(search.find())),
+        }
+    }
+}
+
+/// The file that is being read.
+#[derive(Debug)]
+pub struct Reading {
+    worker: Worker<ToRead, Content>,
+    /// Its path, and the document when it was asked for, with its state; `None` if the user doesn't want it.
+    asked: Option<(PathBuf, (Revision, Revision))>,
+    /// Time that a frame waits for a file. Tests have more of it.
+    pub patience: Duration,
+}
+
+impl Default for Reading {
+    fn default() -> Self {
+        let worker = Worker::new("file", clock::now, || async |wanted: ToRead, _: &Progress| wanted.read());
+        Self { worker, asked: None, patience: PATIENCE }
+    }
+}
+
+/// The document that is shown, and its state.
+fn now(model: &Model) -> (Revision, Revision) {
+    (model.document.id(), model.document.revision())
+}
+
+impl Reading {
+    /// Has something read. What was being read before isn't wanted any more.
+    pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, wanted: ToRead) {
+        let path = match &wanted {
+            ToRead::File(path) | ToRead::Compared(path) => path.clone(),
+            ToRead::Next(search) => search.folder().map(Path::to_owned).unwrap_or_default(),
+        };
+        self.asked = Some((path, now(model)));
+        self.worker.ask(ctx, 0, wanted);
+    }
+
+    /// The content once it's there, and whether the window's figure has changed since it was asked for. Nothing if
+    /// another figure is shown by now: the user has gone on.
+    pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Content, bool)> {
+        let [done] = self.worker.take(patience);
+        let content = done?.outcome?;
+        let (_, before) = self.asked.take()?;
+        let now = now(model);
+        (before.0 == now.0).then_some((content, before != now))
+    }
+
+    /// The file that is being read, and for how long.
+    pub(super) fn running(&self) -> Option<(&Path, Running)> {
+        let (path, _) = self.asked.as_ref()?;
+        Some((path, self.worker.running()?))
+    }
+
+    /// Gives it up. Nothing stops the system, but the window doesn't take what it brings.
+    pub(super) fn cancel(&mut self) {
+        self.asked = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::gui::Start;
+    use crate::gui::app::file_flow::questions::Dialog;
+    use crate::gui::app::file_flow::{begin, poll};
+    use crate::gui::app::state::State;
+    use crate::gui::model::action::AfterSave;
+
+    /// Opens a file that takes longer than a frame. Meanwhile the user does something.
+    fn opened_slowly(name: &str, meanwhile: fn(&egui::Context, &mut State)) -> (PathBuf, State) {
+        let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).unwrap());
+        let path = std::env::temp_dir().join(format!("camera-lab-slow-{name}-{}.toml", std::process::id()));
+        std::fs::write(&path, "[camera]\nnear = 0.5\n").unwrap();
+        state.file_flow.reading.patience = Duration::ZERO;
+        begin(&ctx, &mut state, AfterSave::OpenPath(path.clone()));
+        assert_eq!(state.model.document.path(), None, "the window goes on while it's read");
+        meanwhile(&ctx, &mut state);
+        let since = std::time::Instant::now();
+        while state.file_flow.reading.asked.is_some() {
+            assert!(since.elapsed().as_secs() < 60);
+            std::thread::sleep(Duration::from_millis(5));
+            ctx.run_ui(egui::RawInput::default(), |ui| poll(ui.ctx(), &mut state)).textures_delta.clear();
+        }
+        std::fs::remove_file(&path).unwrap();
+        (path, state)
+    }
+
+    #[test]
+    fn a_slow_file_is_shown_once_it_is_there() {
+        let (path, state) = opened_slowly("shown", |_, _| {});
+        assert_eq!(state.model.document.path(), Some(&path));
+    }
+
+    #[test]
+    fn changes_made_while_a_file_is_read_are_asked_about() {
+        let change =
+            |_: &egui::Context, state: &mut State| state.model.document.edit(|figure| figure.image.width = 300);
+        let (path, state) = opened_slowly("changed", change);
+        assert_eq!(state.model.document.figure().image.width, 300);
+        assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved(AfterSave::OpenPath(path))));
+    }
+
+    #[test]
+    fn a_figure_opened_while_a_file_is_read_stays() {
+        let (_, state) = opened_slowly("late", |ctx, state| begin(ctx, state, AfterSave::Shipped("house")));
+        assert_eq!(state.model.document.shipped_name(), Some("house"));
+    }
+}

@@ -1,0 +1,118 @@
+#![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+use std::sync::Mutex;
+
+use super::*;
+use crate::gui::export::{Export, Exported};
+use crate::i18n::Lang;
+use crate::progress::Progress;
+
+/// The window as it is while a picture is being written by `make`, and frames of it.
+fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
+    let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+    let export = Export::new([[4, 3]; 3], 1.0);
+    let (what, to) = (ExportKind::Pictures(export), (PathBuf::from("a.png"), Overwrite::Writable));
+    let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
+    let exporting = Exporting::with(&ctx, task, make);
+    state.file_flow.exporting.push(exporting);
+    (ctx, state)
+}
+
+/// One frame, in which the window's close button is pressed or not. Returns the requests to the system.
+fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCommand> {
+    let mut input = egui::RawInput::default();
+    if close {
+        let window = input.viewports.entry(egui::ViewportId::ROOT).or_default();
+        window.events.push(egui::ViewportEvent::Close);
+    }
+    let mut output = ctx.run_ui(input, |ui| poll(ui.ctx(), state));
+    output.textures_delta.clear();
+    output.viewport_output[&egui::ViewportId::ROOT].commands.clone()
+}
+
+fn until_done(ctx: &egui::Context, state: &mut State) -> Vec<ViewportCommand> {
+    let since = std::time::Instant::now();
+    let mut commands = Vec::new();
+    while !state.file_flow.exporting.is_empty() {
+        assert!(since.elapsed().as_secs() < 60);
+        std::thread::sleep(Duration::from_millis(5));
+        commands.extend(frame(ctx, state, false));
+    }
+    commands
+}
+
+#[test]
+fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
+    let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
+    until_done(&ctx, &mut state);
+    let message = state.model.message.expect("said");
+    let text = message.text(Lang::En);
+    assert!(message.is_error() && text.contains("bug in this program") && text.contains("a.png"));
+}
+
+#[test]
+fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
+    let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+    let folder = std::env::temp_dir().join(format!("camera-lab-answer-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join("copy.toml");
+    for is_same in [false, true] {
+        // The title of the figure has been asked for.
+        state.file_flow.titled = Some(state.model.document.id());
+        ask(&ctx, &mut state, Purpose::Save(None));
+        assert!(state.file_flow.is_asking());
+        if !is_same {
+            go_on(&ctx, &mut state, AfterSave::Shipped("house"));
+        }
+        answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
+        assert!(!state.file_flow.is_asking());
+        assert_eq!((path.exists(), state.model.document.path().is_some()), (is_same, is_same));
+        assert_eq!(matches!(state.model.message, Some(Message::OtherFigure(_))), !is_same);
+    }
+    // A lack of dialogs is no reason to have none for the next question.
+    ask(&ctx, &mut state, Purpose::Open);
+    answered(&ctx, &mut state, FileAnswer::Unavailable);
+    assert!(matches!(state.file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))) && state.file_flow.native);
+    std::fs::remove_dir_all(folder).expect("removed");
+}
+
+#[test]
+fn a_latex_picture_replaces_the_pdf_beside_it_only_after_a_question() {
+    let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+    let folder = std::env::temp_dir().join(format!("camera-lab-beside-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let beside = folder.join("my-fig-art.pdf");
+    std::fs::write(&beside, "precious").expect("written");
+    let export = Export { format: PictureFormat::Tex, ..Export::new([[4, 3]; 3], 1.0) };
+    chosen(&ctx, &mut state, Purpose::Export(export), folder.join("my fig.tex"));
+    let Some(Dialog::Overwrite(purpose, path)) = &state.file_flow.dialog else { panic!("a question") };
+    assert_eq!(replaced(purpose, path), [beside]);
+    assert!(state.file_flow.exporting.is_empty());
+    std::fs::remove_dir_all(folder).expect("removed");
+}
+
+#[test]
+fn a_window_that_is_closed_waits_for_its_pictures() {
+    static HELD: Mutex<()> = Mutex::new(());
+    fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+        async |_, _: &Progress| {
+            let _wait = HELD.lock();
+            Ok(None)
+        }
+    }
+    let held = HELD.lock();
+    let (ctx, mut state) = exporting(make);
+    assert!(frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
+    assert_eq!(state.file_flow.dialog, Some(Dialog::Closing));
+    assert!(!frame(&ctx, &mut state, false).contains(&ViewportCommand::Close));
+    drop(held);
+    assert!(until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
+    assert_eq!(state.file_flow.dialog, None);
+    assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
+
+    // A failed one is reported, by a window that stays.
+    let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
+    go_on(&ctx, &mut state, AfterSave::Quit);
+    assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
+    assert!(state.model.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
+}

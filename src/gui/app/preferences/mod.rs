@@ -1,0 +1,504 @@
+//! Preferences of the window, in a small TOML file in the user's configuration folder.
+//!
+//! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one
+//! wins, key by key, and keys of a later version stay.
+
+mod answers;
+mod progress;
+#[cfg(test)]
+mod progress_tests;
+mod store;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use toml_edit::{DocumentMut, Value};
+
+use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
+use crate::export::format::PictureFormat;
+use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
+use crate::gui::app::launch_options::LANGUAGES;
+use crate::gui::app::state::State;
+use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
+use crate::gui::model::layout::{Side, WindowPlace};
+use crate::gui::storage::plain::Plain;
+use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
+use crate::numbers::EXACT_DIGITS;
+use crate::picture::Faces;
+pub use store::Preferences;
+
+/// Whose signs the rotations have, by the names that `--convention` has for them.
+const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
+
+/// The key of the list of files that were opened or saved last.
+const RECENT: &str = "recent";
+
+/// The key of the furthest steps of lessons, each as `id=step`, from 1.
+const LESSONS: &str = "lessons";
+/// The done steps of lessons.
+const LESSONS_DONE: &str = "lessons_done";
+
+/// A key of the file: its value in a window, and its effect on one; an impossible value has none.
+struct Key {
+    name: &'static str,
+    of: fn(&State) -> Plain<'_>,
+    apply: fn(&mut State, &Value),
+}
+
+/// A key whose value is in one place of the window: a switch, a word of a list, or a number within bounds.
+macro_rules! key {
+    ($name:literal, switch, $($place:tt)+) => {
+        Key {
+            name: $name,
+            of: |state| state.$($place)+.into(),
+            apply: |state, value| put(&mut state.$($place)+, value.as_bool()),
+        }
+    };
+    ($name:literal, one of $words:ident, $($place:tt)+) => {
+        Key {
+            name: $name,
+            of: |state| words::name($words, state.$($place)+).into(),
+            apply: |state, value| put(&mut state.$($place)+, word($words, value)),
+        }
+    };
+    ($name:literal, within $range:expr, $($place:tt)+) => {
+        Key {
+            name: $name,
+            of: |state| state.$($place)+.into(),
+            apply: |state, value| put(&mut state.$($place)+, number(value).filter(|v| $range.contains(v))),
+        }
+    };
+}
+
+/// Every key but the steps of operations and [`RECENT`].
+const KEYS: [Key; 42] = [
+    key!("language", one of LANGUAGES, model.settings.lang),
+    key!("theme", one of THEMES, model.settings.theme),
+    Key {
+        name: "zoom",
+        of: |state| ((f64::from(state.model.settings.zoom) * 100.0).round() / 100.0).into(),
+        #[expect(clippy::cast_possible_truncation, reason = "at most 3")]
+        apply: |state, value| {
+            let zoom = number(value).filter(|zoom| (0.5..=3.0).contains(zoom));
+            put(&mut state.model.settings.zoom, zoom.map(|zoom| zoom as f32));
+        },
+    },
+    Key {
+        name: "parameters_panel",
+        of: |state| state.learn.own_panels(&state.model).wanted[Side::Left as usize].into(),
+        apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Left as usize], value.as_bool()),
+    },
+    Key {
+        name: "numbers_panel",
+        of: |state| state.learn.own_panels(&state.model).wanted[Side::Right as usize].into(),
+        apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Right as usize], value.as_bool()),
+    },
+    Key {
+        name: "explanations",
+        of: |state| state.model.preferred_layout().is_open.into(),
+        apply: |state, value| put(&mut state.model.settings.panels.wanted[Side::Explain as usize], value.as_bool()),
+    },
+    Key {
+        name: "explanation",
+        of: |state| words::name(EXPLANATIONS, state.model.preferred_layout().explanation).into(),
+        apply: |state, value| word(EXPLANATIONS, value).into_iter().for_each(|shown| state.model.explained.show(shown)),
+    },
+    // The last one of each question.
+    Key {
+        name: "explanations_read",
+        of: |state| state.model.explained.last().map(|last| words::name(EXPLANATIONS, last)).into_iter().collect(),
+        apply: |state, value| {
+            let names = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+            let shown = state.model.explained.shown();
+            names.filter_map(|name| words::value(EXPLANATIONS, name)).for_each(|read| state.model.explained.show(read));
+            state.model.explained.show(shown);
+        },
+    },
+    Key {
+        name: "layout",
+        of: |state| words::name(ARRANGEMENTS, state.model.preferred_layout().arrangement).into(),
+        apply: |state, value| put(&mut state.model.layout.arrangement, word(ARRANGEMENTS, value)),
+    },
+    key!("pipeline", switch, model.layout.strip),
+    Key {
+        name: "digits",
+        of: |state| i64::try_from(state.model.settings.digits).unwrap_or_default().into(),
+        apply: |state, value| {
+            let digits = value.as_integer().and_then(|digits| usize::try_from(digits).ok());
+            put(&mut state.model.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
+        },
+    },
+    // Width and height, whether it's maximized, and its corner, if that is known; empty: not known.
+    Key {
+        name: "window",
+        of: |state| state.model.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
+        apply: |state, value| {
+            let numbers: Vec<i64> = value.as_array().into_iter().flatten().filter_map(Value::as_integer).collect();
+            put(&mut state.model.settings.window, window_of(&numbers).map(Some));
+        },
+    },
+    key!("reduce_motion", switch, model.settings.reduce_motion),
+    key!("numbers", switch, model.settings.numbers_open),
+    key!("welcomed", switch, model.settings.welcomed),
+    Key {
+        name: LESSONS,
+        of: |state| lessons_value(&state.learn.taken),
+        apply: |state, value| state.learn.taken = lessons_taken(value),
+    },
+    Key {
+        name: LESSONS_DONE,
+        of: |state| done_value(&state.learn.done),
+        apply: |state, value| state.learn.done = lessons_done(value),
+    },
+    key!("convention", one of CONVENTIONS, model.operations.convention),
+    Key {
+        name: "ndc",
+        of: |state| state.model.settings.conventions.ndc.name().into(),
+        apply: |state, value| put(&mut state.model.settings.conventions.ndc, ndc(value)),
+    },
+    // Empty: with none.
+    Key {
+        name: "compared_ndc",
+        of: |state| state.model.settings.conventions.compared.map_or("", Ndc::name).into(),
+        apply: |state, value| state.model.settings.conventions.compared = ndc(value),
+    },
+    key!("row_vectors", switch, model.settings.conventions.row_vectors),
+    key!("left_handed_view", switch, model.settings.conventions.left_handed),
+    Key {
+        name: "gallery_folder",
+        of: |state| state.gallery.folder().and_then(Path::to_str).unwrap_or_default().into(),
+        apply: |state, value| {
+            if let Some(folder) = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute()) {
+                state.gallery.remember(folder);
+            }
+        },
+    },
+    // Empty: not known.
+    Key {
+        name: "page_address",
+        of: |state| state.page_address.as_str().into(),
+        apply: |state, value| put(&mut state.page_address, value.as_str().map(str::to_owned)),
+    },
+    // Empty: none.
+    Key {
+        name: "exercise_folder",
+        of: |state| state.learn.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
+        apply: |state, value| {
+            let folder = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute());
+            state.learn.exercises.look_into(folder);
+        },
+    },
+    key!("export_theme", one of THEMES, export.theme),
+    Key {
+        name: "export_times",
+        of: |state| i64::from(state.export.times.unwrap_or_default()).into(),
+        apply: |state, value| {
+            let times =
+                value.as_integer().and_then(|times| u32::try_from(times).ok()).filter(|times| (1..=4).contains(times));
+            put(&mut state.export.times, times.map(Some));
+        },
+    },
+    Key {
+        name: "export_format",
+        of: |state| state.export.format.ending().into(),
+        apply: |state, value| {
+            let format = value.as_str().and_then(|ending| PictureFormat::of(&Path::new("a").with_extension(ending)));
+            put(&mut state.export.format, format);
+        },
+    },
+    key!("export_on_paper", switch, export.on_paper),
+    key!("export_transparent", switch, export.transparent),
+    key!("export_crop", switch, export.crop),
+    key!("export_outlines", switch, export.outlines),
+    Key {
+        name: "export_faces",
+        of: |state| state.export.faces.name().into(),
+        apply: |state, value| {
+            let faces = value.as_str().and_then(|name| Faces::ALL.into_iter().find(|faces| faces.name() == name));
+            put(&mut state.export.faces, faces);
+        },
+    },
+    // Keys or operations with their values; empty: none.
+    Key {
+        name: "family",
+        of: |state| family_of(&state.family, 0),
+        apply: |state, value| set_family(&mut state.family, value, 0),
+    },
+    Key {
+        name: "family_rows",
+        of: |state| family_of(&state.family, 1),
+        apply: |state, value| set_family(&mut state.family, value, 1),
+    },
+    // 0: as many as there is room for.
+    Key {
+        name: "family_columns",
+        of: |state| state.family.columns.and_then(|n| i64::try_from(n).ok()).unwrap_or_default().into(),
+        apply: |state, value| {
+            let columns = value.as_integer().and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= 8);
+            put(&mut state.family.columns, columns.map(|n| Some(n).filter(|n| *n > 0)));
+        },
+    },
+    key!("family_parts", switch, family.parts),
+    key!("export_width_cm", within PAPER_CM, export.paper.size[0]),
+    key!("export_height_cm", within PAPER_CM, export.paper.size[1]),
+    key!("export_dpi", within PAPER_DPI, export.paper.dpi),
+    key!("export_letters", within PAPER_LETTERS, export.paper.letters),
+    // 0: in proportion to the letters.
+    Key {
+        name: "export_lines",
+        of: |state| state.export.paper.lines.unwrap_or_default().into(),
+        apply: |state, value| match number(value) {
+            Some(0.0) => state.export.paper.lines = None,
+            lines => put(&mut state.export.paper.lines, lines.filter(|lines| PAPER_LINES.contains(lines)).map(Some)),
+        },
+    },
+];
+
+fn window_numbers(WindowPlace { at, size, maximized }: WindowPlace) -> Vec<i64> {
+    let numbers = size.map(i64::from).into_iter().chain([i64::from(maximized)]);
+    numbers.chain(at.into_iter().flatten().map(i64::from)).collect()
+}
+
+fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
+    let (&[width, height, maximized], at) = numbers.split_first_chunk::<3>()?;
+    let side = |side: i64| u32::try_from(side).ok().filter(|side| (200..=20_000).contains(side));
+    let at = if let [x, y] = at { Some([i32::try_from(*x).ok()?, i32::try_from(*y).ok()?]) } else { None };
+    Some(WindowPlace { at, size: [side(width)?, side(height)?], maximized: maximized != 0 })
+}
+
+/// A key of the last family: its word, then its values.
+fn family_of(family: &FamilyChoice, place: usize) -> Plain<'_> {
+    let Varied { subject, values } = &family.remembered()[place];
+    [subject.word().into(), Plain::from(values.clone())].into_iter().collect()
+}
+
+fn set_family(family: &mut FamilyChoice, value: &Value, place: usize) {
+    let texts: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    if let [word, values] = texts[..]
+        && let Some(subject) = Subject::of_word(word)
+        && values.chars().count() <= MAX_TYPED_NAME
+    {
+        family.last[place] = Varied { subject, values: values.to_owned() };
+    }
+}
+
+fn put<T>(place: &mut T, value: Option<T>) {
+    if let Some(value) = value {
+        *place = value;
+    }
+}
+
+fn word<T: Clone>(words: Words<T>, value: &Value) -> Option<T> {
+    words::value(words, value.as_str()?)
+}
+
+/// A convention of NDC, by its name on the command line.
+fn ndc(value: &Value) -> Option<Ndc> {
+    Ndc::ALL.into_iter().find(|ndc| value.as_str() == Some(ndc.name()))
+}
+
+/// A number, also one that was written without a point.
+fn number(value: &Value) -> Option<f64> {
+    #[expect(clippy::cast_precision_loss, reason = "what people write is far below 2⁵³")]
+    let whole = value.as_integer().map(|whole| whole as f64);
+    value.as_float().or(whole).filter(|number| number.is_finite())
+}
+
+/// The keys of the steps of operations, in the order of [`OPERATIONS`].
+static STEP_KEYS: LazyLock<Vec<String>> = LazyLock::new(|| OPERATIONS.iter().map(step_key).collect());
+
+/// The key of the step of an operation.
+fn step_key(descriptor: &Descriptor) -> String {
+    let axis = match descriptor.freedom {
+        Freedom::PanU => "_u",
+        Freedom::PanV => "_v",
+        Freedom::Elevation
+        | Freedom::Azimuth
+        | Freedom::Roll
+        | Freedom::Yaw
+        | Freedom::Pitch
+        | Freedom::Zoom
+        | Freedom::Dolly => "",
+    };
+    format!("{}{axis}_step", descriptor.word)
+}
+
+/// The preferences of a window: keys with their values.
+fn values(state: &State) -> impl Iterator<Item = (&'static str, Plain<'_>)> {
+    let step = |row: &Descriptor| Plain::from(state.model.operations.steps[row.freedom as usize]);
+    let steps = STEP_KEYS.iter().map(String::as_str).zip(OPERATIONS.iter().map(step));
+    KEYS.iter().map(|key| (key.name, (key.of)(state))).chain(steps)
+}
+
+/// Sets a window up as the file says. A value that a key cannot have counts as none.
+fn apply(document: &DocumentMut, state: &mut State) {
+    let value = |key: &str| document.get(key).and_then(|item| item.as_value());
+    for key in &KEYS {
+        if let Some(value) = value(key.name) {
+            (key.apply)(state, value);
+        }
+    }
+    for (row, key) in OPERATIONS.iter().zip(&*STEP_KEYS) {
+        let possible = |step: &f64| *step > 0.0 && (row.amount != Amount::Factor || *step != 1.0);
+        if let Some(step) = value(key).and_then(number).filter(possible) {
+            state.model.operations.steps[row.freedom as usize] = step;
+        }
+    }
+    state.recent.files = recent(document);
+}
+
+/// The value of [`LESSONS`].
+fn lessons_value(taken: &BTreeMap<String, usize>) -> Plain<'static> {
+    taken.iter().map(|(id, step)| format!("{id}={}", step + 1)).collect()
+}
+
+/// The furthest step of each lesson, from 0, in such a value.
+fn lessons_taken(value: &Value) -> BTreeMap<String, usize> {
+    let texts = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+    let taken = |text: &str| {
+        let (id, step) = text.split_once('=')?;
+        Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
+    };
+    texts.filter_map(taken).collect()
+}
+
+/// The value of [`LESSONS_DONE`].
+fn done_value(done: &BTreeMap<String, BTreeSet<usize>>) -> Plain<'static> {
+    done.iter().flat_map(|(id, steps)| steps.iter().map(move |step| format!("{id}={}", step + 1))).collect()
+}
+
+/// The done steps of each lesson, from 0, in such a value.
+fn lessons_done(value: &Value) -> BTreeMap<String, BTreeSet<usize>> {
+    let mut done: BTreeMap<String, BTreeSet<usize>> = BTreeMap::new();
+    for text in value.as_array().into_iter().flatten().filter_map(Value::as_str) {
+        let Some((id, step)) = text.split_once('=') else { continue };
+        if let Some(step) = step.parse::<usize>().ok().and_then(|step| step.checked_sub(1)) {
+            done.entry(id.to_owned()).or_default().insert(step);
+        }
+    }
+    done
+}
+
+/// The done steps in two such values.
+fn merged_done(one: &Value, other: &Value) -> Value {
+    let mut done = lessons_done(one);
+    for (id, steps) in lessons_done(other) {
+        done.entry(id).or_default().extend(steps);
+    }
+    (&done_value(&done)).into()
+}
+
+/// The furthest step of each lesson in two such values: two windows lose nothing of each other.
+fn merged_lessons(one: &Value, other: &Value) -> Value {
+    let mut taken = lessons_taken(one);
+    for (id, step) in lessons_taken(other) {
+        let furthest = taken.entry(id).or_default();
+        *furthest = step.max(*furthest);
+    }
+    (&lessons_value(&taken)).into()
+}
+
+/// The files that were opened or saved last, the latest first.
+fn recent(document: &DocumentMut) -> Vec<PathBuf> {
+    let list = document.get(RECENT).and_then(|item| item.as_array());
+    let paths = list.into_iter().flatten().filter_map(|value| value.as_str().map(PathBuf::from));
+    paths.filter(|path| path.is_absolute()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::appearance::Theme;
+    use crate::figure::Explanation;
+    use crate::gui::Start;
+    use crate::gui::export::family_choice::FamilyChoice;
+    use crate::gui::export::{Export, Paper};
+    use crate::gui::model::explained::conventions::Conventions;
+    use crate::i18n::Lang;
+    use crate::views::Arrangement;
+
+    fn state() -> State {
+        State::new(Start::default()).unwrap()
+    }
+
+    fn document(state: &State) -> DocumentMut {
+        let lines: Vec<String> =
+            values(state).map(|(key, value)| format!("\"{key}\" = {}\n", Value::from(&value))).collect();
+        lines.concat().parse().unwrap()
+    }
+
+    #[test]
+    fn every_preference_comes_back() {
+        let mut changed = state();
+        let settings = &mut changed.model.settings;
+        (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
+        (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
+        (settings.welcomed, settings.numbers_open) = (true, true);
+        settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
+        changed.learn.taken.insert("basis".to_owned(), 2);
+        changed.learn.done.insert("basis".to_owned(), [0, 2].into());
+        changed.model.layout.arrangement = Some(Arrangement::Beside);
+        changed.model.layout.strip = true;
+        changed.model.operations.convention = Convention::Vtk;
+        let [ndc, compared] = [Ndc::ALL[9], Ndc::ALL[3]];
+        changed.model.settings.conventions =
+            Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
+        changed.gallery.remember(PathBuf::from("/lectures"));
+        changed.page_address = "https://example.org/lab/".to_owned();
+        changed.learn.exercises.look_into(Some(PathBuf::from("/exercises")));
+        let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
+        let (theme, times, format) = (Theme::Light, Some(3), PictureFormat::WebP);
+        changed.export = Export {
+            theme,
+            times,
+            format,
+            on_paper: true,
+            transparent: true,
+            crop: true,
+            faces: Faces::Picture,
+            outlines: true,
+            paper,
+            ..changed.export
+        };
+        changed.family = FamilyChoice { columns: Some(3), parts: false, ..FamilyChoice::default().or_last() };
+        changed.family.first.values = "20, 30".to_owned();
+        changed.family.second.choose(Subject::Typed);
+        changed.model.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
+        changed.model.explained.show(Explanation::Code);
+        let plain = state();
+        let plain: BTreeMap<_, _> = values(&plain).collect();
+        let told: BTreeMap<_, _> = values(&changed).collect();
+        for (key, value) in &told {
+            assert_ne!(Some(value), plain.get(key), "{key} was not changed");
+        }
+        let mut back = state();
+        apply(&document(&changed), &mut back);
+        assert!(values(&back).eq(values(&changed)));
+        assert_eq!((back.model.settings, back.model.layout), (changed.model.settings, changed.model.layout));
+    }
+
+    #[test]
+    fn two_windows_lose_no_done_step_of_each_other() {
+        let value = |text: &str| text.parse::<Value>().unwrap();
+        let merged = merged_done(&value("[\"cube=2\", \"basis=1\"]"), &value("[\"basis=3\", \"basis=1\", \"x=0\"]"));
+        assert_eq!(
+            lessons_done(&merged),
+            [("basis".to_owned(), [0, 2].into()), ("cube".to_owned(), [1].into())].into()
+        );
+    }
+
+    #[test]
+    fn values_that_make_no_sense_count_as_none() {
+        let text = "language = \"fr\"\ntheme = 3\nzoom = 99\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
+                    roll_step = nan\npan_u_step = 2\nlayout = [1]\nrecent = [\"relative\", 3]\n";
+        let mut state = state();
+        let mut expected: BTreeMap<_, _> = values(&state).map(|(key, value)| (key, value.into_owned())).collect();
+        apply(&text.parse().unwrap(), &mut state);
+        expected.insert("pan_u_step", Plain::Number(2.0));
+        assert_eq!(values(&state).collect::<BTreeMap<_, _>>(), expected);
+        assert!(state.recent.files.is_empty());
+    }
+}

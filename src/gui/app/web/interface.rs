@@ -1,0 +1,80 @@
+//! The interface for other pages, `window.cameraLab`: a page of lecture notes that shows this one in a frame of the
+//! same origin can read the figure, set another one, get a link, and lay notes over the pictures. `docs/web.md`
+//! describes it.
+
+use std::path::PathBuf;
+
+use eframe::WebRunner;
+use js_sys::{Object, Reflect};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::closure::Closure;
+use web_sys::Window;
+
+use crate::files::disk::page;
+use crate::gui::app::file_flow;
+use crate::gui::app::web::{Page, arrive};
+use crate::share::{self, Held};
+
+/// Offers the object to the page.
+pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> {
+    let lab = Object::new();
+    let of = runner.clone();
+    let figure = Closure::<dyn Fn() -> JsValue>::new(move || {
+        of.app_mut::<Page>().map_or(JsValue::NULL, |page| file_flow::text_to_save(&page.app.state.model).into())
+    });
+    Reflect::set(&lab, &"figure".into(), &figure.into_js_value())?;
+    let open = Closure::<dyn Fn(String)>::new(|text: String| {
+        let path = PathBuf::from("figure.toml");
+        page::give(path.clone(), text.into_bytes());
+        arrive(path);
+    });
+    Reflect::set(&lab, &"open".into(), &open.into_js_value())?;
+    let of = runner.clone();
+    let link = Closure::<dyn Fn() -> Result<JsValue, JsValue>>::new(move || {
+        let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
+        let address = page.app.state.own_address.clone().unwrap_or_default();
+        let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state.model));
+        link.map(JsValue::from).map_err(|error| js_sys::Error::new(&error.to_string()).into())
+    });
+    Reflect::set(&lab, &"link".into(), &link.into_js_value())?;
+    let of = runner.clone();
+    let pictures = Closure::<dyn Fn() -> JsValue>::new(move || {
+        of.app_mut::<Page>().and_then(|page| pictures(&page).ok()).map_or(JsValue::NULL, JsValue::from)
+    });
+    Reflect::set(&lab, &"pictures".into(), &pictures.into_js_value())?;
+    Reflect::set(&lab, &"ready".into(), &false.into())?;
+    Reflect::set(window, &"cameraLab".into(), &lab)?;
+    Ok(())
+}
+
+/// The place of each visible picture, in the pixels of style sheets.
+fn pictures(page: &Page) -> Result<Object, JsValue> {
+    let all = Object::new();
+    let zoom = page.app.state.model.settings.zoom;
+    for (view, place) in page.app.canvas.places() {
+        let place = place * zoom;
+        let one = Object::new();
+        for (key, value) in
+            [("x", place.min.x), ("y", place.min.y), ("width", place.width()), ("height", place.height())]
+        {
+            Reflect::set(&one, &key.into(), &f64::from(value).into())?;
+        }
+        Reflect::set(&all, &view.name().into(), &one)?;
+    }
+    Ok(all)
+}
+
+/// Says that the first picture is there: `cameraLab.ready`, a mark of that name on the page's time line, and an event
+/// of the window.
+pub(in crate::gui) fn say_ready() {
+    let Some(window) = crate::gui::app::web::window() else { return };
+    if let Ok(lab) = Reflect::get(&window, &"cameraLab".into()) {
+        let _ = Reflect::set(&lab, &"ready".into(), &true.into());
+    }
+    if let Some(performance) = window.performance() {
+        let _ = performance.mark("camera-lab-ready");
+    }
+    if let Ok(event) = web_sys::Event::new("camera-lab-ready") {
+        let _ = window.dispatch_event(&event);
+    }
+}

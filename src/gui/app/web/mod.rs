@@ -1,0 +1,259 @@
+//! The window as a page of a browser: the same program, with the page's own ways to files, to storage, and to its
+//! address.
+
+mod interface;
+mod keys;
+mod store;
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+use eframe::egui;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast as _, JsValue};
+use web_sys::{HtmlCanvasElement, Window};
+
+use crate::appearance::Theme;
+use crate::figure::Figure;
+use crate::files::disk::page::KEPT;
+use crate::files::{self, SourceFile};
+use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::questions::MESH_ENDINGS;
+use crate::gui::model::action::AfterSave;
+use crate::gui::platform::native;
+use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
+use crate::i18n::Lang;
+use crate::share;
+
+/// The identifier of the canvas that the page has for the window.
+const CANVAS: &str = "camera-lab";
+
+thread_local! {
+    /// Files that have been read, and links that have been followed, since the last frame.
+    static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
+    /// The context to wake then.
+    static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
+}
+
+/// Has a file or a link opened in the next frame.
+fn arrive(path: PathBuf) {
+    ARRIVED.with_borrow_mut(|arrived| arrived.push(path));
+    WAKE.with_borrow(|ctx| ctx.iter().for_each(egui::Context::request_repaint));
+}
+
+/// Sorts files that arrive together by importance: a figure, else a mesh.
+fn figures_first(mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
+    paths.sort_by_key(|path| {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        match ending.as_str() {
+            _ if share::link_of(path).is_some() => 0,
+            "toml" | "png" => 1,
+            mesh if MESH_ENDINGS.contains(&mesh) => 2,
+            _ => 3,
+        }
+    });
+    paths
+}
+
+fn window() -> Option<Window> {
+    web_sys::window()
+}
+
+/// Calls a function of the page, as `index.html` has it, with a text.
+fn call(name: &str, text: &str) {
+    let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok());
+    if let Some(function) = function.and_then(|function| function.dyn_into::<js_sys::Function>().ok()) {
+        // Nobody is left to report that the page lacks it.
+        let _ = function.call1(&JsValue::NULL, &text.into());
+    }
+}
+
+/// Shows the window in the page's canvas.
+pub fn run() {
+    let before = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        before(info);
+        call("cameraLabFault", &info.to_string());
+    }));
+    wasm_bindgen_futures::spawn_local(async {
+        store::begin().await;
+        if let Err(why) = start().await {
+            call("cameraLabNoWindow", &why.as_string().unwrap_or_else(|| format!("{why:?}")));
+        }
+    });
+}
+
+async fn start() -> Result<(), JsValue> {
+    let window = window().ok_or("no window")?;
+    let canvas = window.document().and_then(|document| document.get_element_by_id(CANVAS));
+    let canvas: HtmlCanvasElement = canvas.ok_or("no canvas")?.dyn_into().map_err(|_| "no canvas")?;
+    keys::keep_from_browser(&window)?;
+    let runner = eframe::WebRunner::new();
+    interface::offer(&window, &runner)?;
+    // The page's own reaction to a fragment that changes while it is shown.
+    let followed = Closure::<dyn FnMut()>::new(|| {
+        if let Some(link) = linked() {
+            arrive(link);
+        }
+    });
+    window.add_event_listener_with_callback("hashchange", followed.as_ref().unchecked_ref())?;
+    followed.forget();
+    let options = eframe::WebOptions { dithering: false, ..eframe::WebOptions::default() };
+    runner.start(canvas, options, Box::new(|context| Ok(Box::new(Page::new(&context.egui_ctx)?)))).await
+}
+
+/// The link that the page was called by, where it holds a figure and this page has not opened it before.
+fn linked() -> Option<PathBuf> {
+    let fragment = window()?.location().hash().ok()?;
+    // Its faults are reported where it is opened.
+    let _ = share::text_in(&fragment)?;
+    store::is_new_here(&fragment).then(|| PathBuf::from(fragment))
+}
+
+/// True if the page is shown inside of another one.
+fn is_framed(window: &Window) -> bool {
+    !matches!(window.parent(), Ok(Some(parent)) if parent == *window)
+}
+
+/// Whether the user has set a media query for every page.
+fn wanted(query: &str) -> bool {
+    window().and_then(|window| window.match_media(query).ok().flatten()).is_some_and(|list| list.matches())
+}
+
+/// Light or dark, and whether motion is to be reduced.
+fn system() -> (Theme, bool) {
+    let theme = if wanted("(prefers-color-scheme: dark)") { Theme::Dark } else { Theme::Light };
+    (theme, wanted("(prefers-reduced-motion: reduce)"))
+}
+
+/// The window's program in a page.
+struct Page {
+    app: App,
+    title: String,
+    system: (Theme, bool),
+    /// The page fills the screen, as far as this program knows.
+    full_screen: bool,
+    /// The readiness of the pictures has been reported.
+    told: bool,
+}
+
+impl Page {
+    fn new(ctx: &egui::Context) -> Result<Self, GuiError> {
+        let window = window().ok_or_else(|| GuiError::NoWindow("no window".to_owned()))?;
+        let location = window.location();
+        let (asked, unknown) = LaunchOptions::of_query(&location.search().unwrap_or_default());
+        for pair in unknown {
+            web_sys::console::warn_1(&format!("Camera Lab does not know what {pair} asks for").into());
+        }
+        let speaks_portuguese = window.navigator().language().is_some_and(|lang| lang.to_lowercase().starts_with("pt"));
+        let lang = if speaks_portuguese { Lang::PtBr } else { Lang::En };
+        let link = linked();
+        let (figure, file, fault) = match link.as_deref().map(read_link) {
+            Some(Ok((figure, file))) => (figure, Some(file), None),
+            Some(Err(error)) => (fresh(), None, Some(error)),
+            None => (fresh(), None, None),
+        };
+        let restore = file.is_none();
+        let mut state = State::new(Start { figure, file, lang, allow_files: false, lesson: None })?;
+        state.own_address = own_address(&location);
+        let width = window.inner_width().ok().and_then(|width| width.as_f64());
+        if !is_framed(&window) && width.is_some_and(|width| width < f64::from(crate::gui::app::menu::PHONE)) {
+            // The pictures need all the space there is, until a panel is requested.
+            state.model.settings.panels_mut().wanted = [false; 3];
+        }
+        let system = system();
+        (state.model.settings.theme, state.model.settings.reduce_motion) = system;
+        let mut app = App::new(ctx, state);
+        if is_framed(&window) {
+            // A figure in somebody's page changes nothing stored in this browser.
+            asked.apply(&mut app.state.model);
+        } else {
+            app.keep_preferences(ctx, Path::new(KEPT), asked);
+            app.keep_session(Path::new(KEPT), restore);
+        }
+        if let Some(open) = asked.open_lesson() {
+            // Over the figure that was left here with changes only once the user agrees.
+            file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
+        }
+        if let Some(error) = fault {
+            app.state.model.say(crate::gui::model::message::Message::File(PathBuf::new(), error));
+        }
+        WAKE.set(Some(ctx.clone()));
+        Ok(Self { app, title: String::new(), system, full_screen: false, told: false })
+    }
+
+    /// The title of the page, and how much of the screen it takes.
+    fn follow_window(&mut self) {
+        let Some(document) = window().and_then(|window| window.document()) else { return };
+        if self.app.title() != self.title {
+            self.app.title().clone_into(&mut self.title);
+            document.set_title(&self.title);
+        }
+        let fills = document.fullscreen_element().is_some();
+        let wanted = self.app.state.model.settings.presentation;
+        if self.full_screen && !fills {
+            // The browser's own key has ended it.
+            self.app.state.model.settings.presentation = false;
+            self.full_screen = false;
+        } else if wanted != self.full_screen {
+            self.full_screen = wanted;
+            if wanted {
+                // Where the browser refuses, the presentation is as large as the page.
+                let _ = document.document_element().map(|all| all.request_fullscreen());
+            } else {
+                document.exit_fullscreen();
+            }
+        }
+        if self.full_screen && wanted && !fills {
+            self.full_screen = false;
+        }
+    }
+}
+
+/// The figure of a link, and its text.
+fn read_link(link: &Path) -> Result<(Figure, SourceFile), files::FileError> {
+    Ok(files::open_figure(link)?.at(link))
+}
+
+/// The address of the page, where others can open it. A file on this machine they can't.
+fn own_address(location: &web_sys::Location) -> Option<String> {
+    let address = format!("{}{}", location.origin().ok()?, location.pathname().ok()?);
+    address.starts_with("http").then_some(address)
+}
+
+impl eframe::App for Page {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
+        let arrived = ARRIVED.with_borrow_mut(std::mem::take);
+        self.app.state.file_flow.given.extend(figures_first(arrived));
+        let system = system();
+        if system != self.system {
+            self.system = system;
+            self.app.follow_system(system.0, system.1);
+        }
+        self.app.show(ui);
+        file_flow::open_dialog(ui.ctx(), &mut self.app.state.file_flow, frame);
+        self.follow_window();
+        if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
+            self.told = true;
+            interface::say_ready();
+        }
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        eframe::App::clear_color(&self.app, visuals)
+    }
+
+    fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        for file in std::mem::take(&mut input.dropped_files) {
+            if let Some(file) = file.web_file() {
+                native::read(ctx, file.clone(), arrive);
+            }
+        }
+        eframe::App::raw_input_hook(&mut self.app, ctx, input);
+    }
+
+    fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
+    }
+}

@@ -1,0 +1,214 @@
+//! The question of how a lesson or exercises are printed, with the pages as they'll be.
+
+use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
+
+use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::Learn;
+use crate::gui::learn::handout::form::{HandoutForm, MAX_SEED, played};
+use crate::gui::learn::handout::pages::PagesPreview;
+use crate::gui::model::Model;
+use crate::i18n::file_names::name_of_title;
+use crate::i18n::learn::handouts::{Texts, texts};
+use crate::i18n::learn::{exercises, lessons as words};
+use crate::i18n::{Lang, told, window};
+use crate::lessons::{OpenLesson, shipped};
+
+/// The width of the settings, and that of the dialog, in points.
+const SETTINGS: f32 = 330.0;
+pub(in crate::gui) const WIDTH: f32 = 760.0;
+/// The height of everything above and below the settings, in points.
+const AROUND: f32 = 150.0;
+/// The greatest height of a page, in points.
+const PAGE: f32 = 560.0;
+/// Width by height of a page.
+const SHAPE: f32 = 595.0 / 842.0;
+
+impl HandoutForm {
+    /// The name of its file, without an ending.
+    pub(in crate::gui) fn stem(&self) -> String {
+        match &self.lesson {
+            Some(open) => name_of_title(told(self.options.lang, &open.lesson.title)).unwrap_or(open.lesson.id.clone()),
+            None => texts(self.options.lang).file.to_owned(),
+        }
+    }
+}
+
+/// Shows the dialog, and returns the button that was pressed. `first`: it has just been opened.
+pub(in crate::gui) fn show(
+    ui: &mut Ui,
+    model: &Model,
+    learn: &Learn,
+    pages: &mut Option<PagesPreview>,
+    form: &mut HandoutForm,
+    first: bool,
+) -> Pressed {
+    let t = texts(model.settings.lang);
+    let heading = if form.lesson.is_some() { t.handout } else { t.sheet };
+    ui.heading(heading.trim_end_matches('…'));
+    ui.add_space(6.0);
+    let height = (ui.ctx().content_rect().height() - AROUND).clamp(120.0, PAGE);
+    ui.horizontal_top(|ui| {
+        ui.vertical(|ui| {
+            ui.set_width(SETTINGS.min(ui.available_width()));
+            settings(ui, t, model, learn, form, height);
+        });
+        ui.add_space(12.0);
+        ui.vertical(|ui| page(ui, t, learn, pages, form, height));
+    });
+    ui.add_space(10.0);
+    let close = window::texts(model.settings.lang).cancel;
+    match buttons(ui, close, &[t.save], first.then_some(0)) {
+        Pressed::Action(_) if !form.is_whole() => Pressed::Nothing,
+        pressed => pressed,
+    }
+}
+
+fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
+    let mut is_lesson = form.lesson.is_some();
+    ui.horizontal(|ui| {
+        ui.selectable_value(&mut is_lesson, true, t.of_lesson);
+        ui.selectable_value(&mut is_lesson, false, t.of_exercises);
+    });
+    if is_lesson != form.lesson.is_some() {
+        (form.lesson, form.page) = (is_lesson.then(|| played(learn)).flatten(), 0);
+    }
+    ui.add_space(4.0);
+    let options = &mut form.options;
+    ui.horizontal(|ui| {
+        ui.label(t.language);
+        for (lang, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
+            ui.selectable_value(&mut options.lang, lang, name);
+        }
+    });
+    ui.checkbox(&mut options.answers, t.answers).explained(t.answers_hint);
+    match &mut form.lesson {
+        Some(open) => {
+            ui.checkbox(&mut options.late, t.late).explained(t.late_hint);
+            let has_plan = open.lesson.plan.is_some();
+            options.plan &= has_plan;
+            ui.add_enabled(has_plan, egui::Checkbox::new(&mut options.plan, t.plan))
+                .explained(t.plan_hint)
+                .explained_disabled(t.no_plan);
+            ui.horizontal(|ui| {
+                ui.label(t.size);
+                ui.selectable_value(&mut options.columns, 1, t.large).explained(t.large_hint);
+                ui.selectable_value(&mut options.columns, 2, t.small).explained(t.small_hint);
+            });
+            ui.add_space(4.0);
+            lessons(ui, t, model, learn, open);
+        }
+        None => {
+            (options.plan, options.columns) = (false, 1);
+            ui.horizontal(|ui| {
+                ui.label(t.numbers);
+                let mut seed = f64::from(form.seed);
+                let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
+                let shown = window::texts(model.settings.lang);
+                field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
+                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
+                let whole = seed as u32;
+                form.seed = whole;
+            });
+            ui.add_space(4.0);
+            ui.label(t.choose);
+            chosen_exercises(ui, model, learn, form, height - 150.0);
+        }
+    }
+}
+
+/// The lessons of the program, those of the folder, and the one that is played.
+fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut OpenLesson) {
+    let lang = model.settings.lang;
+    let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
+    let of_folder = learn.own.iter().map(|(path, lesson)| (lesson.clone(), Some(path.clone())));
+    let of_folder = of_folder.map(|(lesson, path)| OpenLesson { lesson, path, step: 0 });
+    let mut all: Vec<OpenLesson> = of_program.chain(of_folder).collect();
+    let own = learn.lesson.as_ref().and_then(|_| played(learn));
+    all.extend(
+        own.filter(|own| all.iter().all(|other| (&other.path, &other.lesson.id) != (&own.path, &own.lesson.id))),
+    );
+    ui.label(t.lesson);
+    let width = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
+    let shown = ComboBox::from_id_salt("lesson of a handout").width(width);
+    let shown = shown.selected_text(words::with_minutes(lang, &chosen.lesson)).truncate().show_ui(ui, |ui| {
+        for open in all {
+            let is_it = open == *chosen;
+            if ui.selectable_label(is_it, words::with_minutes(lang, &open.lesson)).clicked() {
+                *chosen = open;
+            }
+        }
+    });
+    shown.response.accessible_name(t.lesson);
+    if let Some(sentence) = &chosen.lesson.sentence {
+        ui.add_space(4.0);
+        crate::gui::kit::prose::show(ui, told(lang, sentence).trim());
+    }
+}
+
+/// A switch for each exercise. Their order on the sheet is the order in which they were chosen.
+fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
+    let lang = model.settings.lang;
+    let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
+    area.show(ui, |ui| {
+        for entry in learn.exercises.entries() {
+            let place = form.exercises.iter().position(|id| *id == *entry.id);
+            let number = place.map_or_else(String::new, |place| format!("{}. ", place + 1));
+            let mut on = place.is_some();
+            ui.checkbox(&mut on, format!("{number}{}", exercises::title(lang, entry)));
+            match (on, place) {
+                (true, None) => form.exercises.push(entry.id.to_string()),
+                (false, Some(place)) => drop(form.exercises.remove(place)),
+                _ => {}
+            }
+        }
+    });
+}
+
+/// The page as it will be, and the ways to the others.
+fn page(ui: &mut Ui, t: &Texts, learn: &Learn, shown: &mut Option<PagesPreview>, form: &mut HandoutForm, height: f32) {
+    let mut pages = shown.take().unwrap_or_default();
+    let height = height - ui.spacing().interact_size.y - ui.spacing().item_spacing.y;
+    let size = vec2(height * SHAPE, height).min(vec2(ui.available_width(), ui.available_width() / SHAPE));
+    if form.is_whole() {
+        let zoom = size.x * ui.pixels_per_point();
+        let choices = (form.lesson.clone(), form.exercises.clone(), form.seed, form.options);
+        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn));
+    }
+    let count = pages.count().max(1);
+    form.page = form.page.min(count - 1);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(egui::accesskit::Role::Image, true, t.preview));
+    ui.painter().rect_filled(rect, 0.0, Color32::WHITE);
+    ui.painter().rect_stroke(rect, 0.0, ui.visuals().widgets.noninteractive.bg_stroke, egui::StrokeKind::Outside);
+    match pages.texture().filter(|_| form.is_whole()) {
+        Some(texture) => {
+            let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+            ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
+        }
+        None => {
+            let drawing = || if form.is_whole() { t.drawing.to_owned() } else { t.nothing.to_owned() };
+            let why = pages.fault().map_or_else(drawing, |error| error.text(t.lang, &form.stem()));
+            let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
+            let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
+            ui.new_child(place).add(egui::Label::new(RichText::new(why).color(Color32::DARK_GRAY)).wrap());
+        }
+    }
+    ui.horizontal(|ui| {
+        if ui
+            .add_enabled(form.page > 0, Button::new("◀"))
+            .explained(t.page_before)
+            .accessible_name(t.page_before)
+            .clicked()
+        {
+            form.page -= 1;
+        }
+        ui.label(format!("{} {} {} {count}", t.page, form.page + 1, t.of));
+        let more = form.page + 1 < count;
+        if ui.add_enabled(more, Button::new("▶")).explained(t.page_after).accessible_name(t.page_after).clicked() {
+            form.page += 1;
+        }
+    });
+    *shown = Some(pages);
+}

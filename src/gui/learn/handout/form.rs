@@ -1,0 +1,72 @@
+//! The choices for printing.
+
+use crate::exercises::Exercise;
+use crate::gui::learn::Learn;
+use crate::gui::model::handout::{Content, Job};
+use crate::handout::HandoutOptions;
+use crate::i18n::Lang;
+use crate::lessons::{OpenLesson, shipped};
+
+/// The greatest number that chooses the numbers of the exercises.
+pub(in crate::gui) const MAX_SEED: u32 = 9_999;
+
+/// The choices in the dialog.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandoutForm {
+    /// The lesson to print; `None` prints exercises.
+    pub lesson: Option<OpenLesson>,
+    /// The exercises, by their identifiers, in the order in which they were chosen.
+    pub exercises: Vec<String>,
+    /// The source of the exercises' numbers.
+    pub seed: u32,
+    /// Language, columns, answers and plan.
+    pub options: HandoutOptions,
+    /// The page that is shown, from 0.
+    pub(in crate::gui) page: usize,
+}
+
+impl HandoutForm {
+    /// The lesson that is played, or the first one, or else exercises, beginning with the one that is open.
+    pub(in crate::gui) fn of(learn: &Learn, lang: Lang, is_lesson: bool) -> Self {
+        let open = learn.exercises.open.as_ref();
+        let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
+        let options = HandoutOptions { lang, columns: 1, answers: false, plan: false, late: true };
+        let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
+        Self {
+            lesson: is_lesson.then(|| played(learn)).flatten(),
+            exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
+            seed: open
+                .and_then(|open| u32::try_from(open.seed).ok())
+                .filter(|seed| *seed <= MAX_SEED)
+                .unwrap_or_default(),
+            options,
+            page: 0,
+        }
+    }
+
+    /// Everything that the handout depends on.
+    pub(in crate::gui) fn job(&self, learn: &Learn) -> Job {
+        let content = match &self.lesson {
+            Some(open) => Content::Lesson(open.clone()),
+            None => {
+                let of = |id: &String| Some(learn.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()));
+                Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<Exercise>>())
+            }
+        };
+        Job { content, options: self.options }
+    }
+
+    /// True if there's something to print.
+    pub(in crate::gui) fn is_whole(&self) -> bool {
+        self.lesson.is_some() || !self.exercises.is_empty()
+    }
+}
+
+/// The lesson that is played, or the one to which steps were added last, or the first of the program.
+pub(in crate::gui) fn played(learn: &Learn) -> Option<OpenLesson> {
+    let of_playing = learn.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
+    let last = || learn.own.iter().find(|(path, _)| Some(path) == learn.file.as_ref());
+    let of_playing = of_playing.or_else(|| last().map(|(path, lesson)| (lesson.clone(), Some(path.clone()))));
+    let first = || shipped().first().map(|shipped| (shipped.lesson.clone(), None));
+    of_playing.or_else(first).map(|(lesson, path)| OpenLesson { lesson, path, step: 0 })
+}

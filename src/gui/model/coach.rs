@@ -1,0 +1,140 @@
+//! The coach's findings about the figure: computed beside the window's thread, and anew only when their inputs have
+//! changed.
+
+use std::time::Duration;
+
+use eframe::egui;
+
+use crate::appearance::Style;
+use crate::camera::{Camera, ImageSize, Parameters};
+use crate::figure::{Figure, Reveal};
+use crate::gui::background::memo::Latest;
+use crate::gui::model::Model;
+use crate::i18n::window::coach;
+use crate::numerics::diagnosis::{
+    Cause, Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
+};
+use crate::numerics::health::{Health, health};
+use crate::progress::Progress;
+use crate::views::SharedScene;
+
+/// The inputs of the findings.
+#[derive(Clone, Debug, PartialEq)]
+struct HealthRequest {
+    camera: Camera,
+    scene: SharedScene,
+    style: Style,
+    reveal: Reveal,
+    image: ImageSize,
+    /// Parameters in the fields that make no camera.
+    impossible: Option<ImpossibleCamera>,
+}
+
+/// The faults of the picture, and the health of the camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Advice {
+    /// The camera that it is about.
+    pub camera: Camera,
+    /// `None` if the image is too large to be drawn.
+    pub diagnosis: Option<Diagnosis>,
+    /// Six quantities. None of an impossible camera.
+    pub health: Vec<Health>,
+}
+
+/// The coach.
+#[derive(Debug)]
+pub struct Coach {
+    advice: Latest<HealthRequest, Advice>,
+}
+
+impl Default for Coach {
+    fn default() -> Self {
+        let advice = Latest::new("coach", || {
+            async |request: &HealthRequest, progress: &Progress| {
+                let HealthRequest { camera, scene, style, reveal, image, impossible } = request;
+                if let Some(impossible) = impossible {
+                    let diagnosis = Some(impossible_camera(impossible, scene));
+                    return Advice { camera: camera.clone(), diagnosis, health: Vec::new() };
+                }
+                let spec = ImageSpec { scene, camera, style, reveal, image: *image, compared: IN_A_WINDOW };
+                Advice {
+                    camera: camera.clone(),
+                    diagnosis: diagnose(&spec, progress).await.ok(),
+                    health: health(camera, style.depth_format, *image, scene.bounds()),
+                }
+            }
+        });
+        Self { advice }
+    }
+}
+
+impl Coach {
+    /// Takes results. Waits up to `patience`.
+    pub fn take(&mut self, patience: Duration) {
+        self.advice.poll(patience);
+    }
+
+    /// The advice for the last request; `None` until it is known.
+    #[must_use]
+    pub fn advice(&self) -> Option<&Advice> {
+        self.advice.answer()
+    }
+
+    /// The advice, or the last one while changes since are being examined.
+    #[must_use]
+    pub fn newest_advice(&self) -> Option<&Advice> {
+        self.advice.newest().map(|(_, advice)| advice)
+    }
+}
+
+impl Model {
+    /// Has the coach look at the figure, if it has changed. Not while the hand moves.
+    pub(in crate::gui) fn check_camera(&mut self, ctx: &egui::Context) {
+        self.coach.take(Duration::ZERO);
+        if ctx.input(|input| input.pointer.any_down()) || self.motion.is_some() {
+            return;
+        }
+        // Until then the scene is not whole.
+        if self.scene_cache.loading().is_empty() {
+            let Figure { style, reveal, image, .. } = *self.document.figure();
+            let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
+                error,
+                parameters: *self.document.draft(),
+                style,
+                reveal,
+                image,
+            });
+            let (camera, scene) = (self.document.camera().clone(), self.scene_cache.scene().clone());
+            let request = HealthRequest { camera, scene, style, reveal, image, impossible };
+            self.coach.advice.ask(ctx, request);
+        }
+    }
+
+    /// Whether nothing is visible although there's something to see. With an impossible camera the last good image
+    /// stays, and a photograph without a scene is an image too.
+    pub(in crate::gui) fn is_image_empty(&self, diagnosis: &Diagnosis) -> bool {
+        let is_photograph = self.scene_cache.scene().photograph.is_some()
+            && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);
+        diagnosis.visible == 0 && diagnosis.camera_error.is_none() && !is_photograph
+    }
+
+    /// The changes of a repair, in symbols.
+    pub(in crate::gui) fn changes_of(&self, repair: &Repair) -> String {
+        // The numbers in the fields, which may make no camera.
+        let camera = *self.document.draft();
+        let figure = Figure { camera, ..self.document.figure().without_scene() };
+        coach::changes_in_symbols(self.settings.lang, &repair.changes(&figure))
+    }
+
+    /// Changes the figure as a repair has it, as one step that can be undone.
+    pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
+        self.apply_camera(repair.camera);
+        self.document.edit(|figure| repair.apply(figure));
+    }
+
+    /// Applies a repair of the camera alone.
+    pub(in crate::gui) fn apply_camera(&mut self, camera: Parameters) {
+        self.document.commit();
+        self.document.set_parameters(camera);
+    }
+}

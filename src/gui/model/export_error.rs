@@ -1,0 +1,64 @@
+//! Why a picture was not written.
+
+use crate::camera::CameraError;
+use crate::export::format::PictureFormat;
+use crate::figure::variation::VariationError;
+use crate::files::FileError;
+use crate::i18n::{Lang, families, messages, window};
+use crate::picture::{NoComposite, PictureError};
+use crate::pipeline::OverBudget;
+use crate::scene::SceneError;
+
+/// Why a picture was not written.
+#[derive(Debug, thiserror::Error)]
+pub(in crate::gui) enum ExportError {
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error(transparent)]
+    Family(#[from] VariationError),
+    /// A picture without background, in a format that has no transparency.
+    #[error("{} has no transparency", .0.name())]
+    NoTransparency(PictureFormat),
+    /// The user does not want it any more.
+    #[error("cancelled")]
+    Cancelled,
+    /// The export panicked.
+    #[error("a bug in this program")]
+    Panic,
+}
+
+impl ExportError {
+    /// Why the picture `name` was not written.
+    pub(in crate::gui) fn text(&self, lang: Lang, name: &str) -> String {
+        let t = window::texts(lang);
+        match self {
+            Self::Camera(error) => messages::camera(lang, error),
+            Self::Scene(error) => messages::scene(lang, error),
+            Self::Family(error) => families::error(lang, error),
+            Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
+            Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
+                t.picture_too_large.to_owned()
+            }
+            Self::Picture(PictureError::Composite(NoComposite::UnevenRows { count, columns })) => {
+                families::uneven_rows(lang, *count, *columns)
+            }
+            Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
+                format!("{count} {}", t.picture_no_room)
+            }
+            Self::Picture(PictureError::Strokes) => messages::over_budget(lang, &OverBudget::Strokes),
+            Self::Picture(error @ PictureError::Font) => error.to_string(),
+            Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
+            Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
+            Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
+            Self::File(error) => messages::file(lang, name, error),
+            Self::NoTransparency(format) => format!("{} {}", format.name(), t.export_no_transparency),
+            Self::Panic => format!("{} {name}", t.picture_failed),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! A handout that is to be made: what it prints, and its file.
+
+use crate::exercises::Exercise;
+use crate::files::{FigureFiles, FileAccess};
+use crate::gui::model::export_error::ExportError;
+use crate::handout::{self, HandoutOptions, NoPicture, views_of};
+use crate::lessons::OpenLesson;
+use crate::picture::{Handout, PictureError};
+use crate::progress::Progress;
+use crate::scene::no_files;
+use crate::views::{View, Views, scene_of};
+
+/// A handout that is wanted.
+#[derive(Clone)]
+pub(in crate::gui) struct Job {
+    pub(in crate::gui) content: Content,
+    pub(in crate::gui) options: HandoutOptions,
+}
+
+/// The content of a handout.
+#[derive(Clone)]
+pub(in crate::gui) enum Content {
+    Lesson(OpenLesson),
+    Exercises(Vec<Exercise>),
+}
+
+impl From<NoPicture> for ExportError {
+    fn from(error: NoPicture) -> Self {
+        match error {
+            NoPicture::Camera(error) => Self::Camera(error),
+            NoPicture::Composite(error) => Self::Picture(PictureError::from(error)),
+        }
+    }
+}
+
+impl Job {
+    pub(in crate::gui) fn handout(&self, progress: &Progress) -> Result<Handout, ExportError> {
+        let options = self.options;
+        match &self.content {
+            Content::Lesson(OpenLesson { lesson, path, .. }) => {
+                let folder = path.as_deref().and_then(std::path::Path::parent).unwrap_or("".as_ref());
+                let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.as_deref(), false));
+                handout::of_lesson(lesson, options, |(_, step), size| {
+                    let scene = scene_of(&step.figure, &mut |wanted| files.read(wanted), progress)?;
+                    Ok(handout::picture(&step.figure, scene, views_of(&step.figure), size, options.lang)?)
+                })
+            }
+            Content::Exercises(sheet) => handout::of_exercises(sheet, options, |figure, size| {
+                let scene = scene_of(figure, &mut no_files, progress)?;
+                Ok(handout::picture(figure, scene, Views::One(View::Image), size, options.lang)?)
+            }),
+        }
+    }
+
+    /// The handout as a PDF file.
+    pub(in crate::gui) async fn pdf(&self, progress: &Progress) -> Result<Vec<u8>, ExportError> {
+        Ok(self.handout(progress)?.pdf(progress).await?)
+    }
+}

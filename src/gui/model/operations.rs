@@ -1,0 +1,159 @@
+//! Steps, signs and the slider that is held.
+
+pub mod motion;
+pub mod placing;
+pub mod predict;
+
+use crate::camera::{Camera, Convention, Freedom, OPERATIONS, Operation};
+use crate::figure::Show;
+use crate::geometry::Angle;
+use crate::gui::model::Model;
+use crate::gui::model::operations::placing::{Mark, Placing};
+use crate::gui::model::operations::predict::Predict;
+use crate::gui::model::operations::predict::{About, Prediction};
+use crate::i18n::window::predict as words;
+use crate::views::Ghost;
+use crate::views::View;
+
+/// The state of the panel of operations.
+#[derive(Clone, Debug)]
+pub struct Operations {
+    /// The step of each button: degrees, factor or scene units, in the order of [`OPERATIONS`].
+    pub steps: [f64; OPERATIONS.len()],
+    /// The one whose slider is shown.
+    open: Freedom,
+    /// Those above it that are still open, because the pointer is over the rows: none moves under it.
+    open_above: Vec<Freedom>,
+    /// Predictions of what an operation does, before it's done.
+    pub predict: Predict,
+    /// Whose signs.
+    pub convention: Convention,
+    pub(in crate::gui) scrub: Option<Scrub>,
+    /// The step that was done last, while the world shows it.
+    pub(in crate::gui) done: Option<DoneStep>,
+    /// The operation that was done last, by a button or a slider.
+    pub(in crate::gui) last: Option<Ghost>,
+    /// The camera after the last operation that was kept in the figure. Another one goes on from there.
+    kept_at: Option<Camera>,
+}
+
+impl Operations {
+    /// True for an operation whose slider is shown.
+    pub(in crate::gui) fn shows(&self, freedom: Freedom) -> bool {
+        self.open == freedom || self.open_above.contains(&freedom)
+    }
+
+    /// Shows the slider of an operation. Its row stays where it is.
+    pub(in crate::gui) fn open(&mut self, freedom: Freedom) {
+        self.open_above.push(self.open);
+        self.open_above.retain(|other| (*other as usize) < freedom as usize);
+        self.open = freedom;
+    }
+
+    /// Leaves one operation open.
+    pub(in crate::gui) fn close_others(&mut self) {
+        self.open_above.clear();
+    }
+
+    /// The operation that led to this camera, by the notes' signs; `None` if something else did.
+    pub(in crate::gui) fn led_to(&self, camera: &Camera) -> Option<(Operation, &Camera)> {
+        let Ghost { before, operation, convention } = self.last.as_ref()?;
+        let after = operation.apply(before, *convention).ok()?;
+        let turned = |turn: fn(Angle) -> Operation| operation.right_hand_angle(*convention).map(turn);
+        let operation = match operation {
+            Operation::Elevation(_) => turned(Operation::Elevation)?,
+            Operation::Roll(_) => turned(Operation::Roll)?,
+            other => *other,
+        };
+        (after.parameters() == camera.parameters()).then_some((operation, before))
+    }
+
+    /// Adds the operation that led to a camera to those that its figure shows, if it goes on from them, else it is
+    /// alone there.
+    pub(in crate::gui) fn keep(&mut self, camera: &Camera, shown: &mut Vec<Operation>) {
+        let Some((operation, before)) = self.led_to(camera) else { return };
+        if self.kept_at.as_ref().is_none_or(|kept| kept.parameters() != before.parameters()) {
+            shown.clear();
+        } else if shown.len() == Show::MOST_OPERATIONS {
+            shown.remove(0);
+        }
+        shown.push(operation);
+        self.kept_at = Some(camera.clone());
+    }
+}
+
+/// A step of a button that the world goes on showing: its axis, its arc, its angle.
+#[derive(Clone, Debug)]
+pub(in crate::gui) struct DoneStep {
+    pub(in crate::gui) ghost: Ghost,
+    /// When it was done, in seconds; `None` means with the next frame.
+    pub(in crate::gui) since: Option<f64>,
+}
+
+/// A slider that is being held.
+#[derive(Clone, Debug)]
+pub(in crate::gui) struct Scrub {
+    pub(in crate::gui) freedom: Freedom,
+    /// The camera when it was taken.
+    pub(in crate::gui) start: Camera,
+    /// The amount of the slider.
+    pub(in crate::gui) amount: f64,
+}
+
+impl Default for Operations {
+    fn default() -> Self {
+        Self {
+            steps: OPERATIONS.map(|descriptor| descriptor.step),
+            open: Freedom::Elevation,
+            open_above: Vec::new(),
+            predict: Predict::default(),
+            convention: Convention::default(),
+            scrub: None,
+            done: None,
+            last: None,
+            kept_at: None,
+        }
+    }
+}
+
+impl Model {
+    /// Does an operation to the camera, by the signs that are chosen. If it can't be done, a message says why.
+    pub fn operate(&mut self, operation: Operation) {
+        let done = self.document.operate(operation, self.operations.convention);
+        self.say_camera_error(done);
+    }
+
+    /// The question of an operation, where a point will go.
+    pub(in crate::gui) fn placing_of_operation(&self) -> Option<Placing> {
+        let asked = self.operations.predict.asked.as_ref().filter(|asked| asked.document == self.document.id())?;
+        let About::Place { from, to, mark, .. } = asked.about else { return None };
+        let done = |place| Some(place).filter(|_| asked.is_done);
+        Some(Placing {
+            from: Some(from).filter(|_| !asked.is_done),
+            mark,
+            guess: mark.and_then(done),
+            right: done(to),
+            is_open: !asked.is_done,
+            hint: words::texts(self.settings.lang).mark_here,
+            of: Mark::Operation,
+        })
+    }
+
+    /// Has an operation ask what it will do, if that is wanted. False if it's to be done at once.
+    pub(in crate::gui) fn predict_first(&mut self, freedom: Freedom, amount: f64) -> bool {
+        let predict = &mut self.operations.predict;
+        predict.asked = None;
+        if !predict.on {
+            return false;
+        }
+        let (camera, image) = (self.document.camera(), self.document.figure().image);
+        let subject = (camera, image, &**self.scene_cache.scene());
+        let about = About::of(subject, (freedom, amount), self.operations.convention);
+        let document = self.document.id();
+        let asked = about.map(|about| Prediction { freedom, amount, about, document, is_done: false });
+        let asks = asked.is_some();
+        self.layout.shown[View::Image.index()] |= asks;
+        self.operations.predict.asked = asked;
+        asks
+    }
+}

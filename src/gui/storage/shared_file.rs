@@ -1,0 +1,180 @@
+//! A file that several windows write, whole or not at all. Each window merges what was changed in it into what the file
+//! holds by then.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+
+use crate::clock;
+use crate::files::disk::{self, Lock};
+use crate::files::{self, FileError, Overwrite};
+use crate::gui::background::worker::Worker;
+use crate::gui::storage::session::{Keeping, News, aside};
+use crate::limits::MAX_KEPT_BYTES;
+use crate::progress::Progress;
+
+/// The longest wait for a running write before the window closes.
+pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_secs(5);
+
+/// A change of a window, to be merged into the present content of the file.
+pub(in crate::gui) trait Change: Clone + Send + 'static {
+    /// The content of a file.
+    type Content: Default;
+    /// The part of the content that the window takes over once the change is in it.
+    type Merged: Send + 'static;
+
+    /// Reads a file; `None` if it cannot be understood.
+    fn understood(text: &str) -> Option<Self::Content>;
+
+    /// Whether there is nothing to write.
+    fn is_empty(&self) -> bool;
+
+    /// Whether nothing was added since `other`.
+    fn is_same(&self, other: &Self) -> bool;
+
+    /// The text of the file with the change in it.
+    fn merge(&self, content: Self::Content) -> (String, Self::Merged);
+}
+
+/// The content of a file, as text and understood, and the new place of one that could not be understood.
+type Held<T> = (String, T, Option<PathBuf>);
+
+/// The file as it is, empty where there is none. What cannot be understood, or is far too large, is set aside under
+/// another name.
+fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
+    let bytes = match files::read_at_most(file, MAX_KEPT_BYTES) {
+        Err(FileError::Read(error)) if error.kind() == io::ErrorKind::NotFound => return Ok(Held::default()),
+        Err(FileError::TooLarge) => None,
+        bytes => Some(bytes?),
+    };
+    let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
+    if let Some((text, content)) = text.and_then(|text| C::understood(&text).map(|content| (text, content))) {
+        return Ok((text, content, None));
+    }
+    let aside = aside(file);
+    disk::rename(file, &aside).map_err(FileError::Write)?;
+    Ok((String::new(), C::Content::default(), Some(aside)))
+}
+
+/// Merges a change into a file. Also where one went that could not be understood.
+fn write<C: Change>(file: &Path, change: &C) -> Result<(C::Merged, Option<PathBuf>), FileError> {
+    let _lock = locked(file)?;
+    let (before, content, set_aside) = read::<C>(file)?;
+    let (text, merged) = change.merge(content);
+    if text != before {
+        files::save(file, text.as_bytes(), Overwrite::Writable)?;
+    }
+    Ok((merged, set_aside))
+}
+
+/// Keeps other windows from writing the file as long as what it gives lives. The folder is made where there is none.
+fn locked(file: &Path) -> Result<Lock, FileError> {
+    disk::create_folder(file.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
+    // Where there are no locks, two windows that write in the same moment may lose a key.
+    disk::lock(&file.with_extension("lock")).map_err(FileError::Write)
+}
+
+type Written<C> = Result<(<C as Change>::Merged, Option<PathBuf>), FileError>;
+
+/// A file to which changes are written beside the window's thread, one after the other. What cannot be written is tried
+/// again with the next change.
+pub(in crate::gui) struct SharedFile<C: Change> {
+    pub(in crate::gui) path: PathBuf,
+    what: Keeping,
+    /// The message about a file that was set aside.
+    set_aside: fn(PathBuf) -> News,
+    worker: Worker<(PathBuf, C), Written<C>>,
+    /// The change of the running write, or of one that failed.
+    asked: Option<C>,
+    /// The failure of the file has been reported.
+    told: bool,
+    news: Vec<News>,
+}
+
+impl<C: Change> SharedFile<C> {
+    /// Reads the file, where that is possible.
+    pub(in crate::gui) fn open(
+        path: PathBuf,
+        name: &'static str,
+        (what, set_aside): (Keeping, fn(PathBuf) -> News),
+    ) -> (Self, Option<C::Content>) {
+        let worker =
+            Worker::new(name, clock::now, || async |(path, change): (PathBuf, C), _: &Progress| write(&path, &change));
+        let mut file = Self { path, what, set_aside, worker, asked: None, told: false, news: Vec::new() };
+        let content = match read::<C>(&file.path) {
+            Ok((_, content, set_aside)) => {
+                file.news.extend(set_aside.map(file.set_aside));
+                Some(content)
+            }
+            Err(error) => {
+                file.say_not_kept(error);
+                None
+            }
+        };
+        (file, content)
+    }
+
+    /// Says why the file cannot be used, the first time.
+    fn say_not_kept(&mut self, error: FileError) {
+        if !std::mem::replace(&mut self.told, true) {
+            self.news.push(News::not_kept(self.what, self.path.clone(), error));
+        }
+    }
+
+    /// True from when the file cannot be used until something is written to it.
+    pub(in crate::gui) fn is_failing(&self) -> bool {
+        self.told
+    }
+
+    /// New messages about it, each once.
+    pub(in crate::gui) fn news(&mut self) -> Vec<News> {
+        std::mem::take(&mut self.news)
+    }
+
+    /// Has a change written, unless there is nothing new in it, or something is being written: it waits until then.
+    pub(in crate::gui) fn ask(&mut self, ctx: &egui::Context, change: C) {
+        let is_asked = self.asked.as_ref().is_some_and(|asked| asked.is_same(&change));
+        if !(change.is_empty() || is_asked || self.worker.is_pending(0)) {
+            self.worker.ask(ctx, 0, (self.path.clone(), change.clone()));
+            self.asked = Some(change);
+        }
+    }
+
+    /// The change that was written, once one was, and what the window takes over.
+    pub(in crate::gui) fn take(&mut self, patience: Duration) -> Option<(C, C::Merged)> {
+        let [done] = self.worker.take(patience);
+        match done?.outcome? {
+            Ok((merged, set_aside)) => {
+                self.told = false;
+                self.news.extend(set_aside.map(self.set_aside));
+                Some((self.asked.take()?, merged))
+            }
+            Err(error) => {
+                self.say_not_kept(error);
+                None
+            }
+        }
+    }
+
+    /// Writes what has not been yet, before the window closes. There is nobody left to be told.
+    pub(in crate::gui) fn finish(&self, change: &C) -> Option<C::Merged> {
+        let written = (!change.is_empty()).then(|| write(&self.path, change).ok());
+        written.flatten().map(|(merged, _)| merged)
+    }
+
+    /// Puts the file under another name, and forgets what was asked for. False if there is none.
+    ///
+    /// # Errors
+    /// The lock or the file system refuses.
+    pub(in crate::gui) fn put_aside(&mut self, aside: &Path) -> Result<bool, FileError> {
+        let moved = locked(&self.path).and_then(|_lock| disk::rename(&self.path, aside).map_err(FileError::Write));
+        let was_there = match moved {
+            Err(FileError::Write(error)) if error.kind() == io::ErrorKind::NotFound => false,
+            moved => moved.map(|()| true)?,
+        };
+        self.asked = None;
+        Ok(was_there)
+    }
+}
