@@ -13,11 +13,13 @@ use crate::files::{self, Overwrite};
 use crate::handout;
 use crate::i18n::window::{compare, labels as labels_words};
 use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
-use crate::picture::{self, Beside, Composite, Handout, NoComposite, OnPaper, PictureError, PictureFile, gap};
+use crate::picture::{
+    self, Beside, Composite, Handout, NoComposite, OnPaper, PictureError, PictureFile, SheetSize, gap,
+};
 use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
-use crate::views::{Finish, ObserverOf, Request, SharedScene, Shot, Size, View, unknown_labels};
+use crate::views::{ObserverOf, Request, SharedScene, Shot, Size, View, unknown_labels};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let out = &args.out;
@@ -40,29 +42,18 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let shot = Shot::of(figure);
     let other = observer_of(out.observer_of.as_deref(), &args.common, lang)?;
-    let sheet_of = |factor: f64| {
-        #[expect(clippy::cast_possible_truncation, reason = "what is too large is refused")]
-        let [wide, high] = [wide, high].map(|side| (f64::from(side) * factor).round() as u32);
-        let size = sized(wide, high, scale, paper.as_ref());
-        let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
-        let finish = Finish { transparent: out.transparent, ..Finish::default() };
-        let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
-        let sheet = Composite::of(args.view, &request, &shot, paper.as_ref()).map_err(PictureError::from)?;
-        Ok::<_, PictureError>(other.iter().fold(sheet, Composite::seen_by))
-    };
-    let form = out.form(format, paper.as_ref());
-    let sheet = if centimetres[0].is_some() && form.crop {
-        progress::watched(lang, |progress| at_once(picture::fitted([wide, high], sheet_of, progress)))
-    } else {
-        sheet_of(1.0)
-    };
+    let spec = out.spec((args.view, SheetSize::Whole([wide, high])), (format, scale), paper);
+    let size = Size { width: wide, height: high, scale: 1.0 };
+    let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
+    let request = Request { force_all_stages: args.force_all_stages, ..request };
+    let sheet = progress::watched(lang, |progress| at_once(spec.sheet(&request, &shot, other.as_ref(), progress)));
     let sheet = sheet.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     let text = update(&opened.text, &opened.figure);
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&out.output);
-    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));
+    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, spec.options, &told, progress)));
     let file = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
-    report(&file, &sheet, form.dpi, [&messages::opened(lang, &args.figure), &name], lang);
+    report(&file, &sheet, spec.options.dpi, [&messages::opened(lang, &args.figure), &name], lang);
     if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
         say(&format!("{}: {}", messages::opened(lang, &args.figure), compare::impossible(lang, &error)));
     }
@@ -143,18 +134,6 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
     }
 }
 
-/// A picture with strokes and letters as they are wanted: by a scale, by the height of letters in pixels, or as on a
-/// screen.
-fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -> Size {
-    let letters = paper.and_then(|paper| Some(paper.pixels(paper.letters?)));
-    #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
-    match (scale, letters) {
-        (Some(scale), _) => Size { width, height, scale },
-        (None, Some(letters)) => Size::with_letters(width, height, letters as f32),
-        (None, None) => Size::as_on_a_screen(width, height),
-    }
-}
-
 /// Width and height in pixels of a picture `width` centimetres wide; by default, as high as the figure's image, or as
 /// `count` of them side by side.
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, count: usize) -> [u64; 2] {
@@ -184,16 +163,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn paper_has_pixels_and_letters_have_points() {
+    fn paper_has_pixels() {
         let image = ImageSize { width: 640, height: 480 };
         let paper = OnPaper { dpi: 300.0, letters: Some(9.0), lines: None, arranged: false };
         assert_eq!(on_paper(&paper, 8.0, None, image, 1), [945, 709]);
         assert_eq!(on_paper(&paper, 8.0, None, image, 3), [945, 236]);
         assert_eq!(on_paper(&paper, 8.0, Some(6.0), image, 3), [945, 709]);
-        // 9 pt at 300 dpi.
-        assert!((sized(945, 709, None, Some(&paper)).letters() - 37.5).abs() < 0.1);
-        assert_eq!(sized(3000, 2250, None, None).scale, 3000.0 / 1920.0);
-        assert_eq!(sized(3000, 2250, Some(1.0), None).scale, 1.0);
     }
 
     #[test]

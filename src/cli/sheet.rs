@@ -17,7 +17,7 @@ use crate::limits::MAX_FAMILY;
 use crate::picture::{self, Family, SheetSize};
 use crate::progress::at_once;
 use crate::sanitize;
-use crate::views::{Finish, Request, SharedScene, Shot, Size, View};
+use crate::views::{Request, SharedScene, Shot, Size, View};
 
 /// The width of each picture in pixels where no size is given.
 const WIDTH: u32 = 480;
@@ -56,15 +56,12 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
             SheetSize::Pictures([whole(width), whole((width / image.aspect()).max(1.0))])
         }
     };
-    let pixels = match size {
-        SheetSize::Whole(size) | SheetSize::Pictures(size) => size,
-        SheetSize::Width(width) => [width, width],
-    };
+    let spec = args.out.spec((args.view, size), (format, scale), paper);
+    let pixels = spec.pixels();
     let size_of_words = Size { width: pixels[0], height: pixels[1], scale: scale.unwrap_or(1.0) };
     let shot = Shot::of(&opened.figure);
     let base = of_figures.first().map(|(_, scene)| scene.clone()).unwrap_or_default();
     let request = Request::new(&shot, View::Image, &camera, &base, labels, size_of_words);
-    let finish = Finish { transparent: args.out.transparent, ..Finish::default() };
     let family = Family {
         members: of_figures,
         views: args.view,
@@ -73,16 +70,14 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
         captions: args.captions.clone(),
         observer_of: observer_of(args.out.observer_of.as_deref(), &args.common, lang)?,
     };
-    let sheet = family
-        .sheet(&Request { finish, ..request }, size, scale, paper.as_ref())
-        .map_err(|error| no_picture(lang, &name, error.into(), pixels.map(u64::from)))?;
-    let form = args.out.form(format, paper.as_ref());
+    let sheet =
+        spec.family(&family, &request).map_err(|error| no_picture(lang, &name, error.into(), pixels.map(u64::from)))?;
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = update(&opened.text, &opened.figure);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&args.out.output);
-    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));
+    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, spec.options, &told, progress)));
     let file = made.map_err(|error| no_picture(lang, &name, error, pixels.map(u64::from)))?;
-    report(&file, &sheet, form.dpi, [&messages::opened(lang, &args.figure), &name], lang);
+    report(&file, &sheet, spec.options.dpi, [&messages::opened(lang, &args.figure), &name], lang);
     save(&args.out.output, &file.bytes, file.beside, lang)
 }
 

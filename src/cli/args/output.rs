@@ -14,8 +14,9 @@ use crate::export::vector::Letters;
 use crate::figure::words::THEMES;
 use crate::i18n::{Lang, command_line as texts};
 use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE};
-use crate::picture::{Faces, FileOptions, OnPaper, PER_INCH};
+use crate::picture::{ExportSpec, Faces, FileOptions, OnPaper, PER_INCH, SheetSize};
 use crate::sanitize;
+use crate::views::Views;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct OutputArgs {
@@ -133,11 +134,18 @@ impl OutputArgs {
         Ok(format)
     }
 
-    /// How the file is written.
-    pub(in crate::cli) fn form(&self, format: PictureFormat, paper: Option<&OnPaper>) -> FileOptions {
+    /// The file that is wanted: these views, of this size.
+    pub(in crate::cli) fn spec(
+        &self,
+        (views, size): (Views, SheetSize),
+        (format, scale): (PictureFormat, Option<f32>),
+        paper: Option<OnPaper>,
+    ) -> ExportSpec {
         // Letters and lines in points have a resolution, too, by which vectors are measured.
         let dpi = paper.filter(|_| self.is_for_paper() || format.is_vector()).map(|paper| paper.dpi);
-        FileOptions { format, crop: self.crop, dpi, faces: self.faces, letters: self.outlines() }
+        let options = FileOptions { format, crop: self.crop, dpi, faces: self.faces, letters: self.outlines() };
+        let keeps_width = self.width_cm.is_some() || self.paper.is_some();
+        ExportSpec { views, size, scale, transparent: self.transparent, paper, keeps_width, options }
     }
 
     /// True if the number of pixels per inch is more than a guess. It is given, or a size on paper is.

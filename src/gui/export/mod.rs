@@ -30,12 +30,12 @@ use crate::i18n::{Lang, pictures};
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, Metadata, OnPaper, PictureError,
-    PictureFile, SheetSize,
+    self, Animation, Beside, Composite, ExportSpec, Faces, Family, FileOptions, FilmFormat, Metadata, OnPaper,
+    PictureError, PictureFile, SheetSize,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
-use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 
 /// The export settings: pictures, size, theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,11 +102,26 @@ impl Default for Paper {
 }
 
 impl Export {
-    /// The options of its file.
-    pub(super) fn form(&self) -> FileOptions {
+    /// The file that is wanted. Of a `family` in multiples of the screen, each picture is as large as there.
+    pub(super) fn spec(&self, family: bool) -> ExportSpec {
         let letters = if self.outlines { Letters::Outlines } else { Letters::Text };
         let dpi = self.on_paper.then_some(self.paper.dpi);
-        FileOptions { format: self.format, crop: self.crop, dpi, faces: self.faces, letters }
+        let options = FileOptions { format: self.format, crop: self.crop, dpi, faces: self.faces, letters };
+        let size = if !family || self.on_paper || self.times.is_none() {
+            SheetSize::Whole([self.width, self.height])
+        } else {
+            let side_by_side = u32::try_from(self.what.views().count()).unwrap_or(1).max(1);
+            SheetSize::Pictures([(self.width / side_by_side).max(1), self.height])
+        };
+        ExportSpec {
+            views: self.what,
+            size,
+            scale: Some(self.scale),
+            transparent: self.is_without_ground(),
+            paper: self.on_paper.then(|| self.paper.asked()),
+            keeps_width: self.on_paper,
+            options,
+        }
     }
 
     /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
@@ -160,19 +175,6 @@ impl Export {
 }
 
 impl Export {
-    /// The size of the picture.
-    #[must_use]
-    pub fn size(&self) -> Size {
-        Size { width: self.width, height: self.height, scale: self.scale }
-    }
-
-    /// The same on larger paper, with letters of the same height.
-    fn larger_paper(mut self, factor: f64) -> Self {
-        self.paper.size = self.paper.size.map(|side| side * factor);
-        self.fit_screen([[1, 1]; View::COUNT], 1.0);
-        self
-    }
-
     /// True if the picture is going to have no ground.
     #[must_use]
     pub fn is_without_ground(&self) -> bool {
@@ -268,15 +270,7 @@ impl ExportSource {
         let columns = columns.or_else(|| variations.get(1).map(|second| second.values.len()));
         let captions = self.family.captions();
         let family = Family { members, views: export.what, columns, parts, captions, observer_of: None };
-        // In multiples of the screen, each picture is as large as there.
-        let size = if export.on_paper || export.times.is_none() {
-            SheetSize::Whole([export.width, export.height])
-        } else {
-            let side_by_side = u32::try_from(export.what.views().count()).unwrap_or(1).max(1);
-            SheetSize::Pictures([(export.width / side_by_side).max(1), export.height])
-        };
-        let paper = export.on_paper.then(|| export.paper.asked());
-        Ok(family.sheet(request, size, Some(export.scale), paper.as_ref()).map_err(PictureError::from)?)
+        Ok(export.spec(true).family(&family, request).map_err(PictureError::from)?)
     }
 
     /// The words that go with its pictures into their file.
@@ -296,34 +290,16 @@ impl ExportSource {
 
     /// The drawn pictures.
     pub(super) async fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
-        let Self { figure, folder, reach, .. } = self;
+        let Self { figure, shot, folder, reach, lang, .. } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
-        if !(export.on_paper && export.crop) {
-            return self.whole_sheet(export, (&camera, &scene), progress);
-        }
-        let larger = |factor: f64| self.whole_sheet(&export.larger_paper(factor), (&camera, &scene), progress);
-        picture::fitted([export.width, export.height], larger, progress).await
-    }
-
-    /// The same before anything is cropped.
-    fn whole_sheet(
-        &self,
-        export: &Export,
-        (camera, scene): (&Camera, &SharedScene),
-        progress: &Progress,
-    ) -> Result<Composite, ExportError> {
-        let Self { shot, lang, .. } = self;
-        let labels = pictures::labels(*lang);
-        let request = Request::new(shot, View::Image, camera, scene, labels, export.size());
-        let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
-        let request = Request { finish, ..request };
+        let size = Size { width: export.width, height: export.height, scale: export.scale };
+        let request = Request::new(shot, View::Image, &camera, &scene, pictures::labels(*lang), size);
         if let Some(variations) = self.family.variations() {
-            return self.family((export, &request), &variations?, camera, progress);
+            return self.family((export, &request), &variations?, &camera, progress);
         }
-        let paper = export.on_paper.then(|| export.paper.asked());
-        Ok(Composite::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
+        Ok(export.spec(false).sheet(&request, shot, None, progress).await?)
     }
 }
 
@@ -436,7 +412,7 @@ impl Task {
         };
         let sheet = subject.sheet(export, progress).await?;
         let told = subject.told(&sheet, update(source, &subject.figure)).for_file(path);
-        Ok(picture::file(&sheet, export.form(), &told, progress).await?)
+        Ok(picture::file(&sheet, export.spec(false).options, &told, progress).await?)
     }
 }
 

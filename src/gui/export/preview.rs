@@ -76,7 +76,7 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
         let size = sheet.size().unwrap_or([export.width, export.height]);
         let sheet = sheet.reduced(room.map_or(1.0, |room| factor(size, room)));
         if as_svg {
-            let form = FileOptions { format: PictureFormat::Svg, ..export.form() };
+            let form = FileOptions { format: PictureFormat::Svg, ..export.spec(false).options };
             let file = picture::file(&sheet, form, &subject.told(&sheet, String::new()), progress).await?;
             return Ok(Drawn::Svg(String::from_utf8_lossy(&file.bytes).into_owned()));
         }

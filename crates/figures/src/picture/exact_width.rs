@@ -17,7 +17,7 @@ const NEAR: f64 = 2.0;
 ///
 /// # Errors
 /// Those of `make` for the sheet itself, and those of drawing it.
-pub async fn fitted<E: From<PictureError>>(
+pub(super) async fn fitted<E: From<PictureError>>(
     asked: [u32; 2],
     make: impl Fn(f64) -> Result<Composite, E>,
     progress: &Progress,
