@@ -16,7 +16,7 @@ use crate::pipeline::Frame;
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
-use super::observer::{Direction, Viewpoint, enclosing};
+use super::observer::{Viewpoint, enclosing, on_side};
 use super::pixels::PixelRect;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
@@ -38,7 +38,7 @@ pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 const AXIS: f64 = 1.42;
 /// Size of the visible space around the cube where the outside is shown.
 const BEYOND: f64 = 1.5;
-const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, roll: 0.0, parallel: false };
+const ISO: Observer = on_side(32.0, 20.0, false);
 
 /// The camera's axes as the picture shows them.
 const VRC: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
@@ -48,18 +48,14 @@ pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     framing(request, viewpoint.direction(ISO, VRC))
 }
 
-/// The observer that looks in the same direction and has the cube in the picture.
-pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
-    framing(request, Direction::from(*observer))
-}
-
 /// The observer of several pictures, which has the box of each in the picture.
 pub(super) fn common(requests: &[Request]) -> Option<Observer> {
     let points: Vec<_> = requests.iter().flat_map(Request::each_side).flat_map(|side| points(&side)).collect();
     Some(enclosing(&points, ISO, requests.first()?.size))
 }
 
-fn framing(request: &Request, direction: Direction) -> Observer {
+/// The observer that looks in a direction and has the cube in the picture.
+pub(super) fn framing(request: &Request, direction: Observer) -> Observer {
     let sides = request.each_side();
     let points: Vec<_> = sides.iter().flat_map(points).collect();
     enclosing(&points, direction, sides.first().unwrap_or(request).size)
