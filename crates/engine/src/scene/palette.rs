@@ -64,31 +64,13 @@ impl SceneColors {
     /// The colours of a theme.
     #[must_use]
     pub const fn of(theme: Theme) -> Self {
-        match theme {
-            Theme::Light => Self {
-                ink: Rgba::rgb(0x1c, 0x22, 0x2b),
-                edge: Rgba::rgb(0x2b, 0x33, 0x40),
-                grid: Rgba::rgb(0xa8, 0xb0, 0xbb),
-                ground: Rgba::rgb(0xdf, 0xe3, 0xe8),
-                ground_other: Rgba::rgb(0xb9, 0xc1, 0xcb),
-                stone: Rgba::rgb(0xd8, 0xd2, 0xc4),
-            },
-            Theme::Dark => Self {
-                ink: Rgba::rgb(0xe8, 0xec, 0xf1),
-                edge: Rgba::rgb(0x10, 0x14, 0x1a),
-                grid: Rgba::rgb(0x5a, 0x65, 0x73),
-                ground: Rgba::rgb(0x4a, 0x53, 0x60),
-                ground_other: Rgba::rgb(0x35, 0x3d, 0x48),
-                stone: Rgba::rgb(0x9c, 0x96, 0x8a),
-            },
-            Theme::Print => Self {
-                ink: Rgba::rgb(0, 0, 0),
-                edge: Rgba::rgb(0, 0, 0),
-                grid: Rgba::rgb(0x8c, 0x8c, 0x8c),
-                ground: Rgba::rgb(0xf2, 0xf2, 0xf2),
-                ground_other: Rgba::rgb(0xd0, 0xd0, 0xd0),
-                stone: Rgba::rgb(0xe2, 0xde, 0xd6),
-            },
+        Self {
+            ink: theme.color([0x1c_22_2b, 0xe8_ec_f1, 0x00_00_00]),
+            edge: theme.color([0x2b_33_40, 0x10_14_1a, 0x00_00_00]),
+            grid: theme.color([0xa8_b0_bb, 0x5a_65_73, 0x8c_8c_8c]),
+            ground: theme.color([0xdf_e3_e8, 0x4a_53_60, 0xf2_f2_f2]),
+            ground_other: theme.color([0xb9_c1_cb, 0x35_3d_48, 0xd0_d0_d0]),
+            stone: theme.color([0xd8_d2_c4, 0x9c_96_8a, 0xe2_de_d6]),
         }
     }
 
