@@ -104,8 +104,8 @@ fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faul
         color: section.color("color"),
         segments: section.integer("segments", i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS), segments),
         texture: section.text("texture").map(|text| TextureSource::of(&text)),
-        wrap: section.choice("wrap", &Wrap::NAMED),
-        filter: section.choice("filter", &Filter::NAMED),
+        wrap: section.choice("wrap", Wrap::NAMED),
+        filter: section.choice("filter", Filter::NAMED),
         texture_scale: read_texture_scale(&mut section),
     };
     faults.extend(section.finish());
