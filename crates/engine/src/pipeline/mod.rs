@@ -33,7 +33,7 @@ mod show;
 mod space;
 mod stage;
 
-use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
@@ -211,19 +211,15 @@ impl Pipeline {
         recorder.meter.lap(Stage::Lines);
 
         let drawing = Drawing {
-            width: target.width,
-            height: target.height,
-            background: target.background,
             antialias: style.antialias,
             // Without faces any order is right.
             painted_in_order: ordered.given_up.is_none()
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
-            depth_format: DepthFormat::default(),
             surfaces: ordered.surfaces,
             strokes: strokes.into_sets(pool),
-            areas: Vec::new(),
             marks,
             labels,
+            ..Drawing::new(target.width, target.height, target.background)
         };
         let mut frame = recorder.frame(drawing, scenes);
         if let Some((pieces, over_budget)) = ordered.given_up {

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::drawing::{Drawing, Surface};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, with_vectors};
+use crate::simd::with_vectors;
 
 use super::batch::{BATCH, Batch, corners_of, gather_points};
 use super::setup::Size;
