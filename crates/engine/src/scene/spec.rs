@@ -152,16 +152,7 @@ impl Shape {
         match self {
             Self::Prism => 6,
             Self::Grid => 10,
-            Self::Box
-            | Self::Pyramid
-            | Self::Sphere
-            | Self::Ellipsoid
-            | Self::Cylinder
-            | Self::Cone
-            | Self::Torus
-            | Self::Points(_)
-            | Self::Segments(_)
-            | Self::Mesh { .. } => DEFAULT_SEGMENTS,
+            _ => DEFAULT_SEGMENTS,
         }
     }
 
@@ -172,36 +163,21 @@ impl Shape {
             Self::Points(points) => ShapeData::Points(points),
             Self::Segments(pairs) => ShapeData::Points(pairs.as_flattened()),
             Self::Mesh { path } => ShapeData::Path(path),
-            Self::Box
-            | Self::Prism
-            | Self::Pyramid
-            | Self::Sphere
-            | Self::Ellipsoid
-            | Self::Cylinder
-            | Self::Cone
-            | Self::Torus
-            | Self::Grid => ShapeData::None,
+            _ => ShapeData::None,
         }
     }
 
     /// The file that it comes from, relative to the figure file.
     #[must_use]
     pub fn mesh_file(&self) -> Option<&str> {
-        match self.data() {
-            ShapeData::Path(path) => Some(path),
-            ShapeData::None | ShapeData::Points(_) => None,
-        }
+        if let Self::Mesh { path } = self { Some(path) } else { None }
     }
 
     /// False if `segments` has no meaning.
     #[must_use]
     pub const fn has_segments(&self) -> bool {
-        match self {
-            Self::Prism | Self::Sphere | Self::Ellipsoid | Self::Cylinder | Self::Cone | Self::Torus | Self::Grid => {
-                true
-            }
-            Self::Box | Self::Pyramid | Self::Points(_) | Self::Segments(_) | Self::Mesh { .. } => false,
-        }
+        use Shape::{Cone, Cylinder, Ellipsoid, Grid, Prism, Sphere, Torus};
+        matches!(self, Prism | Sphere | Ellipsoid | Cylinder | Cone | Torus | Grid)
     }
 }
 
@@ -235,10 +211,7 @@ impl TextureSource {
     /// The file that it comes from, relative to the figure file.
     #[must_use]
     pub fn file(&self) -> Option<&str> {
-        match self {
-            Self::File(path) => Some(path),
-            Self::None | Self::Chequer | Self::Letters | Self::Uv => None,
-        }
+        if let Self::File(path) = self { Some(path) } else { None }
     }
 }
 

@@ -193,13 +193,7 @@ impl Meter {
                     Stage::Light => (same(self.lit), true),
                     Stage::HiddenSurfaces => (self.pieces, plan.order != Visibility::DepthBuffer),
                     Stage::Lines => (Some(self.lines), true),
-                    Stage::Fill
-                    | Stage::Interpolate
-                    | Stage::Texture
-                    | Stage::Shadow
-                    | Stage::Blend
-                    | Stage::Antialias
-                    | Stage::Write => (None, false),
+                    _ => (None, false),
                 };
                 let (ran, reason) = done.face_stage(planned, style).unwrap_or((planned.runs, planned.reason));
                 StageReport {

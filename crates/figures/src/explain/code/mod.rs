@@ -102,19 +102,12 @@ impl CodeTarget {
     #[must_use]
     pub const fn comment(self) -> Option<&'static str> {
         match self {
-            Self::OpenGl
-            | Self::Glm
-            | Self::Glam
-            | Self::ThreeJs
-            | Self::Unity
-            | Self::Unreal
-            | Self::Babylon
-            | Self::Bevy => Some("// "),
             Self::Vtk | Self::NumPy | Self::Blender | Self::OpenCv | Self::Colmap | Self::PyTorch3d | Self::Godot => {
                 Some("# ")
             }
             Self::Latex => Some("% "),
             Self::Open3d | Self::Nerfstudio | Self::Gltf => None,
+            _ => Some("// "),
         }
     }
 

@@ -54,16 +54,7 @@ impl Places {
         let index = match &error {
             // The second one is too many.
             SceneError::DuplicateName { name } => named(name).nth(1),
-            SceneError::UnknownParent { .. }
-            | SceneError::Cycle { .. }
-            | SceneError::NotFinite { .. }
-            | SceneError::ZeroScale { .. }
-            | SceneError::Segments { .. }
-            | SceneError::Mesh { .. }
-            | SceneError::Light { .. }
-            | SceneError::TooManyLights { .. }
-            | SceneError::ShadowMaps { .. }
-            | SceneError::TooManyObjects => error.object().and_then(|name| named(name).next()),
+            _ => error.object().and_then(|name| named(name).next()),
         };
         let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
             (Some((start, keys)), _) => {
