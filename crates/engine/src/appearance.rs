@@ -289,6 +289,12 @@ pub enum Occlusion {
 }
 
 impl LineStyle {
+    /// Without dashes and without an arrow.
+    #[must_use]
+    pub const fn solid(color: Rgba, width: f32, hidden: HiddenLines) -> Self {
+        Self { color, width, dash: Dash::Solid, hidden, arrow: false }
+    }
+
     /// The line as a picture in this style draws it: it decides about hidden parts that are left to it.
     #[must_use]
     pub fn in_style(self, style: &Style) -> Self {

@@ -1,7 +1,7 @@
 //! The colours of scenes: a palette that red-green blind people and grey printers can read, and the inks of each theme.
 
 use super::{Object, ObjectPaint, Scene};
-use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Theme};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Theme};
 
 /// The colours that objects get when they name none, in turn. From the palettes of Okabe and Ito (2008) and of Paul Tol
 /// (2021), chosen so that any two stay apart also for red-green and blue-yellow blind eyes and in greyscale
@@ -77,19 +77,19 @@ impl SceneColors {
     /// Style of the edges of a faceted object.
     #[must_use]
     pub const fn edge_style(&self) -> LineStyle {
-        LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: HiddenLines::OfStyle, arrow: false }
+        LineStyle::solid(self.edge, 1.0, HiddenLines::OfStyle)
     }
 
     /// Style of free segments.
     #[must_use]
     pub const fn segment_style(&self, color: Rgba) -> LineStyle {
-        LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: HiddenLines::OfStyle, arrow: false }
+        LineStyle::solid(color, 1.75, HiddenLines::OfStyle)
     }
 
     /// Style of a grid.
     #[must_use]
     pub const fn grid_style(&self, color: Rgba) -> LineStyle {
-        LineStyle { color, width: 0.75, dash: Dash::Solid, hidden: HiddenLines::Hidden, arrow: false }
+        LineStyle::solid(color, 0.75, HiddenLines::Hidden)
     }
 }
 

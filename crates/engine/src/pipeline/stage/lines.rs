@@ -18,7 +18,7 @@ use super::pool::{Pool, StrokePool};
 use super::project::{clip_from_view, clip_from_world};
 use super::vertices::Vertices;
 use super::viewport::{unsnapped, viewport};
-use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
 use crate::pipeline::mesh::chunks::{CHUNK, each};
@@ -301,13 +301,7 @@ fn edge_style(object: &Object, style: &Style, background: Rgba) -> Option<LineSt
     if style.shading != Shading::Wireframe {
         return edges;
     }
-    let style = edges.unwrap_or(LineStyle {
-        color: Rgba::rgb(128, 128, 128),
-        width: 1.25,
-        dash: Dash::Solid,
-        hidden: HiddenLines::Shown,
-        arrow: false,
-    });
+    let style = edges.unwrap_or(LineStyle::solid(Rgba::rgb(128, 128, 128), 1.25, HiddenLines::Shown));
     let color = match &object.paint {
         ObjectPaint::Solid(color) => color.with_alpha(255),
         ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => style.color,
