@@ -72,7 +72,7 @@ impl<'a> Recorder<'a> {
     /// Records that an object is drawn; `ends`: the number of points transformed for its lines.
     pub(crate) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
         if !pass.plan.faces {
-            self.meter.count_ends(ends);
+            self.meter.vertices += ends;
         }
         self.meter.lap(Stage::Lines);
         self.misplaced.look_at(pass.object, &pass.vertices());

@@ -27,6 +27,7 @@ use super::{
 };
 use crate::appearance::Style;
 use crate::camera::{Camera, CameraError, ImageSize, LensForm, Parameters, Projection, ViewWindow, Viewport};
+use crate::expression::Dimension;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 use crate::sanitize;
 pub use comparison::typed_comparison;
@@ -314,7 +315,7 @@ fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
         target: section.vector("target", DVec3::ZERO),
         distance: section.positive("distance", 10.0),
         azimuth: section.angle("azimuth", 30.0),
-        elevation: section.angle_in("elevation", -90.0, 90.0, 20.0),
+        elevation: section.quantity_in("elevation", Dimension::Angle, -90.0, 90.0, 20.0),
         roll: section.angle("roll", 0.0),
         parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
     };

@@ -208,12 +208,8 @@ impl<'a> Section<'a> {
         is_present.then_some(number)
     }
 
-    /// Degrees.
-    pub fn angle_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
-        self.quantity_in(key, Dimension::Angle, least, most, default)
-    }
-
-    fn quantity_in(&mut self, key: &'static str, dimension: Dimension, least: f64, most: f64, default: f64) -> f64 {
+    /// An angle is in degrees.
+    pub fn quantity_in(&mut self, key: &'static str, dimension: Dimension, least: f64, most: f64, default: f64) -> f64 {
         self.read_numbers(key, default, Allowed::NumberIn(least, most), |value| {
             number_if(value, dimension, |x| (least..=most).contains(&x))
         })
