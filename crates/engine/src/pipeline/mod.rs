@@ -160,7 +160,7 @@ impl Pipeline {
         }
         let misplaced = Misplaced::new(camera, &screen, in_view);
         let plan = Plan::new(scenes, &projector, style, &extents, options);
-        let lights = Lights::new(scenes.lights(), &projector, style.shading);
+        let lights = Lights::new(scenes.lights, &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
         let shadows = if is_dark { Vec::new() } else { self.shadows.of(scenes) };
         let context = PassContext {
@@ -174,7 +174,7 @@ impl Pipeline {
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
         let (faces, pool) = (&mut self.faces, &mut self.pool);
-        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
+        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness, pool);
         let mut unordered = Unordered::default();
 
         for (index, object, planned) in traverse(scenes, &plan) {

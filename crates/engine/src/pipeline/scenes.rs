@@ -9,9 +9,10 @@ pub struct Scenes<'a> {
     gear: &'a Scene,
     /// The scene whose objects cast shadows.
     occluders: &'a Scene,
-    occluders_revision: Option<SceneRevision>,
-    lights: &'a [Light],
-    fineness: f32,
+    /// The number of the scene in which the occluders are, if it's known.
+    pub(crate) occluders_revision: Option<SceneRevision>,
+    pub(crate) lights: &'a [Light],
+    pub(crate) fineness: f32,
 }
 
 static NOTHING: Scene = Scene {
@@ -64,18 +65,9 @@ impl<'a> Scenes<'a> {
         self.occluders.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// The number of the scene in which [`Self::occluders`] are, if it's known.
-    pub(crate) fn occluders_revision(self) -> Option<SceneRevision> {
-        self.occluders_revision
-    }
-
     /// True if a light casts a shadow of anything.
     pub(crate) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.occluders().next().is_some()
-    }
-
-    pub(crate) fn fineness(self) -> f32 {
-        self.fineness
     }
 
     /// Switches all lights off: everything shows its own colours.
@@ -88,10 +80,6 @@ impl<'a> Scenes<'a> {
     #[must_use]
     pub fn lit_by(self, lights: &'a [Light]) -> Self {
         Self { lights, ..self }
-    }
-
-    pub(crate) fn lights(self) -> &'a [Light] {
-        self.lights
     }
 
     pub(crate) fn objects(self) -> impl Iterator<Item = &'a Object> {

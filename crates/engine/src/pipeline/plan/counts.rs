@@ -68,7 +68,7 @@ impl SceneCounts {
             lit_faces: lit(LitAt::Faces),
             lit_vertices: lit(LitAt::Vertices),
             lit_pixels: lit(LitAt::Pixels),
-            dark: scenes.lights().is_empty(),
+            dark: scenes.lights.is_empty(),
             varies: faces.iter().filter(|(object, plan)| plan.interpolates(object)).count(),
             casts: scenes.casts_shadows(),
             shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),

@@ -90,7 +90,7 @@ impl<'a> Recorder<'a> {
             drawing,
             work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),
             plan: plan.clone(),
-            lamps: scenes.lights().len(),
+            lamps: scenes.lights.len(),
             objects: self.objects,
             over_budget: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,

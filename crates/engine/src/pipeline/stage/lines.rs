@@ -186,7 +186,7 @@ impl<'a> Strokes<'a> {
     fn outline(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = object.outline.filter(|_| style.shading != Shading::Wireframe) else { return 0 };
         let line_style = line_style.in_style(style);
-        let polylines = outline(&object.mesh, vertices.view_from_object.seen_from());
+        let polylines = outline(&object.mesh, vertices.view_from_object.seen_from);
         self.asked += polylines.len();
         for polyline in &polylines {
             self.polyline(polyline.iter().map(|&i| vertices.view(i)), line_style, self.fine);

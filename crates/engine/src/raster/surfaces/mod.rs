@@ -148,7 +148,7 @@ impl Surfaces {
     /// samples written.
     pub(super) fn work(&self) -> (usize, u64, u64) {
         let sum = |count: fn(&Scratch) -> u64| self.scratch.iter().map(count).sum();
-        (self.bins.kept(), sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
+        (self.bins.kept, sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
     }
 }
 

@@ -30,10 +30,13 @@ impl Fault {
 
 /// A section that is there, or one of which every key has its default.
 pub struct Section<'a> {
-    text: &'a str,
-    table: Option<&'a dyn TableLike>,
+    /// The text of the file that it is in.
+    pub(super) text: &'a str,
+    /// The tables and values in it, as they are written.
+    pub(super) table: Option<&'a dyn TableLike>,
     label: String,
-    at: usize,
+    /// The start of the section.
+    pub at: usize,
     asked: Vec<&'static str>,
     /// Faults of the keys read so far.
     pub faults: Vec<Fault>,
@@ -49,11 +52,6 @@ impl<'a> Section<'a> {
     pub fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
-    }
-
-    /// The start of the section.
-    pub fn start(&self) -> usize {
-        self.at
     }
 
     /// True if the section has the key, whatever its value.
@@ -79,16 +77,6 @@ impl<'a> Section<'a> {
     /// The section, if there is a table, even an empty one.
     pub fn there(self) -> Option<Self> {
         self.is_table().then_some(self)
-    }
-
-    /// The tables and values in it, as they are written.
-    pub(super) fn items(&self) -> Option<&'a dyn TableLike> {
-        self.table
-    }
-
-    /// The text of the file that it is in.
-    pub(super) fn file(&self) -> &'a str {
-        self.text
     }
 
     /// True if no key is there.

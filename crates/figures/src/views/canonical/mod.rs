@@ -212,12 +212,12 @@ fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
 fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String)> {
     const SMALL: f64 = 320.0;
     let corners = canonical.bounds().corners();
-    let wanted = if screen.extent().min_element() < SMALL * screen.scale() {
+    let wanted = if screen.extent.min_element() < SMALL * screen.scale {
         vec![corners[4], corners[3]]
     } else {
         corners.to_vec()
     };
-    let coincide = |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0 * screen.scale());
+    let coincide = |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0 * screen.scale);
     let mut names: Vec<(DVec3, String)> = Vec::new();
     for p in wanted {
         let twin = corners.into_iter().find(|&q| q != p && coincide(p, q));

@@ -289,7 +289,7 @@ impl World<'_> {
         let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
         let mut corners: Vec<_> = in_frame.collect();
         let reach = corners.iter().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
-        if reach < 10.0 * screen.scale() {
+        if reach < 10.0 * screen.scale {
             return;
         }
         corners.sort_by(|a, b| a.1.y.total_cmp(&b.1.y));
@@ -394,7 +394,7 @@ impl World<'_> {
         let (screen, bounds) = (self.builder.screen, self.request.scene.bounds());
         let Some(bounds) = bounds.filter(|b| b.radius() > 0.0) else { return };
         let middle = bounds.center();
-        if bounds.radius() < SMALL * screen.scale() * screen.units_per_pixel(middle) {
+        if bounds.radius() < SMALL * screen.scale * screen.units_per_pixel(middle) {
             self.builder.mark_above(middle, MarkShape::Ring, 4.5, self.palette.soft);
             let toward = DVec2::new(1.0, 0.4);
             self.builder.named("scene", middle, self.request.labels.scene, toward, SMALL_TYPE, self.palette.ink);
