@@ -1,7 +1,7 @@
 //! Enums whose variants are listed in one place.
 
-/// An enum with `ALL`, its variants in their order. If a function of names follows, also with a name for each variant, and
-/// `NAMED`.
+/// An enum with `ALL`, its variants in their order. If a function of names follows, also with a name for each variant,
+/// and `NAMED`.
 ///
 /// ```
 /// camera_lab_engine::listed! {

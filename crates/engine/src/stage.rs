@@ -48,7 +48,7 @@ crate::listed! {
 }
 
 impl Stage {
-    /// What it works on, and the stage in whose loop it runs.
+    /// The elements on which it works, and the stage in whose loop it runs.
     const fn row(self) -> (WorksOn, Option<Self>) {
         match self {
             Self::Traverse => (WorksOn::Objects, None),
