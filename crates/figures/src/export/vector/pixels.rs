@@ -6,7 +6,7 @@ use tiny_skia::{
 
 use super::{Item, Page};
 use crate::appearance::Rgba;
-use crate::text::{self, Element};
+use crate::text::Element;
 
 /// The pixels of a page, `zoom` per unit; `None` if there would be too many.
 #[must_use]
@@ -41,13 +41,13 @@ fn paint(items: &[Item], [left, top, right, bottom]: [f32; 4], zoom: f32) -> Opt
                     place,
                 );
             }
-            Item::Text { at, text, mathematical, size, color, halo, halo_width, .. } => {
-                let outline = text::moved(&text::outline(text, *size, *mathematical), *at);
-                if halo.a > 0 {
-                    let around = Stroke { width: *halo_width, line_join: LineJoin::Round, ..Stroke::default() };
-                    stroke(&mut pixmap, &outline, *halo, &around, place);
+            Item::Text(text) => {
+                let outline = text.outline();
+                if text.halo.a > 0 {
+                    let around = Stroke { width: text.halo_width, line_join: LineJoin::Round, ..Stroke::default() };
+                    stroke(&mut pixmap, &outline, text.halo, &around, place);
                 }
-                fill(&mut pixmap, &outline, *color, place);
+                fill(&mut pixmap, &outline, text.color, place);
             }
             Item::Picture { corner, size, pixels } => {
                 let [x, y] = [size[0] / pixels.width() as f32, size[1] / pixels.height() as f32];
