@@ -24,7 +24,7 @@ use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Activity, Progress, at_once};
 pub use depth::DepthBuffer;
 use depth::Occluders;
-pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
+pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline, path_of};
 use surfaces::Wanted;
 
 /// Draws pictures. Keeps its buffers from one to the next.

@@ -1,11 +1,10 @@
 //! A page as pixels.
 
-use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Stroke, StrokeDash, Transform,
-};
+use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Pixmap, PixmapPaint, Stroke, StrokeDash, Transform};
 
 use super::{Item, Page};
 use crate::appearance::Rgba;
+use crate::raster::path_of;
 use crate::text::Element;
 
 /// The pixels of a page, `zoom` per unit; `None` if there would be too many.
@@ -75,18 +74,4 @@ fn paint_of(Rgba { r, g, b, a }: Rgba) -> Paint<'static> {
     let mut paint = Paint::default();
     paint.set_color_rgba8(r, g, b, a);
     paint
-}
-
-fn path_of(path: &[Element]) -> Option<Path> {
-    let mut builder = PathBuilder::new();
-    for element in path {
-        match *element {
-            Element::Move([x, y]) => builder.move_to(x, y),
-            Element::Line([x, y]) => builder.line_to(x, y),
-            Element::Quad([cx, cy], [x, y]) => builder.quad_to(cx, cy, x, y),
-            Element::Cubic([ax, ay], [bx, by], [x, y]) => builder.cubic_to(ax, ay, bx, by, x, y),
-            Element::Close => builder.close(),
-        }
-    }
-    builder.finish()
 }
