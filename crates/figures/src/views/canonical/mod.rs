@@ -104,7 +104,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let palette = Palette::of(style.theme);
     let target = request.size.target(palette.paper);
     let Some(screen) = screen(request) else {
-        return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
+        return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
     let clipped = (!request.shot.look.reveal.divide_first).then(|| pipeline.projected(request));
     let mut revealed = revealed_scene::in_canonical(request, clipped.as_deref(), palette);
@@ -123,7 +123,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let lights = light_view::lights(request, &request.scene);
     let scenes = scene.with(&builder.gear).with_fineness(fineness);
     let scenes = light_view::shadowed(scenes, request, &lights);
-    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
 }

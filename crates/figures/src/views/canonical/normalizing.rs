@@ -195,7 +195,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let lights = light_view::lights(request, &request.scene);
     let scenes = scene.with(&builder.gear).with_fineness(screen.fineness(request, place));
     let scenes = light_view::shadowed(scenes, request, &lights);
-    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }
 

@@ -98,7 +98,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
             greys.paint(drawing, scale);
         }
     };
-    let mut drawn = pipeline.repainted(request, scenes, &request.camera, target, &style, repaint);
+    let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style, repaint);
     for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
         drawing.depth_format = style.depth_format;
     }
@@ -107,7 +107,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
         let plain = request.clone().with_shot(|shot| shot.show.stage = None);
-        let mut more = TimedPipeline::default().frame(&plain, &wrong, &front, target, &style).drawing;
+        let mut more = TimedPipeline::default().frame(&plain, &wrong, &front, target, &style, |_, _| {}).drawing;
         if greys.is_some() {
             // Glass has no depth.
             more.surfaces.clear();

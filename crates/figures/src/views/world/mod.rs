@@ -47,7 +47,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let target = request.size.target(palette.paper);
     let content = Content::of(request);
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
-        return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
+        return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
     let mut revealed = if request.shot.look.world.section {
         PipelineReveal::plain(Cow::default())
@@ -102,7 +102,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
         .in_shadows_of(request.scene.alone())
         .lit_by(&lights);
-    let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
+    let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
