@@ -100,28 +100,15 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
 }
 
 /// Draws pictures one after the other. Reuses its buffers, and the bounds of meshes.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
     bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
-    /// The most pieces of faces that a BSP may make: [`MAX_PIECES`], and fewer in tests.
-    pub max_pieces: usize,
-}
-
-impl Default for Pipeline {
-    fn default() -> Self {
-        Self {
-            faces: Faces::default(),
-            pool: Pool::default(),
-            bounds: KnownBounds::default(),
-            shadows: ShadowMaps::default(),
-            progress: Progress::default(),
-            max_pieces: MAX_PIECES,
-        }
-    }
+    /// The most pieces of faces that a BSP may make, if they are not [`MAX_PIECES`].
+    pub max_pieces: Option<usize>,
 }
 
 /// A clone begins with empty buffers.
@@ -202,7 +189,8 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        let max_pieces = self.max_pieces.unwrap_or(MAX_PIECES);
+        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), max_pieces, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 

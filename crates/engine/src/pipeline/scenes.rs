@@ -1,5 +1,7 @@
 //! A scene, and the things that a picture adds to it, side by side. Neither is copied to be drawn with the other.
 
+use std::sync::LazyLock;
+
 use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
 
 /// A scene and the gear of a picture. Objects, lines, marks and texts of the scene come first.
@@ -15,16 +17,7 @@ pub struct Scenes<'a> {
     pub(crate) fineness: f32,
 }
 
-static NOTHING: Scene = Scene {
-    objects: Vec::new(),
-    lights: Vec::new(),
-    lines: Vec::new(),
-    grids: Vec::new(),
-    marks: Vec::new(),
-    texts: Vec::new(),
-    photograph: None,
-    notices: Vec::new(),
-};
+static NOTHING: LazyLock<Scene> = LazyLock::new(Scene::default);
 
 impl<'a> From<&'a Scene> for Scenes<'a> {
     fn from(scene: &'a Scene) -> Self {
