@@ -95,20 +95,6 @@ crate::worded! {
 }
 
 impl Matrix {
-    /// Those that a figure has, in the order in which a point meets them. Each with its inverse behind it.
-    pub const ALL: [Self; 10] = [
-        Self::Model,
-        Self::InverseModel,
-        Self::View,
-        Self::InverseView,
-        Self::Projection,
-        Self::InverseProjection,
-        Self::ViewProjection,
-        Self::InverseViewProjection,
-        Self::Viewport,
-        Self::InverseViewport,
-    ];
-
     /// The matrix that undoes it, its symbol in LaTeX, and the letters of its entries.
     const fn row(self) -> (Self, &'static str, &'static str) {
         match self {
@@ -301,29 +287,27 @@ impl Symbol {
 }
 
 impl Vector {
+    /// As text, and in LaTeX.
+    const fn row(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Axis(Axis::U) => ("u", r"\mathbf{u}"),
+            Self::Axis(Axis::V) => ("v", r"\mathbf{v}"),
+            Self::Axis(Axis::N) => ("n", r"\mathbf{n}"),
+            Self::Position => ("c", r"\mathbf{c}"),
+            Self::ToFocalPoint => ("PF − C", r"\mathrm{PF}-C"),
+            Self::UpCrossNormal => ("VUP × n", r"\mathbf{VUP}\times\mathbf{n}"),
+        }
+    }
+
     /// As text.
     #[must_use]
     pub const fn text(self) -> &'static str {
-        match self {
-            Self::Axis(Axis::U) => "u",
-            Self::Axis(Axis::V) => "v",
-            Self::Axis(Axis::N) => "n",
-            Self::Position => "c",
-            Self::ToFocalPoint => "PF − C",
-            Self::UpCrossNormal => "VUP × n",
-        }
+        self.row().0
     }
 
     /// In LaTeX.
     #[must_use]
     pub const fn latex(self) -> &'static str {
-        match self {
-            Self::Axis(Axis::U) => r"\mathbf{u}",
-            Self::Axis(Axis::V) => r"\mathbf{v}",
-            Self::Axis(Axis::N) => r"\mathbf{n}",
-            Self::Position => r"\mathbf{c}",
-            Self::ToFocalPoint => r"\mathrm{PF}-C",
-            Self::UpCrossNormal => r"\mathbf{VUP}\times\mathbf{n}",
-        }
+        self.row().1
     }
 }
