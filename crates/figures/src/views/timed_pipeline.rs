@@ -77,7 +77,7 @@ impl TimedPipeline {
         }
     }
 
-    /// Sends the content of a picture through the pipeline, with surfaces that `repaint` paints otherwise before a stage
+    /// Sends the content of a picture through the pipeline. `repaint` may paint its surfaces otherwise, before a stage
     /// is shown over them.
     pub(super) fn frame<'a>(
         &mut self,
