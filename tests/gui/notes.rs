@@ -180,7 +180,7 @@ fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
     window.key(Key::F1);
     assert_eq!(shown(&window), Some("stage-clip"));
     // The note names the file in which the stage can be read.
-    window.harness.get_by_label_contains(camera_lab::stage::Stage::Clip.source());
+    window.harness.get_by_label_contains(&camera_lab::stage::Stage::Clip.source());
     point_at(&mut window, Pos2::ZERO);
 
     window.app_mut().state.model.explained.show(Explanation::Matrices);

@@ -41,7 +41,9 @@ fn evaluated(text: &str) -> f64 {
 }
 
 fn assert_every_entry(setting: &Setting<'_>, read_back: bool) {
-    for matrix in Matrix::ALL {
+    // No setting here has a parent.
+    let matrices = Matrix::NAMED.iter().map(|(_, matrix)| *matrix);
+    for matrix in matrices.filter(|matrix| !matches!(matrix, Matrix::Parent | Matrix::InverseParent)) {
         let formulas = MatrixFormula::new(matrix, setting);
         let numbers = setting.matrix(matrix);
         for row in 0..4 {

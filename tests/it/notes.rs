@@ -79,7 +79,7 @@ fn symbols() -> Vec<Symbol> {
     all.extend([Symbol::Width, Symbol::Height, Symbol::Aspect, Symbol::ViewAngle]);
     all.extend([Symbol::ImageWidth, Symbol::ImageHeight, Symbol::ViewportX, Symbol::ViewportY]);
     all.extend([Symbol::ViewportWidth, Symbol::ViewportHeight, Symbol::DepthNear, Symbol::DepthFar]);
-    all.extend(Matrix::ALL.map(|matrix| Symbol::Entry(matrix, 0, 0)));
+    all.extend(Matrix::NAMED.iter().map(|(_, matrix)| Symbol::Entry(*matrix, 0, 0)));
     all
 }
 
@@ -93,8 +93,8 @@ fn every_symbol_operation_step_stage_and_equation_has_a_note_of_its_kind() {
     for symbol in symbols() {
         has(of_symbol(symbol), &of_symbols);
     }
-    for matrix in Matrix::ALL {
-        has(of_matrix(matrix), &["Matrices"]);
+    for (_, matrix) in Matrix::NAMED {
+        has(of_matrix(*matrix), &["Matrices"]);
     }
     let operations: BTreeSet<_> = OPERATIONS.iter().map(|operation| of_operation(operation.freedom)).collect();
     assert_eq!(operations.len(), 8);

@@ -196,6 +196,15 @@ pub enum Theme {
     Print,
 }
 
+impl Theme {
+    /// The opaque colour of this theme among those of the light, the dark and the printed one, each `0xrrggbb`.
+    #[must_use]
+    pub const fn color(self, colors: [u32; 3]) -> Rgba {
+        let [_, r, g, b] = colors[self as usize].to_be_bytes();
+        Rgba::rgb(r, g, b)
+    }
+}
+
 /// The `[style]` section of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Style {
@@ -280,6 +289,12 @@ pub enum Occlusion {
 }
 
 impl LineStyle {
+    /// Without dashes and without an arrow.
+    #[must_use]
+    pub const fn solid(color: Rgba, width: f32, hidden: HiddenLines) -> Self {
+        Self { color, width, dash: Dash::Solid, hidden, arrow: false }
+    }
+
     /// The line as a picture in this style draws it: it decides about hidden parts that are left to it.
     #[must_use]
     pub fn in_style(self, style: &Style) -> Self {

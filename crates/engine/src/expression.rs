@@ -113,19 +113,15 @@ pub fn evaluate_with(text: &str, dimension: Dimension, names: &[(&str, f64)]) ->
     let mut parser = Parser { text, rest: text, dimension, depth: 0, names };
     let mut value = parser.sum()?;
     if parser.eat_word("rad") {
-        value = match value {
-            Quantity::Number(radians) => Quantity::Degrees(radians.to_degrees()),
-            degrees @ Quantity::Degrees(_) => degrees,
-        };
+        value = if value.is_angle { value } else { Quantity::degrees(value.value.to_degrees()) };
     }
     if let Some(c) = parser.peek() {
         return Err(parser.unexpected(c));
     }
-    let value = match (value, dimension) {
-        (Quantity::Number(v) | Quantity::Degrees(v), Dimension::Angle) | (Quantity::Number(v), Dimension::Number) => v,
-        (Quantity::Degrees(_), Dimension::Number) => return Err(parser.error(0, ExpressionProblem::MixedUnits)),
-    };
-    if value.is_finite() { Ok(value) } else { Err(parser.error(0, ExpressionProblem::NotFinite)) }
+    if value.is_angle && dimension == Dimension::Number {
+        return Err(parser.error(0, ExpressionProblem::MixedUnits));
+    }
+    if value.value.is_finite() { Ok(value.value) } else { Err(parser.error(0, ExpressionProblem::NotFinite)) }
 }
 
 /// The parts of a list of expressions: between semicolons, where there are any, so that a comma can be a decimal point;
@@ -166,50 +162,38 @@ pub fn marked(text: &str, span: &Range<usize>) -> String {
     sanitize::printable(&shown.replace(char::is_whitespace, " "))
 }
 
-/// A number or an angle. An operation that has no meaning for them is `None`.
+/// A number, or an angle in degrees. An operation that has no meaning for them is `None`.
 #[derive(Clone, Copy, Debug)]
-enum Quantity {
-    Number(f64),
-    Degrees(f64),
+struct Quantity {
+    value: f64,
+    is_angle: bool,
 }
 
 impl Quantity {
-    fn map(self, f: impl FnOnce(f64) -> f64) -> Self {
-        match self {
-            Self::Number(v) => Self::Number(f(v)),
-            Self::Degrees(v) => Self::Degrees(f(v)),
-        }
+    fn plain(value: f64) -> Self {
+        Self { value, is_angle: false }
+    }
+
+    fn degrees(value: f64) -> Self {
+        Self { value, is_angle: true }
     }
 
     fn number(self) -> Option<f64> {
-        match self {
-            Self::Number(v) => Some(v),
-            Self::Degrees(_) => None,
-        }
+        (!self.is_angle).then_some(self.value)
     }
 
     fn add(self, other: Self, sign: f64) -> Option<Self> {
-        match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Some(Self::Number(a + sign * b)),
-            (Self::Degrees(a), Self::Degrees(b)) => Some(Self::Degrees(a + sign * b)),
-            _ => None,
-        }
+        (self.is_angle == other.is_angle).then_some(Self { value: self.value + sign * other.value, ..self })
     }
 
     fn times(self, other: Self) -> Option<Self> {
-        match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Some(Self::Number(a * b)),
-            (Self::Number(a), Self::Degrees(b)) | (Self::Degrees(a), Self::Number(b)) => Some(Self::Degrees(a * b)),
-            (Self::Degrees(_), Self::Degrees(_)) => None,
-        }
+        let is_angle = self.is_angle || other.is_angle;
+        (!(self.is_angle && other.is_angle)).then_some(Self { value: self.value * other.value, is_angle })
     }
 
     fn over(self, other: Self) -> Option<Self> {
-        match (self, other) {
-            (Self::Number(a), Self::Number(b)) | (Self::Degrees(a), Self::Degrees(b)) => Some(Self::Number(a / b)),
-            (Self::Degrees(a), Self::Number(b)) => Some(Self::Degrees(a / b)),
-            (Self::Number(_), Self::Degrees(_)) => None,
-        }
+        let is_angle = self.is_angle && !other.is_angle;
+        (self.is_angle || !other.is_angle).then_some(Self { value: self.value / other.value, is_angle })
     }
 }
 
@@ -245,8 +229,10 @@ impl<'a> Parser<'a> {
         ExpressionError { problem, span: self.text.len()..self.text.len() }
     }
 
-    fn too_deep(&self) -> ExpressionError {
-        self.error(0, ExpressionProblem::TooLong)
+    /// Goes one level deeper, until the caller comes back.
+    fn deepen(&mut self) -> Result<(), ExpressionError> {
+        self.depth += 1;
+        if self.depth > MAX_DEPTH { Err(self.error(0, ExpressionProblem::TooLong)) } else { Ok(()) }
     }
 
     /// The value, or the fault that the text read from `start` on mixes angles and numbers.
@@ -328,20 +314,18 @@ impl<'a> Parser<'a> {
                 sign = -sign;
             }
         }
-        Ok(self.power()?.map(|v| sign * v))
+        let power = self.power()?;
+        Ok(Quantity { value: sign * power.value, ..power })
     }
 
     fn power(&mut self) -> Result<Quantity, ExpressionError> {
-        self.depth += 1;
-        if self.depth > MAX_DEPTH {
-            return Err(self.too_deep());
-        }
+        self.deepen()?;
         let start = self.at();
         let mut value = self.unit()?;
         if self.eat(&['^']).is_some() {
             let exponent = if self.peek() == Some('{') { self.group(self.dimension)? } else { self.sign()? }.number();
             let power = value.number().zip(exponent).map(|(base, exponent)| base.powf(exponent));
-            value = Quantity::Number(self.unmixed(start, power)?);
+            value = Quantity::plain(self.unmixed(start, power)?);
         }
         self.depth -= 1;
         Ok(value)
@@ -353,9 +337,9 @@ impl<'a> Parser<'a> {
         loop {
             let is_degrees = DEGREES.contains(&self.word().to_lowercase().as_str()) && self.is_unit();
             value = if is_degrees || self.eat(&['°', 'º']).is_some() || self.eat_any(&["^\\circ", "^{\\circ}"]) {
-                Quantity::Degrees(self.unmixed(start, value.number())?)
+                Quantity::degrees(self.unmixed(start, value.number())?)
             } else if self.eat(&['%']).is_some() {
-                Quantity::Number(self.unmixed(start, value.number())? / 100.0)
+                Quantity::plain(self.unmixed(start, value.number())? / 100.0)
             } else {
                 return Ok(value);
             };
@@ -378,14 +362,11 @@ impl<'a> Parser<'a> {
             Some('(') => self.parenthesis(self.dimension),
             Some('√') => {
                 self.eat(&['√']);
-                self.depth += 1;
-                if self.depth > MAX_DEPTH {
-                    return Err(self.too_deep());
-                }
+                self.deepen()?;
                 let start = self.at();
                 let value = self.unit()?.number();
                 self.depth -= 1;
-                Ok(Quantity::Number(self.unmixed(start, value)?.sqrt()))
+                Ok(Quantity::plain(self.unmixed(start, value)?.sqrt()))
             }
             Some(c) if c.is_ascii_digit() || c == '.' || c == ',' => self.literal(),
             Some(c) if c.is_alphabetic() => self.name(),
@@ -410,7 +391,7 @@ impl<'a> Parser<'a> {
             Some(c) if c.is_ascii_digit() && dimension == Dimension::Angle => {
                 let start = self.at();
                 let value = self.unit()?;
-                if matches!(value, Quantity::Degrees(_)) {
+                if value.is_angle {
                     return Ok(value);
                 }
                 let number = self.text[start..self.at()].trim().to_owned();
@@ -473,7 +454,7 @@ impl<'a> Parser<'a> {
         if let Some(c @ ('.' | ',' | '0'..='9')) = self.peek() {
             return Err(self.unexpected(c));
         }
-        Ok(Quantity::Number(value))
+        Ok(Quantity::plain(value))
     }
 
     fn name(&mut self) -> Result<Quantity, ExpressionError> {
@@ -481,20 +462,18 @@ impl<'a> Parser<'a> {
         let word = self.word();
         self.rest = &self.rest[word.len()..];
         if let Some((_, value)) = self.names.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) {
-            return Ok(Quantity::Number(*value));
+            return Ok(Quantity::plain(*value));
         }
         let name = word.to_lowercase();
         match name.as_str() {
             "pi" | "π" => Ok(match self.dimension {
-                Dimension::Number => Quantity::Number(std::f64::consts::PI),
-                Dimension::Angle => Quantity::Degrees(180.0),
+                Dimension::Number => Quantity::plain(std::f64::consts::PI),
+                Dimension::Angle => Quantity::degrees(180.0),
             }),
             "sin" | "sen" | "cos" | "tan" | "tg" | "cot" | "cotg" => {
-                let (sin, cos) = match self.argument(Dimension::Angle)? {
-                    Quantity::Degrees(degrees) => Angle::from_degrees(degrees).sin_cos(),
-                    Quantity::Number(radians) => radians.sin_cos(),
-                };
-                Ok(Quantity::Number(match name.as_str() {
+                let Quantity { value, is_angle } = self.argument(Dimension::Angle)?;
+                let (sin, cos) = if is_angle { Angle::from_degrees(value).sin_cos() } else { value.sin_cos() };
+                Ok(Quantity::plain(match name.as_str() {
                     "sin" | "sen" => sin,
                     "cos" => cos,
                     "cot" | "cotg" => cos / sin,
@@ -507,13 +486,13 @@ impl<'a> Parser<'a> {
                 let v = self.argument(Dimension::Number)?.number();
                 let v = self.unmixed(inside, v)?;
                 Ok(match name.as_str() {
-                    "asin" | "arcsin" | "arcsen" => Quantity::Degrees(v.asin().to_degrees()),
-                    "acos" | "arccos" => Quantity::Degrees(v.acos().to_degrees()),
-                    "atan" | "arctan" | "arctg" => Quantity::Degrees(v.atan().to_degrees()),
-                    "abs" => Quantity::Number(v.abs()),
-                    "exp" => Quantity::Number(v.exp()),
-                    "ln" => Quantity::Number(v.ln()),
-                    _ => Quantity::Number(v.sqrt()),
+                    "asin" | "arcsin" | "arcsen" => Quantity::degrees(v.asin().to_degrees()),
+                    "acos" | "arccos" => Quantity::degrees(v.acos().to_degrees()),
+                    "atan" | "arctan" | "arctg" => Quantity::degrees(v.atan().to_degrees()),
+                    "abs" => Quantity::plain(v.abs()),
+                    "exp" => Quantity::plain(v.exp()),
+                    "ln" => Quantity::plain(v.ln()),
+                    _ => Quantity::plain(v.sqrt()),
                 })
             }
             _ => Err(self.error(start, ExpressionProblem::UnknownName(word.to_owned()))),

@@ -3,7 +3,7 @@
 use crate::appearance::Rgba;
 use crate::drawing::Lighting;
 use crate::simd::prelude::*;
-use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8, with_vectors};
+use crate::simd::{ROUND_F32, round_bits, with_vectors};
 
 /// Eight vectors, coordinate by coordinate.
 pub(crate) type Eight<S> = [f32x8<S>; 3];

@@ -1,6 +1,7 @@
 //! Enums whose variants are listed in one place.
 
-/// An enum with `ALL`, its variants in their order, and with a name for each variant where a function of names follows.
+/// An enum with `ALL`, its variants in their order. If a function of names follows, also with a name for each variant,
+/// and `NAMED`.
 ///
 /// ```
 /// camera_lab_engine::listed! {
@@ -16,6 +17,7 @@
 ///     pub fn name
 /// }
 /// assert_eq!(Side::ALL.map(Side::name), ["left", "right"]);
+/// assert_eq!(Side::NAMED[1], ("right", Side::Right));
 /// ```
 #[macro_export]
 macro_rules! listed {
@@ -56,6 +58,9 @@ macro_rules! worded {
 macro_rules! variant_names {
     ($name:ident { $($variant:ident = $word:literal,)* } $(#[$doc:meta])* $vis:vis fn $function:ident) => {
         impl $name {
+            /// The names and the variants, in their order.
+            $vis const NAMED: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),*];
+
             $(#[$doc])*
             #[must_use]
             $vis const fn $function(self) -> &'static str {

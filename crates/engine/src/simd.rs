@@ -6,12 +6,12 @@
 use std::sync::LazyLock;
 
 use fearless_simd::Level;
-use fearless_simd::prelude::*;
-pub(crate) use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x4, i32x8, mask32x8, u32x4, u32x8};
+use prelude::*;
 
-/// The methods of vectors.
+/// The vectors and their methods.
 pub(crate) mod prelude {
     pub(crate) use fearless_simd::prelude::*;
+    pub(crate) use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x4, i32x8, mask32x8, u32x4, u32x8};
 }
 
 /// The vector instructions of this machine.

@@ -5,76 +5,72 @@ crate::listed! {
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Stage {
         /// Walk through the scene.
-        Traverse,
+        Traverse = "traverse",
         /// Drop objects whose bounding box is outside the volume.
-        CullObjects,
+        CullObjects = "cull-objects",
         /// Take vertex normals to view space.
-        Normals,
+        Normals = "normals",
         /// The reflection model: light on faces or vertices.
-        Light,
+        Light = "light",
         /// World → view, each vertex once.
-        Transform,
+        Transform = "transform",
         /// Drop faces that turn their back.
-        CullFaces,
+        CullFaces = "cull-faces",
         /// Cut faces that cross a plane of the volume, before the divide.
-        Clip,
+        Clip = "clip",
         /// The terms of an oblique window.
-        Oblique,
+        Oblique = "oblique-window",
         /// The perspective divide.
-        Divide,
+        Divide = "divide",
         /// Ndc → pixels.
-        Viewport,
+        Viewport = "viewport",
         /// Find the pixels of each face.
-        Fill,
+        Fill = "fill",
         /// Colours, normals or texture coordinates between the vertices of a face.
-        Interpolate,
+        Interpolate = "interpolate",
         /// Remove hidden surfaces.
-        HiddenSurfaces,
+        HiddenSurfaces = "hidden-surfaces",
         /// Pictures on surfaces.
-        Texture,
+        Texture = "texture",
         /// Take away light where the lamp sees something nearer.
-        Shadow,
+        Shadow = "shadow",
         /// Blend translucent colours with those behind them.
-        Blend,
+        Blend = "blend",
         /// Several samples for a pixel.
-        Antialias,
+        Antialias = "antialias",
         /// Edges, outlines, lines, marks and texts, over the finished surfaces.
-        Lines,
+        Lines = "lines",
         /// Colours go to the memory of the image.
-        Write,
+        Write = "write",
     }
+    /// The name in data that programs read.
+    pub fn name
 }
 
 impl Stage {
-    /// Its name in data that programs read, what it works on, and the stage in whose loop it runs.
-    const fn row(self) -> (&'static str, WorksOn, Option<Self>) {
+    /// The elements on which it works, and the stage in whose loop it runs.
+    const fn row(self) -> (WorksOn, Option<Self>) {
         match self {
-            Self::Traverse => ("traverse", WorksOn::Objects, None),
-            Self::CullObjects => ("cull-objects", WorksOn::Objects, Some(Self::Traverse)),
-            Self::Normals => ("normals", WorksOn::Normals, Some(Self::Light)),
-            Self::Light => ("light", WorksOn::Colors, None),
-            Self::Transform => ("transform", WorksOn::Vertices, None),
-            Self::CullFaces => ("cull-faces", WorksOn::Faces, None),
-            Self::Clip => ("clip", WorksOn::Pieces, None),
-            Self::Oblique => ("oblique-window", WorksOn::Vertices, Some(Self::Transform)),
-            Self::Divide => ("divide", WorksOn::Vertices, Some(Self::Transform)),
-            Self::Viewport => ("viewport", WorksOn::Vertices, Some(Self::Transform)),
-            Self::Fill => ("fill", WorksOn::Pixels, None),
-            Self::Interpolate => ("interpolate", WorksOn::Pixels, Some(Self::Fill)),
-            Self::HiddenSurfaces => ("hidden-surfaces", WorksOn::Pixels, Some(Self::Fill)),
-            Self::Texture => ("texture", WorksOn::Pixels, Some(Self::Fill)),
-            Self::Shadow => ("shadow", WorksOn::Pixels, Some(Self::Fill)),
-            Self::Blend => ("blend", WorksOn::Pixels, Some(Self::Fill)),
-            Self::Antialias => ("antialias", WorksOn::Pixels, Some(Self::Fill)),
-            Self::Lines => ("lines", WorksOn::Pixels, None),
-            Self::Write => ("write", WorksOn::Pixels, Some(Self::Fill)),
+            Self::Traverse => (WorksOn::Objects, None),
+            Self::CullObjects => (WorksOn::Objects, Some(Self::Traverse)),
+            Self::Normals => (WorksOn::Normals, Some(Self::Light)),
+            Self::Light => (WorksOn::Colors, None),
+            Self::Transform => (WorksOn::Vertices, None),
+            Self::CullFaces => (WorksOn::Faces, None),
+            Self::Clip => (WorksOn::Pieces, None),
+            Self::Oblique => (WorksOn::Vertices, Some(Self::Transform)),
+            Self::Divide => (WorksOn::Vertices, Some(Self::Transform)),
+            Self::Viewport => (WorksOn::Vertices, Some(Self::Transform)),
+            Self::Fill => (WorksOn::Pixels, None),
+            Self::Interpolate => (WorksOn::Pixels, Some(Self::Fill)),
+            Self::HiddenSurfaces => (WorksOn::Pixels, Some(Self::Fill)),
+            Self::Texture => (WorksOn::Pixels, Some(Self::Fill)),
+            Self::Shadow => (WorksOn::Pixels, Some(Self::Fill)),
+            Self::Blend => (WorksOn::Pixels, Some(Self::Fill)),
+            Self::Antialias => (WorksOn::Pixels, Some(Self::Fill)),
+            Self::Lines => (WorksOn::Pixels, None),
+            Self::Write => (WorksOn::Pixels, Some(Self::Fill)),
         }
-    }
-
-    /// The name in data that programs read.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.row().0
     }
 
     /// The file that shows how it works, from the root of the project. It has a function of the stage's name.
@@ -83,28 +79,14 @@ impl Stage {
     /// which the fast files are equal to the byte. Hidden surfaces are there too: the order in which faces are painted
     /// without a depth buffer is in `crates/engine/src/pipeline/stage/hidden_surfaces.rs`.
     #[must_use]
-    pub const fn source(self) -> &'static str {
-        match self {
-            Self::Traverse => "crates/engine/src/pipeline/stage/traverse.rs",
-            Self::CullObjects => "crates/engine/src/pipeline/stage/cull_objects.rs",
-            Self::Normals => "crates/engine/src/pipeline/stage/normals.rs",
-            Self::Light => "crates/engine/src/pipeline/stage/light.rs",
-            Self::Transform => "crates/engine/src/pipeline/stage/transform.rs",
-            Self::CullFaces => "crates/engine/src/pipeline/stage/cull_faces.rs",
-            Self::Clip => "crates/engine/src/pipeline/stage/clip.rs",
-            Self::Oblique => "crates/engine/src/pipeline/stage/oblique.rs",
-            Self::Divide => "crates/engine/src/pipeline/stage/divide.rs",
-            Self::Viewport => "crates/engine/src/pipeline/stage/viewport.rs",
-            Self::Lines => "crates/engine/src/pipeline/stage/lines.rs",
-            Self::Fill
-            | Self::Interpolate
-            | Self::HiddenSurfaces
-            | Self::Texture
-            | Self::Shadow
-            | Self::Blend
-            | Self::Antialias
-            | Self::Write => "crates/engine/src/raster/textbook.rs",
-        }
+    pub fn source(self) -> String {
+        let file = match self {
+            Self::Oblique => "oblique".to_owned(),
+            Self::Lines => "lines".to_owned(),
+            _ if self.is_raster() => return "crates/engine/src/raster/textbook.rs".to_owned(),
+            _ => self.name().replace('-', "_"),
+        };
+        format!("crates/engine/src/pipeline/stage/{file}.rs")
     }
 
     /// False if its operations are not counted: work on whole objects; lines, marks and texts.
@@ -122,14 +104,14 @@ impl Stage {
     /// The elements on which it works.
     #[must_use]
     pub const fn works_on(self) -> WorksOn {
-        self.row().1
+        self.row().0
     }
 
     /// The stage in whose loop this one runs, so that it has no time of its own: working on a number while it is at
     /// hand costs less than a pass over all numbers for each stage.
     #[must_use]
     pub const fn timed_with(self) -> Option<Self> {
-        self.row().2
+        self.row().1
     }
 }
 
@@ -209,7 +191,7 @@ mod tests {
     #[test]
     fn the_source_of_a_stage_has_a_function_of_its_name() {
         for stage in Stage::ALL {
-            let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../").to_owned() + stage.source();
+            let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../").to_owned() + &stage.source();
             let text = std::fs::read_to_string(&file).unwrap();
             let name = function(stage);
             let is_there = [format!("fn {name}("), format!("fn {name}<")].iter().any(|start| text.contains(start));

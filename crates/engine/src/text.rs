@@ -110,12 +110,7 @@ struct Font {
 }
 
 /// `None` only if the bundled bytes were not a font. A test holds them to be one.
-static FONTS: [LazyLock<Option<Font>>; 4] = [
-    LazyLock::new(|| Font::of(FONT_BYTES)),
-    LazyLock::new(|| Font::of(ROMAN_BYTES)),
-    LazyLock::new(|| Font::of(BOLD_BYTES)),
-    LazyLock::new(|| Font::of(ITALIC_BYTES)),
-];
+static FONTS: LazyLock<[Option<Font>; 4]> = LazyLock::new(|| Face::ALL.map(|face| Font::of(face.bytes())));
 
 impl Font {
     fn of(bytes: &'static [u8]) -> Option<Self> {

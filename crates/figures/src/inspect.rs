@@ -7,12 +7,11 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::camera::{
-    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, NotProjectable, Operation,
-    Parameters, Projection, Stations, ViewWindow, Viewport, Warning,
+    Basis, Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, NotProjectable,
+    Operation, Parameters, Projection, Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
-use crate::inspect::quantity::VolumePlane;
 
 /// The output of `camera-lab inspect`. The order of the fields is the order of the keys.
 ///
@@ -110,13 +109,12 @@ impl NamedCameraReport {
     /// The numbers of a camera; `None` if it is impossible, which no camera of a file is.
     fn new(named: &NamedCamera) -> Option<Self> {
         let camera = Camera::new(&named.parameters).ok()?;
-        let basis = camera.basis();
         Some(Self {
             name: named.name.clone(),
             color: named.color.map(|color| color.to_string()),
             camera: CameraReport::new(&named.parameters),
             distance: camera.distance(),
-            basis: BasisReport { u: three(basis.u), v: three(basis.v), n: three(basis.n) },
+            basis: camera.basis().into(),
             view_matrix: rows(camera.view_from_world()),
             projection_matrix: rows(camera.notes_clip_space().clip_from_view()),
         })
@@ -136,6 +134,13 @@ pub struct SidesReport {
     pub top: f64,
 }
 
+impl From<ViewWindow> for SidesReport {
+    fn from(window: ViewWindow) -> Self {
+        let ViewWindow { left, right, bottom, top } = window.map(unsigned);
+        Self { left, right, bottom, top }
+    }
+}
+
 /// The VRC.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BasisReport {
@@ -145,6 +150,12 @@ pub struct BasisReport {
     pub v: [f64; 3],
     /// **n**
     pub n: [f64; 3],
+}
+
+impl From<Basis> for BasisReport {
+    fn from(Basis { u, v, n }: Basis) -> Self {
+        Self { u: three(u), v: three(v), n: three(n) }
+    }
 }
 
 /// The view window.
@@ -207,17 +218,6 @@ impl PlanesReport {
         let four = |plane: Plane| plane.normal.extend(plane.offset).to_array().map(|x| x + 0.0);
         let [left, right, bottom, top, near, far] = camera.volume_planes().map(four);
         Self { left, right, bottom, top, near, far }
-    }
-
-    fn of(&self, plane: VolumePlane) -> [f64; 4] {
-        match plane {
-            VolumePlane::Left => self.left,
-            VolumePlane::Right => self.right,
-            VolumePlane::Bottom => self.bottom,
-            VolumePlane::Top => self.top,
-            VolumePlane::Near => self.near,
-            VolumePlane::Far => self.far,
-        }
     }
 }
 
@@ -372,13 +372,12 @@ impl Report {
     ) -> Result<Self, InspectError> {
         let camera = clip_space.camera();
         let viewport = viewport.unwrap_or_else(|| Viewport::whole(image));
-        let basis = camera.basis();
-        let ViewWindow { left, right, bottom, top } = camera.window().map(unsigned);
+        let SidesReport { left, right, bottom, top } = camera.window().into();
         Ok(Self {
             camera: CameraReport::new(camera.parameters()),
             dop: three(camera.direction_of_projection()),
             distance: camera.distance(),
-            basis: BasisReport { u: three(basis.u), v: three(basis.v), n: three(basis.n) },
+            basis: camera.basis().into(),
             window: WindowReport {
                 left,
                 right,
@@ -475,10 +474,7 @@ impl CameraReport {
             aspect: p.aspect,
             near: p.near,
             far: p.far,
-            window: p.window.map(|w| {
-                let ViewWindow { left, right, bottom, top } = w.map(unsigned);
-                SidesReport { left, right, bottom, top }
-            }),
+            window: p.window.map(SidesReport::from),
         }
     }
 }

@@ -7,7 +7,7 @@
 
 use camera_lab_engine::{
     appearance, camera, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster, sanitize,
-    scene, stage, text,
+    scene, stage, text, worded,
 };
 
 pub mod chart;

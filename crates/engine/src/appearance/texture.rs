@@ -25,28 +25,36 @@ impl PartialEq for Texture {
     }
 }
 
-/// The continuation of a picture beyond its border.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Wrap {
-    /// It is there again.
-    #[default]
-    Repeat,
-    /// Its border goes on.
-    Clamp,
-    /// It is there again, mirrored each time.
-    Mirror,
+crate::worded! {
+    /// The continuation of a picture beyond its border.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Wrap {
+        /// It is there again.
+        #[default]
+        Repeat = "repeat",
+        /// Its border goes on.
+        Clamp = "clamp",
+        /// It is there again, mirrored each time.
+        Mirror = "mirror",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }
 
-/// The way from texels to a colour.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Filter {
-    /// The nearest texel.
-    Nearest,
-    /// Between the four nearest texels.
-    Bilinear,
-    /// The same in the two levels of detail whose texels are about as large as a pixel, and between them.
-    #[default]
-    Trilinear,
+crate::worded! {
+    /// The way from texels to a colour.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Filter {
+        /// The nearest texel.
+        Nearest = "nearest",
+        /// Between the four nearest texels.
+        Bilinear = "bilinear",
+        /// The same in the two levels of detail whose texels are about as large as a pixel, and between them.
+        #[default]
+        Trilinear = "trilinear",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }
 
 /// The light on a point of a surface, whatever its colour: the share of its own colour that it sends back, and the
@@ -85,38 +93,6 @@ pub struct Sampler {
     pub filter: Filter,
     /// Inner work that is shown.
     pub reveal: Option<TextureReveal>,
-}
-
-impl Wrap {
-    /// All of them, with their names in a figure file.
-    pub const NAMED: [(&'static str, Self); 3] =
-        [("repeat", Self::Repeat), ("clamp", Self::Clamp), ("mirror", Self::Mirror)];
-
-    /// Its name in a figure file.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Repeat => "repeat",
-            Self::Clamp => "clamp",
-            Self::Mirror => "mirror",
-        }
-    }
-}
-
-impl Filter {
-    /// All of them, with their names in a figure file.
-    pub const NAMED: [(&'static str, Self); 3] =
-        [("nearest", Self::Nearest), ("bilinear", Self::Bilinear), ("trilinear", Self::Trilinear)];
-
-    /// Its name in a figure file.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Nearest => "nearest",
-            Self::Bilinear => "bilinear",
-            Self::Trilinear => "trilinear",
-        }
-    }
 }
 
 impl Sampler {

@@ -88,6 +88,22 @@ pub struct StrokeSet {
     pub style: LineStyle,
 }
 
+impl StrokeSet {
+    /// One polyline.
+    #[must_use]
+    pub fn line(points: Vec<[f32; 3]>, style: LineStyle) -> Self {
+        let end = u32::try_from(points.len()).unwrap_or(u32::MAX);
+        Self { points, polylines: std::iter::once(0..end).collect(), style }
+    }
+
+    /// Segments.
+    #[must_use]
+    pub fn pairs(ends: &[[[f32; 3]; 2]], style: LineStyle) -> Self {
+        let polylines = (0..).step_by(2).map(|first| first..first + 2).take(ends.len()).collect();
+        Self { points: ends.as_flattened().to_vec(), polylines, style }
+    }
+}
+
 /// A filled rectangle, which may have round corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Area {
@@ -116,6 +132,14 @@ pub struct Mark {
     pub outline: Rgba,
     /// Drawn faintly (true) or fully (false) behind a face.
     pub fade_if_hidden: bool,
+}
+
+impl Mark {
+    /// A mark that never fades.
+    #[must_use]
+    pub fn new(position: [f32; 3], shape: MarkShape, radius: f32, [color, outline]: [Rgba; 2]) -> Self {
+        Self { position, shape, radius, color, outline, fade_if_hidden: false }
+    }
 }
 
 /// The position of a text relative to its point.

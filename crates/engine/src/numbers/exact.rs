@@ -91,36 +91,27 @@ impl ExactForm {
     /// As text: `−3√38/19`, `1/√3`.
     #[must_use]
     pub fn text(self) -> String {
-        let sign = if self.numerator < 0 { "−" } else { "" };
-        let size = self.numerator.abs();
-        if self.root_below {
-            return format!("{sign}{size}/√{}", self.root);
-        }
-        let above = match (size, self.root) {
-            (size, 1) => size.to_string(),
-            (1, root) => format!("√{root}"),
-            (size, root) => format!("{size}√{root}"),
-        };
-        if self.denominator == 1 { format!("{sign}{above}") } else { format!("{sign}{above}/{}", self.denominator) }
+        self.written("−", |n| format!("√{n}"), |above, below| format!("{above}/{below}"))
     }
 
     /// In LaTeX: `-\frac{3\sqrt{38}}{19}`.
     #[must_use]
     pub fn latex(self) -> String {
-        let sign = if self.numerator < 0 { "-" } else { "" };
+        self.written("-", |n| format!(r"\sqrt{{{n}}}"), |above, below| format!(r"\frac{{{above}}}{{{below}}}"))
+    }
+
+    fn written(self, minus: &str, root: impl Fn(i64) -> String, over: impl Fn(&str, &str) -> String) -> String {
+        let sign = if self.numerator < 0 { minus } else { "" };
         let size = self.numerator.abs();
-        if self.root_below {
-            return format!(r"{sign}\frac{{{size}}}{{\sqrt{{{}}}}}", self.root);
-        }
-        let above = match (size, self.root) {
-            (size, 1) => size.to_string(),
-            (1, root) => format!(r"\sqrt{{{root}}}"),
-            (size, root) => format!(r"{size}\sqrt{{{root}}}"),
+        let number = match (size, self.root) {
+            _ if self.root_below => over(&size.to_string(), &root(self.root)),
+            (_, 1) => size.to_string(),
+            (1, under) => root(under),
+            (_, under) => format!("{size}{}", root(under)),
         };
-        if self.denominator == 1 {
-            format!("{sign}{above}")
-        } else {
-            format!(r"{sign}\frac{{{above}}}{{{}}}", self.denominator)
+        match self.denominator {
+            1 => format!("{sign}{number}"),
+            below => format!("{sign}{}", over(&number, &below.to_string())),
         }
     }
 }

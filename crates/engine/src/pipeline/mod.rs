@@ -33,7 +33,7 @@ mod show;
 mod space;
 mod stage;
 
-use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
@@ -100,28 +100,15 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
 }
 
 /// Draws pictures one after the other. Reuses its buffers, and the bounds of meshes.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
     bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
-    /// The most pieces of faces that a BSP may make: [`MAX_PIECES`], and fewer in tests.
-    pub max_pieces: usize,
-}
-
-impl Default for Pipeline {
-    fn default() -> Self {
-        Self {
-            faces: Faces::default(),
-            pool: Pool::default(),
-            bounds: KnownBounds::default(),
-            shadows: ShadowMaps::default(),
-            progress: Progress::default(),
-            max_pieces: MAX_PIECES,
-        }
-    }
+    /// The most pieces of faces that a BSP may make, if they are not [`MAX_PIECES`].
+    pub max_pieces: Option<usize>,
 }
 
 /// A clone begins with empty buffers.
@@ -160,7 +147,7 @@ impl Pipeline {
         }
         let misplaced = Misplaced::new(camera, &screen, in_view);
         let plan = Plan::new(scenes, &projector, style, &extents, options);
-        let lights = Lights::new(scenes.lights(), &projector, style.shading);
+        let lights = Lights::new(scenes.lights, &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
         let shadows = if is_dark { Vec::new() } else { self.shadows.of(scenes) };
         let context = PassContext {
@@ -174,7 +161,7 @@ impl Pipeline {
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
         let (faces, pool) = (&mut self.faces, &mut self.pool);
-        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
+        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness, pool);
         let mut unordered = Unordered::default();
 
         for (index, object, planned) in traverse(scenes, &plan) {
@@ -202,7 +189,8 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        let max_pieces = self.max_pieces.unwrap_or(MAX_PIECES);
+        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), max_pieces, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
@@ -211,19 +199,15 @@ impl Pipeline {
         recorder.meter.lap(Stage::Lines);
 
         let drawing = Drawing {
-            width: target.width,
-            height: target.height,
-            background: target.background,
             antialias: style.antialias,
             // Without faces any order is right.
             painted_in_order: ordered.given_up.is_none()
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
-            depth_format: DepthFormat::default(),
             surfaces: ordered.surfaces,
             strokes: strokes.into_sets(pool),
-            areas: Vec::new(),
             marks,
             labels,
+            ..Drawing::new(target.width, target.height, target.background)
         };
         let mut frame = recorder.frame(drawing, scenes);
         if let Some((pieces, over_budget)) = ordered.given_up {

@@ -1,5 +1,7 @@
 //! A scene, and the things that a picture adds to it, side by side. Neither is copied to be drawn with the other.
 
+use std::sync::LazyLock;
+
 use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
 
 /// A scene and the gear of a picture. Objects, lines, marks and texts of the scene come first.
@@ -9,21 +11,13 @@ pub struct Scenes<'a> {
     gear: &'a Scene,
     /// The scene whose objects cast shadows.
     occluders: &'a Scene,
-    occluders_revision: Option<SceneRevision>,
-    lights: &'a [Light],
-    fineness: f32,
+    /// The number of the scene in which the occluders are, if it's known.
+    pub(crate) occluders_revision: Option<SceneRevision>,
+    pub(crate) lights: &'a [Light],
+    pub(crate) fineness: f32,
 }
 
-static NOTHING: Scene = Scene {
-    objects: Vec::new(),
-    lights: Vec::new(),
-    lines: Vec::new(),
-    grids: Vec::new(),
-    marks: Vec::new(),
-    texts: Vec::new(),
-    photograph: None,
-    notices: Vec::new(),
-};
+static NOTHING: LazyLock<Scene> = LazyLock::new(Scene::default);
 
 impl<'a> From<&'a Scene> for Scenes<'a> {
     fn from(scene: &'a Scene) -> Self {
@@ -64,18 +58,9 @@ impl<'a> Scenes<'a> {
         self.occluders.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// The number of the scene in which [`Self::occluders`] are, if it's known.
-    pub(crate) fn occluders_revision(self) -> Option<SceneRevision> {
-        self.occluders_revision
-    }
-
     /// True if a light casts a shadow of anything.
     pub(crate) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.occluders().next().is_some()
-    }
-
-    pub(crate) fn fineness(self) -> f32 {
-        self.fineness
     }
 
     /// Switches all lights off: everything shows its own colours.
@@ -88,10 +73,6 @@ impl<'a> Scenes<'a> {
     #[must_use]
     pub fn lit_by(self, lights: &'a [Light]) -> Self {
         Self { lights, ..self }
-    }
-
-    pub(crate) fn lights(self) -> &'a [Light] {
-        self.lights
     }
 
     pub(crate) fn objects(self) -> impl Iterator<Item = &'a Object> {

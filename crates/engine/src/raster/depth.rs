@@ -10,7 +10,7 @@ use super::grid::STEPS;
 use crate::appearance::Occlusion;
 use crate::drawing::order::{ON_A_FACE, same_depth};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x4, u32x4, with_vectors};
+use crate::simd::with_vectors;
 
 /// Depth per pixel, greater is nearer.
 ///

@@ -30,7 +30,7 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     if !finite(label.position, label.size) || !label.offset.iter().all(|v| v.is_finite()) {
         return;
     }
-    let Some(path) = text_path(label) else { return };
+    let Some(path) = path_of(&text::outline(&label.text, label.size, label.mathematical)) else { return };
     let [x, y] = baseline(label);
     let place = Transform::from_translate(x, y);
     let opacity = opacity(label.fade_if_hidden && !depth.shows(label.position));
@@ -55,11 +55,12 @@ pub fn baseline(label: &Label) -> [f32; 2] {
     [x - left, y + 0.5 * text::x_height(label.size)]
 }
 
-/// The outline of a text; `None` if there is nothing to fill.
-fn text_path(label: &Label) -> Option<Path> {
+/// A path; `None` if there is nothing to fill.
+#[must_use]
+pub fn path_of(elements: &[Element]) -> Option<Path> {
     let mut builder = PathBuilder::new();
-    for element in text::outline(&label.text, label.size, label.mathematical) {
-        match element {
+    for element in elements {
+        match *element {
             Element::Move([x, y]) => builder.move_to(x, y),
             Element::Line([x, y]) => builder.line_to(x, y),
             Element::Quad([cx, cy], [x, y]) => builder.quad_to(cx, cy, x, y),

@@ -5,6 +5,7 @@
 //! `depth`, come `strokes`, then areas, marks and texts (`label`). `grid` and `pixel` hold the rules that all share:
 //! the grid of vertices, the samples of a pixel, and the arithmetic of colours. The number of threads changes no byte.
 
+mod bands;
 mod depth;
 mod grid;
 mod label;
@@ -17,13 +18,13 @@ use std::time::Duration;
 
 use tiny_skia::{Color, Pixmap};
 
-use crate::appearance::{DepthFormat, Rgba};
+use crate::appearance::Rgba;
 use crate::drawing::{Drawing, ShadowMap, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Activity, Progress, at_once};
 pub use depth::DepthBuffer;
 use depth::Occluders;
-pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
+pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline, path_of};
 use surfaces::Wanted;
 
 /// Draws pictures. Keeps its buffers from one to the next.
@@ -220,19 +221,8 @@ fn tints(drawing: &Drawing) -> Option<Drawing> {
     };
     let opaque = |surface| Surface { translucent: false, ..surface };
     let surfaces: Vec<Surface> = drawing.surfaces.iter().filter_map(tint).map(opaque).collect();
-    (!surfaces.is_empty()).then(|| Drawing {
-        width: drawing.width,
-        height: drawing.height,
-        background: drawing.background,
-        antialias: 1,
-        painted_in_order: false,
-        depth_format: DepthFormat::Float,
-        surfaces,
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    })
+    (!surfaces.is_empty())
+        .then(|| Drawing { surfaces, ..Drawing::new(drawing.width, drawing.height, drawing.background) })
 }
 
 fn color(c: Rgba) -> Color {

@@ -6,7 +6,7 @@ use std::ops::{Add, BitAnd, BitOr, Mul, Not, Shl, Shr};
 
 use crate::appearance::Rgba;
 use crate::lighting::packed;
-use crate::simd::{Simd, u32x8};
+use crate::simd::prelude::*;
 
 /// Pixels that are worked on together.
 pub(super) const LANES: usize = 8;

@@ -1,7 +1,7 @@
 //! The colours of scenes: a palette that red-green blind people and grey printers can read, and the inks of each theme.
 
 use super::{Object, ObjectPaint, Scene};
-use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Theme};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Theme};
 
 /// The colours that objects get when they name none, in turn. From the palettes of Okabe and Ito (2008) and of Paul Tol
 /// (2021), chosen so that any two stay apart also for red-green and blue-yellow blind eyes and in greyscale
@@ -64,50 +64,32 @@ impl SceneColors {
     /// The colours of a theme.
     #[must_use]
     pub const fn of(theme: Theme) -> Self {
-        match theme {
-            Theme::Light => Self {
-                ink: Rgba::rgb(0x1c, 0x22, 0x2b),
-                edge: Rgba::rgb(0x2b, 0x33, 0x40),
-                grid: Rgba::rgb(0xa8, 0xb0, 0xbb),
-                ground: Rgba::rgb(0xdf, 0xe3, 0xe8),
-                ground_other: Rgba::rgb(0xb9, 0xc1, 0xcb),
-                stone: Rgba::rgb(0xd8, 0xd2, 0xc4),
-            },
-            Theme::Dark => Self {
-                ink: Rgba::rgb(0xe8, 0xec, 0xf1),
-                edge: Rgba::rgb(0x10, 0x14, 0x1a),
-                grid: Rgba::rgb(0x5a, 0x65, 0x73),
-                ground: Rgba::rgb(0x4a, 0x53, 0x60),
-                ground_other: Rgba::rgb(0x35, 0x3d, 0x48),
-                stone: Rgba::rgb(0x9c, 0x96, 0x8a),
-            },
-            Theme::Print => Self {
-                ink: Rgba::rgb(0, 0, 0),
-                edge: Rgba::rgb(0, 0, 0),
-                grid: Rgba::rgb(0x8c, 0x8c, 0x8c),
-                ground: Rgba::rgb(0xf2, 0xf2, 0xf2),
-                ground_other: Rgba::rgb(0xd0, 0xd0, 0xd0),
-                stone: Rgba::rgb(0xe2, 0xde, 0xd6),
-            },
+        Self {
+            ink: theme.color([0x1c_22_2b, 0xe8_ec_f1, 0x00_00_00]),
+            edge: theme.color([0x2b_33_40, 0x10_14_1a, 0x00_00_00]),
+            grid: theme.color([0xa8_b0_bb, 0x5a_65_73, 0x8c_8c_8c]),
+            ground: theme.color([0xdf_e3_e8, 0x4a_53_60, 0xf2_f2_f2]),
+            ground_other: theme.color([0xb9_c1_cb, 0x35_3d_48, 0xd0_d0_d0]),
+            stone: theme.color([0xd8_d2_c4, 0x9c_96_8a, 0xe2_de_d6]),
         }
     }
 
     /// Style of the edges of a faceted object.
     #[must_use]
     pub const fn edge_style(&self) -> LineStyle {
-        LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: HiddenLines::OfStyle, arrow: false }
+        LineStyle::solid(self.edge, 1.0, HiddenLines::OfStyle)
     }
 
     /// Style of free segments.
     #[must_use]
     pub const fn segment_style(&self, color: Rgba) -> LineStyle {
-        LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: HiddenLines::OfStyle, arrow: false }
+        LineStyle::solid(color, 1.75, HiddenLines::OfStyle)
     }
 
     /// Style of a grid.
     #[must_use]
     pub const fn grid_style(&self, color: Rgba) -> LineStyle {
-        LineStyle { color, width: 0.75, dash: Dash::Solid, hidden: HiddenLines::Hidden, arrow: false }
+        LineStyle::solid(color, 0.75, HiddenLines::Hidden)
     }
 }
 

@@ -29,44 +29,35 @@ macro_rules! named {
     };
 }
 
-/// A named scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Preset {
-    /// Nothing but what `objects` lists.
-    Empty,
-    /// One of each primitive.
-    #[default]
-    Primitives,
-    /// A unit cube with coloured faces.
-    Cube,
-    /// A house without symmetry, so that mirror errors show.
-    House,
-    /// Depth cues and a vanishing point.
-    Corridor,
-    /// The pyramid of `[1]`, exercises I–III.
-    Pyramid,
-    /// The cube that is exactly the NDC volume, `[0]` exercise 5.3.
-    NdcCube,
-    /// `[0]` exercise 5.1.
-    Exercise51,
-    /// `[0]` exercise 5.2.
-    Exercise52,
-    /// `[0]` exercise 5.3.
-    Exercise53,
+crate::worded! {
+    /// A named scene.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Preset {
+        /// One of each primitive.
+        #[default]
+        Primitives = "primitives",
+        /// A unit cube with coloured faces.
+        Cube = "cube",
+        /// A house without symmetry, so that mirror errors show.
+        House = "house",
+        /// Depth cues and a vanishing point.
+        Corridor = "corridor",
+        /// The pyramid of `[1]`, exercises I–III.
+        Pyramid = "pyramid",
+        /// The cube that is exactly the NDC volume, `[0]` exercise 5.3.
+        NdcCube = "ndc-cube",
+        /// `[0]` exercise 5.1.
+        Exercise51 = "exercise-5.1",
+        /// `[0]` exercise 5.2.
+        Exercise52 = "exercise-5.2",
+        /// `[0]` exercise 5.3.
+        Exercise53 = "exercise-5.3",
+        /// Nothing but what `objects` lists.
+        Empty = "empty",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }
-
-named! { Preset {
-    "primitives": Self::Primitives, Self::Primitives;
-    "cube": Self::Cube, Self::Cube;
-    "house": Self::House, Self::House;
-    "corridor": Self::Corridor, Self::Corridor;
-    "pyramid": Self::Pyramid, Self::Pyramid;
-    "ndc-cube": Self::NdcCube, Self::NdcCube;
-    "exercise-5.1": Self::Exercise51, Self::Exercise51;
-    "exercise-5.2": Self::Exercise52, Self::Exercise52;
-    "exercise-5.3": Self::Exercise53, Self::Exercise53;
-    "empty": Self::Empty, Self::Empty;
-} }
 
 impl fmt::Display for Preset {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -161,16 +152,7 @@ impl Shape {
         match self {
             Self::Prism => 6,
             Self::Grid => 10,
-            Self::Box
-            | Self::Pyramid
-            | Self::Sphere
-            | Self::Ellipsoid
-            | Self::Cylinder
-            | Self::Cone
-            | Self::Torus
-            | Self::Points(_)
-            | Self::Segments(_)
-            | Self::Mesh { .. } => DEFAULT_SEGMENTS,
+            _ => DEFAULT_SEGMENTS,
         }
     }
 
@@ -181,36 +163,21 @@ impl Shape {
             Self::Points(points) => ShapeData::Points(points),
             Self::Segments(pairs) => ShapeData::Points(pairs.as_flattened()),
             Self::Mesh { path } => ShapeData::Path(path),
-            Self::Box
-            | Self::Prism
-            | Self::Pyramid
-            | Self::Sphere
-            | Self::Ellipsoid
-            | Self::Cylinder
-            | Self::Cone
-            | Self::Torus
-            | Self::Grid => ShapeData::None,
+            _ => ShapeData::None,
         }
     }
 
     /// The file that it comes from, relative to the figure file.
     #[must_use]
     pub fn mesh_file(&self) -> Option<&str> {
-        match self.data() {
-            ShapeData::Path(path) => Some(path),
-            ShapeData::None | ShapeData::Points(_) => None,
-        }
+        if let Self::Mesh { path } = self { Some(path) } else { None }
     }
 
     /// False if `segments` has no meaning.
     #[must_use]
     pub const fn has_segments(&self) -> bool {
-        match self {
-            Self::Prism | Self::Sphere | Self::Ellipsoid | Self::Cylinder | Self::Cone | Self::Torus | Self::Grid => {
-                true
-            }
-            Self::Box | Self::Pyramid | Self::Points(_) | Self::Segments(_) | Self::Mesh { .. } => false,
-        }
+        use Shape::{Cone, Cylinder, Ellipsoid, Grid, Prism, Sphere, Torus};
+        matches!(self, Prism | Sphere | Ellipsoid | Cylinder | Cone | Torus | Grid)
     }
 }
 
@@ -244,21 +211,15 @@ impl TextureSource {
     /// The file that it comes from, relative to the figure file.
     #[must_use]
     pub fn file(&self) -> Option<&str> {
-        match self {
-            Self::File(path) => Some(path),
-            Self::None | Self::Chequer | Self::Letters | Self::Uv => None,
-        }
+        if let Self::File(path) = self { Some(path) } else { None }
     }
 }
 
 impl fmt::Display for TextureSource {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::None => "none",
-            Self::Chequer => "chequer",
-            Self::Letters => "letters",
-            Self::Uv => "uv",
             Self::File(path) => path,
+            own => Self::NAMED.iter().find(|(_, source)| source == own).map_or("", |(name, _)| name),
         })
     }
 }

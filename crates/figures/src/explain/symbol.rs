@@ -28,12 +28,7 @@ impl Component {
     /// `x`, `y` or `z`.
     #[must_use]
     pub const fn letter(self) -> char {
-        match self {
-            Self::X => 'x',
-            Self::Y => 'y',
-            Self::Z => 'z',
-            Self::W => 'w',
-        }
+        ['x', 'y', 'z', 'w'][self.index()]
     }
 }
 
@@ -66,117 +61,73 @@ pub enum Vector {
     UpCrossNormal,
 }
 
-/// A matrix of the notes, or its inverse.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Matrix {
-    /// M_m, of one object: local → world.
-    Model,
-    /// `M_m⁻¹`
-    InverseModel,
-    /// The M_m of the object's parent.
-    Parent,
-    /// Its inverse.
-    InverseParent,
-    /// M_v, `[0]` (5.7): world → view.
-    View,
-    /// `M_v⁻¹`
-    InverseView,
-    /// M_p, `[0]` (5.13) to (5.16): view → clip.
-    Projection,
-    /// `M_p⁻¹`
-    InverseProjection,
-    /// M_p M_v: world → clip.
-    ViewProjection,
-    /// (M_p `M_v)⁻¹`
-    InverseViewProjection,
-    /// `M_vp`, of (5.24) before the floor, and (5.25): NDC → viewport.
-    Viewport,
-    /// `M_vp⁻¹`
-    InverseViewport,
+crate::worded! {
+    /// A matrix of the notes, or its inverse.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Matrix {
+        /// M_m, of one object: local → world.
+        Model = "M_m",
+        /// `M_m⁻¹`
+        InverseModel = "M_m⁻¹",
+        /// The M_m of the object's parent.
+        Parent = "M_parent",
+        /// Its inverse.
+        InverseParent = "M_parent⁻¹",
+        /// M_v, `[0]` (5.7): world → view.
+        View = "M_v",
+        /// `M_v⁻¹`
+        InverseView = "M_v⁻¹",
+        /// M_p, `[0]` (5.13) to (5.16): view → clip.
+        Projection = "M_p",
+        /// `M_p⁻¹`
+        InverseProjection = "M_p⁻¹",
+        /// M_p M_v: world → clip.
+        ViewProjection = "M_p M_v",
+        /// (M_p `M_v)⁻¹`
+        InverseViewProjection = "(M_p M_v)⁻¹",
+        /// `M_vp`, of (5.24) before the floor, and (5.25): NDC → viewport.
+        Viewport = "M_vp",
+        /// `M_vp⁻¹`
+        InverseViewport = "M_vp⁻¹",
+    }
+    /// Its symbol as text: `M_v`, `M_p⁻¹`.
+    pub fn text
 }
 
 impl Matrix {
-    /// Those that a figure has, in the order in which a point meets them. Each with its inverse behind it.
-    pub const ALL: [Self; 10] = [
-        Self::Model,
-        Self::InverseModel,
-        Self::View,
-        Self::InverseView,
-        Self::Projection,
-        Self::InverseProjection,
-        Self::ViewProjection,
-        Self::InverseViewProjection,
-        Self::Viewport,
-        Self::InverseViewport,
-    ];
+    /// The matrix that undoes it, its symbol in LaTeX, and the letters of its entries.
+    const fn row(self) -> (Self, &'static str, &'static str) {
+        match self {
+            Self::Model => (Self::InverseModel, r"\mathbf{M}_m", "m"),
+            Self::InverseModel => (Self::Model, r"\mathbf{M}_m^{-1}", "m"),
+            Self::Parent => (Self::InverseParent, r"\mathbf{M}_{\mathrm{parent}}", "a"),
+            Self::InverseParent => (Self::Parent, r"\mathbf{M}_{\mathrm{parent}}^{-1}", "a"),
+            Self::View => (Self::InverseView, r"\mathbf{M}_v", "v"),
+            Self::InverseView => (Self::View, r"\mathbf{M}_v^{-1}", "v"),
+            Self::Projection => (Self::InverseProjection, r"\mathbf{M}_p", "p"),
+            Self::InverseProjection => (Self::Projection, r"\mathbf{M}_p^{-1}", "p"),
+            Self::ViewProjection => (Self::InverseViewProjection, r"\mathbf{M}_p \mathbf{M}_v", "q"),
+            Self::InverseViewProjection => (Self::ViewProjection, r"(\mathbf{M}_p \mathbf{M}_v)^{-1}", "q"),
+            Self::Viewport => (Self::InverseViewport, r"\mathbf{M}_{vp}", "d"),
+            Self::InverseViewport => (Self::Viewport, r"\mathbf{M}_{vp}^{-1}", "d"),
+        }
+    }
 
     /// The matrix that undoes it.
     #[must_use]
     pub const fn inverse(self) -> Self {
-        match self {
-            Self::Model => Self::InverseModel,
-            Self::InverseModel => Self::Model,
-            Self::Parent => Self::InverseParent,
-            Self::InverseParent => Self::Parent,
-            Self::View => Self::InverseView,
-            Self::InverseView => Self::View,
-            Self::Projection => Self::InverseProjection,
-            Self::InverseProjection => Self::Projection,
-            Self::ViewProjection => Self::InverseViewProjection,
-            Self::InverseViewProjection => Self::ViewProjection,
-            Self::Viewport => Self::InverseViewport,
-            Self::InverseViewport => Self::Viewport,
-        }
-    }
-
-    /// Its symbol as text: `M_v`, `M_p⁻¹`.
-    #[must_use]
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Model => "M_m",
-            Self::InverseModel => "M_m⁻¹",
-            Self::Parent => "M_parent",
-            Self::InverseParent => "M_parent⁻¹",
-            Self::View => "M_v",
-            Self::InverseView => "M_v⁻¹",
-            Self::Projection => "M_p",
-            Self::InverseProjection => "M_p⁻¹",
-            Self::ViewProjection => "M_p M_v",
-            Self::InverseViewProjection => "(M_p M_v)⁻¹",
-            Self::Viewport => "M_vp",
-            Self::InverseViewport => "M_vp⁻¹",
-        }
+        self.row().0
     }
 
     /// Its symbol in LaTeX.
     #[must_use]
     pub const fn latex(self) -> &'static str {
-        match self {
-            Self::Model => r"\mathbf{M}_m",
-            Self::InverseModel => r"\mathbf{M}_m^{-1}",
-            Self::Parent => r"\mathbf{M}_{\mathrm{parent}}",
-            Self::InverseParent => r"\mathbf{M}_{\mathrm{parent}}^{-1}",
-            Self::View => r"\mathbf{M}_v",
-            Self::InverseView => r"\mathbf{M}_v^{-1}",
-            Self::Projection => r"\mathbf{M}_p",
-            Self::InverseProjection => r"\mathbf{M}_p^{-1}",
-            Self::ViewProjection => r"\mathbf{M}_p \mathbf{M}_v",
-            Self::InverseViewProjection => r"(\mathbf{M}_p \mathbf{M}_v)^{-1}",
-            Self::Viewport => r"\mathbf{M}_{vp}",
-            Self::InverseViewport => r"\mathbf{M}_{vp}^{-1}",
-        }
+        self.row().1
     }
 
     /// The letters of its entries: `p` in p₁₁.
     pub(super) const fn entry_letter(self) -> &'static str {
-        match self {
-            Self::Model | Self::InverseModel => "m",
-            Self::Parent | Self::InverseParent => "a",
-            Self::View | Self::InverseView => "v",
-            Self::Projection | Self::InverseProjection => "p",
-            Self::ViewProjection | Self::InverseViewProjection => "q",
-            Self::Viewport | Self::InverseViewport => "d",
-        }
+        self.row().2
     }
 }
 
@@ -261,12 +212,7 @@ impl Symbol {
     /// The letters, and their subscript.
     const fn parts(self) -> (&'static str, &'static str) {
         const fn below(component: Component) -> &'static str {
-            match component {
-                Component::X => "x",
-                Component::Y => "y",
-                Component::Z => "z",
-                Component::W => "w",
-            }
+            ["x", "y", "z", "w"][component.index()]
         }
         match self {
             Self::Axis(Axis::U, component) => ("u", below(component)),
@@ -341,29 +287,27 @@ impl Symbol {
 }
 
 impl Vector {
+    /// As text, and in LaTeX.
+    const fn row(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Axis(Axis::U) => ("u", r"\mathbf{u}"),
+            Self::Axis(Axis::V) => ("v", r"\mathbf{v}"),
+            Self::Axis(Axis::N) => ("n", r"\mathbf{n}"),
+            Self::Position => ("c", r"\mathbf{c}"),
+            Self::ToFocalPoint => ("PF − C", r"\mathrm{PF}-C"),
+            Self::UpCrossNormal => ("VUP × n", r"\mathbf{VUP}\times\mathbf{n}"),
+        }
+    }
+
     /// As text.
     #[must_use]
     pub const fn text(self) -> &'static str {
-        match self {
-            Self::Axis(Axis::U) => "u",
-            Self::Axis(Axis::V) => "v",
-            Self::Axis(Axis::N) => "n",
-            Self::Position => "c",
-            Self::ToFocalPoint => "PF − C",
-            Self::UpCrossNormal => "VUP × n",
-        }
+        self.row().0
     }
 
     /// In LaTeX.
     #[must_use]
     pub const fn latex(self) -> &'static str {
-        match self {
-            Self::Axis(Axis::U) => r"\mathbf{u}",
-            Self::Axis(Axis::V) => r"\mathbf{v}",
-            Self::Axis(Axis::N) => r"\mathbf{n}",
-            Self::Position => r"\mathbf{c}",
-            Self::ToFocalPoint => r"\mathrm{PF}-C",
-            Self::UpCrossNormal => r"\mathbf{VUP}\times\mathbf{n}",
-        }
+        self.row().1
     }
 }

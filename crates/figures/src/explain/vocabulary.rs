@@ -263,6 +263,14 @@ fn argument(name: &'static str, value: f64, quantity: CameraNumber) -> Argument 
     Argument { name, value: value + 0.0, quantity }
 }
 
+fn line(name: &'static str, arguments: Vec<Argument>) -> Line {
+    Line { name, arguments }
+}
+
+fn number(name: &'static str, value: f64, quantity: CameraNumber) -> Line {
+    line(name, vec![argument(name, value, quantity)])
+}
+
 fn vector(names: [&'static str; 3], value: DVec3, quantity: fn(Component) -> CameraNumber) -> Vec<Argument> {
     let parts = names.into_iter().zip(value.to_array()).zip(Component::THREE);
     parts.map(|((name, value), component)| argument(name, value, quantity(component))).collect()
@@ -305,8 +313,6 @@ impl Values<'_> {
 
     fn vrc(&self) -> Vec<Line> {
         let camera = self.camera;
-        let line = |name, arguments| Line { name, arguments };
-        let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
         vec![
             line("VRP", vector(["x", "y", "z"], camera.position(), CameraNumber::Position)),
             line("VPN", vector(["x", "y", "z"], camera.direction_of_projection(), CameraNumber::Direction)),
@@ -321,8 +327,6 @@ impl Values<'_> {
 
     fn reference_point(&self, projection: Projection) -> Vec<Line> {
         let camera = self.camera;
-        let line = |name, arguments| Line { name, arguments };
-        let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
         let mut lines = vec![
             line("P_0", vector(["x_0", "y_0", "z_0"], camera.position(), CameraNumber::Position)),
             line("P_{ref}", vector(["x", "y", "z"], camera.focal_point(), CameraNumber::FocalPoint)),
@@ -332,11 +336,9 @@ impl Values<'_> {
             let origin = vector(["x_{prp}", "y_{prp}", "z_{prp}"], DVec3::ZERO, |_| CameraNumber::Fixed);
             lines.push(line("prp", origin));
             lines.push(number("z_{vp}", -camera.near(), CameraNumber::Fixed));
-            let angle =
-                if camera.parameters().window.is_none() { CameraNumber::ViewAngle } else { CameraNumber::Fixed };
-            let aspect = if camera.parameters().window.is_none() { CameraNumber::Aspect } else { CameraNumber::Fixed };
-            lines.push(number("θ", camera.view_angle().degrees(), angle));
-            lines.push(number("aspect", camera.window_aspect(), aspect));
+            let of_angle = |own| if camera.parameters().window.is_none() { own } else { CameraNumber::Fixed };
+            lines.push(number("θ", camera.view_angle().degrees(), of_angle(CameraNumber::ViewAngle)));
+            lines.push(number("aspect", camera.window_aspect(), of_angle(CameraNumber::Aspect)));
         } else {
             lines.push(line("xw, yw", self.sides(["xw_{min}", "xw_{max}", "yw_{min}", "yw_{max}"])));
         }
@@ -364,19 +366,16 @@ impl Values<'_> {
             let parts = Component::THREE.into_iter().zip(rotation.row(i).to_array()).zip(names);
             parts.map(|((c, value), name)| argument(name, value, CameraNumber::Axis(axes[i], c))).collect::<Vec<_>>()
         };
+        let rows = [
+            row(0, ["r_{11}", "r_{12}", "r_{13}"]),
+            row(1, ["r_{21}", "r_{22}", "r_{23}"]),
+            row(2, ["r_{31}", "r_{32}", "r_{33}"]),
+        ];
         let t = -(rotation * camera.position());
         vec![
-            Line { name: "K", arguments: k },
-            Line {
-                name: "R",
-                arguments: [
-                    row(0, ["r_{11}", "r_{12}", "r_{13}"]),
-                    row(1, ["r_{21}", "r_{22}", "r_{23}"]),
-                    row(2, ["r_{31}", "r_{32}", "r_{33}"]),
-                ]
-                .concat(),
-            },
-            Line { name: "t", arguments: vector(["t_1", "t_2", "t_3"], t, CameraNumber::Translation) },
+            line("K", k),
+            line("R", rows.concat()),
+            line("t", vector(["t_1", "t_2", "t_3"], t, CameraNumber::Translation)),
         ]
     }
 }

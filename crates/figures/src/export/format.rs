@@ -37,15 +37,6 @@ impl PictureFormat {
         }
     }
 
-    /// True if the figure goes with the picture. It can be opened again.
-    #[must_use]
-    pub const fn carries_figure(self) -> bool {
-        match self {
-            Self::Png | Self::Svg | Self::Pdf => true,
-            Self::WebP | Self::Jpeg | Self::Tex => false,
-        }
-    }
-
     /// True if a picture may be without ground.
     #[must_use]
     pub const fn has_transparency(self) -> bool {

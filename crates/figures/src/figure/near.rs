@@ -1,129 +1,59 @@
 //! The key that was probably meant.
 
-/// Names of the keys in other programs, in the notes and in hasty typing.
+/// Keys and words, and what other programs, the notes and hasty typing call them.
 const SYNONYMS: &[(&str, &str)] = &[
-    ("fov", "view_angle"),
-    ("fovy", "view_angle"),
-    ("fov_y", "view_angle"),
-    ("field_of_view", "view_angle"),
-    ("angle", "view_angle"),
-    ("theta", "view_angle"),
-    ("viewangle", "view_angle"),
-    ("eye", "position"),
-    ("c", "position"),
-    ("location", "position"),
-    ("camera_position", "position"),
-    ("from", "position"),
-    ("pos", "position"),
-    ("up", "view_up"),
-    ("vup", "view_up"),
-    ("up_vector", "view_up"),
-    ("lookat", "focal_point"),
-    ("look_at", "focal_point"),
-    ("target", "focal_point"),
-    ("center", "focal_point"),
-    ("centre", "focal_point"),
-    ("at", "focal_point"),
-    ("to", "focal_point"),
-    ("pf", "focal_point"),
-    ("ref", "focal_point"),
-    ("znear", "near"),
-    ("z_near", "near"),
-    ("near_plane", "near"),
-    ("front", "near"),
-    ("zfar", "far"),
-    ("z_far", "far"),
-    ("far_plane", "far"),
-    ("back", "far"),
-    ("aspect_ratio", "aspect"),
-    ("ratio", "aspect"),
-    ("orthographic", "parallel"),
-    ("orthogonal", "parallel"),
-    ("ortho", "parallel"),
-    ("type", "projection"),
-    ("type", "shape"),
-    ("type", "kind"),
-    ("mode", "projection"),
-    ("l", "left"),
-    ("r", "right"),
-    ("b", "bottom"),
-    ("t", "top"),
-    ("w", "width"),
-    ("h", "height"),
-    ("colour", "color"),
-    ("position", "translate"),
-    ("translation", "translate"),
-    ("rotation", "rotate"),
-    ("size", "scale"),
-    ("slices", "segments"),
-    ("resolution", "segments"),
-    ("file", "path"),
-    ("vertices", "points"),
-    ("segments", "points"),
-    ("samples", "antialias"),
-    ("msaa", "antialias"),
-    ("antialiasing", "antialias"),
-    ("position", "target"),
-    ("focal_point", "target"),
-    ("z_buffer", "depth"),
-    ("zbuffer", "depth"),
-    ("clip", "clipping"),
-    ("culling", "culled"),
-    ("cull", "culled"),
-    ("cam", "camera"),
-    ("cube", "box"),
-    ("ball", "sphere"),
-    ("name", "title"),
-    ("heading", "title"),
-    ("description", "caption"),
-    ("views", "pictures"),
-    ("layout", "arrangement"),
-    ("explanation", "panel"),
-    ("tab", "panel"),
-    ("photo", "photograph"),
-    ("opacity", "photograph_opacity"),
-    ("donut", "torus"),
+    ("view_angle", "fov fovy fov_y field_of_view angle theta viewangle"),
+    ("position", "eye c location camera_position from pos"),
+    ("view_up", "up vup up_vector"),
+    ("focal_point", "lookat look_at target center centre at to pf ref"),
+    ("near", "znear z_near near_plane front"),
+    ("far", "zfar z_far far_plane back"),
+    ("aspect", "aspect_ratio ratio"),
+    ("parallel", "orthographic orthogonal ortho"),
+    ("projection", "type mode"),
+    ("shape", "type"),
+    ("kind", "type"),
+    ("left", "l"),
+    ("right", "r"),
+    ("bottom", "b"),
+    ("top", "t"),
+    ("width", "w"),
+    ("height", "h"),
+    ("color", "colour"),
+    ("translate", "position translation"),
+    ("rotate", "rotation"),
+    ("scale", "size"),
+    ("segments", "slices resolution"),
+    ("path", "file"),
+    ("points", "vertices segments"),
+    ("antialias", "samples msaa antialiasing"),
+    ("target", "position focal_point"),
+    ("depth", "z_buffer zbuffer"),
+    ("clipping", "clip"),
+    ("culled", "culling cull"),
+    ("camera", "cam"),
+    ("box", "cube"),
+    ("sphere", "ball"),
+    ("title", "name heading"),
+    ("caption", "description"),
+    ("pictures", "views"),
+    ("arrangement", "layout"),
+    ("panel", "explanation tab"),
+    ("photograph", "photo"),
+    ("photograph_opacity", "opacity"),
+    ("torus", "donut"),
 ];
 
-/// The section of a key, for keys in the wrong section.
+/// Sections and their keys, for keys in the wrong section.
 const HOMES: &[(&str, &str)] = &[
-    ("position", "camera"),
-    ("focal_point", "camera"),
-    ("view_up", "camera"),
-    ("projection", "camera"),
-    ("view_angle", "camera"),
-    ("aspect", "camera"),
-    ("near", "camera"),
-    ("far", "camera"),
-    ("window", "camera"),
-    ("width", "image"),
-    ("height", "image"),
-    ("undistorted", "image"),
-    ("photograph", "image"),
-    ("photograph_opacity", "image"),
-    ("depth_near", "viewport"),
-    ("depth_far", "viewport"),
-    ("preset", "scene"),
-    ("objects", "scene"),
-    ("lights", "scene"),
-    ("shading", "style"),
-    ("visibility", "style"),
-    ("hidden_lines", "style"),
-    ("antialias", "style"),
-    ("theme", "style"),
-    ("depth_format", "style"),
-    ("depth", "reveal"),
-    ("outside", "reveal"),
-    ("clipping", "reveal"),
-    ("divide_first", "reveal"),
-    ("culled", "reveal"),
-    ("vanishing", "reveal"),
-    ("single_precision", "reveal"),
-    ("pictures", "screen"),
-    ("arrangement", "screen"),
-    ("panel", "screen"),
-    ("wiper", "compare"),
-    ("differences", "compare"),
+    ("camera", "position focal_point view_up projection view_angle aspect near far window"),
+    ("image", "width height undistorted photograph photograph_opacity"),
+    ("viewport", "depth_near depth_far"),
+    ("scene", "preset objects lights"),
+    ("style", "shading visibility hidden_lines antialias theme depth_format"),
+    ("reveal", "depth outside clipping divide_first culled vanishing single_precision"),
+    ("screen", "pictures arrangement panel"),
+    ("compare", "wiper differences"),
 ];
 
 /// The one of `known` that `word` probably means, or the section where the key belongs.
@@ -135,7 +65,7 @@ pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
         .or_else(|| synonym(word, known))
         .or_else(|| home(&word.to_lowercase()))
         .or_else(|| by_letters(word, known.iter().copied()))
-        .or_else(|| SYNONYMS.iter().find(|(other, _)| *other == word.to_lowercase()).and_then(|(_, key)| home(key)))
+        .or_else(|| SYNONYMS.iter().find(|(_, words)| has(words, &word.to_lowercase())).and_then(|(key, _)| home(key)))
 }
 
 /// The one of `known` that `word` probably means.
@@ -151,11 +81,15 @@ pub(super) fn name(name: &str, known: &[&str]) -> Option<String> {
 
 fn synonym(word: &str, known: &[&str]) -> Option<String> {
     let word = word.to_lowercase().replace('-', "_");
-    SYNONYMS.iter().find(|(other, key)| *other == word && known.contains(key)).map(|(_, key)| (*key).to_owned())
+    SYNONYMS.iter().find(|(key, words)| has(words, &word) && known.contains(key)).map(|(key, _)| (*key).to_owned())
 }
 
 fn home(key: &str) -> Option<String> {
-    HOMES.iter().find(|(k, _)| *k == key).map(|(k, section)| format!("[{section}] {k}"))
+    HOMES.iter().find(|(_, keys)| has(keys, key)).map(|(section, _)| format!("[{section}] {key}"))
+}
+
+fn has(words: &str, word: &str) -> bool {
+    words.split(' ').any(|one| one == word)
 }
 
 /// The one of `known` that differs least in its letters, where that is little.

@@ -28,19 +28,23 @@ pub struct ScreenEntry {
     pub place: [u8; 2],
 }
 
-/// A matrix of the camera, or of the selected object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ScreenMatrix {
-    /// M_m, of an object.
-    Model,
-    /// M_v.
-    View,
-    /// M_p.
-    Projection,
-    /// M_p M_v.
-    ViewProjection,
-    /// `M_vp`.
-    Viewport,
+crate::worded! {
+    /// A matrix of the camera, or of the selected object.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum ScreenMatrix {
+        /// M_m, of an object.
+        Model = "model",
+        /// M_v.
+        View = "view",
+        /// M_p.
+        Projection = "projection",
+        /// M_p M_v.
+        ViewProjection = "view-projection",
+        /// `M_vp`.
+        Viewport = "viewport",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }
 
 /// An arrangement of several pictures.
@@ -61,38 +65,42 @@ impl Arrangement {
     pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
 }
 
-/// An explanation at the side of the window.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Explanation {
-    /// Each entry of each matrix, as formula and as number.
-    #[default]
-    Matrices,
-    /// A point through every space, forward and back.
-    Point,
-    /// The effects of w.
-    Homogeneous,
-    /// The order of transforms.
-    Order,
-    /// The view volume becomes the canonical one, step by step.
-    Steps,
-    /// The stages of the pipeline, and their input and output.
-    Stages,
-    /// One triangle through the stages.
-    Triangle,
-    /// The image as far as it is painted, by each hidden-surface algorithm.
-    HiddenSurfaces,
-    /// The parts outside the view volume, and the division before clipping.
-    Clipping,
-    /// Depths along the view volume, and formats of depth buffers.
-    Depth,
-    /// The camera in other vocabularies, and a pasted matrix.
-    Dialects,
-    /// The camera as code.
-    Code,
-    /// Whose NDC, compared with whose, and how matrices are written.
-    Conventions,
-    /// Exercises whose answers are checked.
-    Exercises,
-    /// A short text for each symbol, operation, equation, step and stage.
-    Notes,
+crate::worded! {
+    /// An explanation at the side of the window.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Explanation {
+        /// Each entry of each matrix, as formula and as number.
+        #[default]
+        Matrices = "matrices",
+        /// A point through every space, forward and back.
+        Point = "point",
+        /// The effects of w.
+        Homogeneous = "w",
+        /// The order of transforms.
+        Order = "order",
+        /// The view volume becomes the canonical one, step by step.
+        Steps = "steps",
+        /// The stages of the pipeline, and their input and output.
+        Stages = "stages",
+        /// One triangle through the stages.
+        Triangle = "triangle",
+        /// The image as far as it is painted, by each hidden-surface algorithm.
+        HiddenSurfaces = "hidden-surfaces",
+        /// The parts outside the view volume, and the division before clipping.
+        Clipping = "clipping",
+        /// Depths along the view volume, and formats of depth buffers.
+        Depth = "depth",
+        /// The camera in other vocabularies, and a pasted matrix.
+        Dialects = "dialects",
+        /// The camera as code.
+        Code = "code",
+        /// Whose NDC, compared with whose, and how matrices are written.
+        Conventions = "conventions",
+        /// Exercises whose answers are checked.
+        Exercises = "exercises",
+        /// A short text for each symbol, operation, equation, step and stage.
+        Notes = "notes",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }

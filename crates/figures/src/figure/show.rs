@@ -100,33 +100,33 @@ pub struct ShownTriangle {
     pub pixel: Option<[u32; 2]>,
 }
 
-/// A step of a triangle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum TriangleStep {
-    /// Object → world → view.
-    #[default]
-    View,
-    /// Is it seen from its front?
-    Facing,
-    /// View → clip, with outcodes.
-    Outcodes,
-    /// The planes cut.
-    Cuts,
-    /// ÷ w.
-    Divide,
-    /// NDC → pixels.
-    Viewport,
-    /// The pixels that it covers.
-    Pixels,
-    /// The depth at one of them.
-    Depth,
+crate::listed! {
+    /// A step of a triangle.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum TriangleStep {
+        /// Object → world → view.
+        #[default]
+        View = "view",
+        /// Is it seen from its front?
+        Facing = "facing",
+        /// View → clip, with outcodes.
+        Outcodes = "outcodes",
+        /// The planes cut.
+        Cuts = "cuts",
+        /// ÷ w.
+        Divide = "divide",
+        /// NDC → pixels.
+        Viewport = "viewport",
+        /// The pixels that it covers.
+        Pixels = "pixels",
+        /// The depth at one of them.
+        Depth = "depth",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }
 
 impl TriangleStep {
-    /// All, in order.
-    pub const ALL: [Self; 8] =
-        [Self::View, Self::Facing, Self::Outcodes, Self::Cuts, Self::Divide, Self::Viewport, Self::Pixels, Self::Depth];
-
     /// Whether it is about the pixels that the triangle covers.
     #[must_use]
     pub const fn needs_pixels(self) -> bool {

@@ -67,18 +67,7 @@ pub const SHAPES: Words<Shape> = Shape::NAMED;
 pub const LIGHTS: Words<LightKind> = LightKind::NAMED;
 
 /// `[show] stage`
-pub const STAGES: Words<Stage> = {
-    const NAMED: [(&str, Stage); Stage::ALL.len()] = {
-        let mut words = [("", Stage::Traverse); Stage::ALL.len()];
-        let mut k = 0;
-        while k < words.len() {
-            words[k] = (Stage::ALL[k].name(), Stage::ALL[k]);
-            k += 1;
-        }
-        words
-    };
-    &NAMED
-};
+pub const STAGES: Words<Stage> = Stage::NAMED;
 
 /// `[show] stage_of`
 pub const STAGE_PICTURES: Words<StagePicture> = &[
@@ -88,12 +77,7 @@ pub const STAGE_PICTURES: Words<StagePicture> = &[
 ];
 
 /// `[show] step`, its `way`
-pub const WAYS: Words<Decomposition> = &[
-    (Decomposition::Notes.name(), Decomposition::Notes),
-    (Decomposition::Box.name(), Decomposition::Box),
-    (Decomposition::Scale.name(), Decomposition::Scale),
-    (Decomposition::Normalised.name(), Decomposition::Normalised),
-];
+pub const WAYS: Words<Decomposition> = Decomposition::NAMED;
 
 /// `[show] ndc`
 pub const NDCS: Words<Ndc> = &{
@@ -107,8 +91,7 @@ pub const NDCS: Words<Ndc> = &{
 };
 
 /// `[screen] pictures`
-pub const PICTURES: Words<View> =
-    &[(View::World.name(), View::World), (View::Canonical.name(), View::Canonical), (View::Image.name(), View::Image)];
+pub const PICTURES: Words<View> = View::NAMED;
 
 /// `[screen] arrangement`; `None` means automatic.
 pub const ARRANGEMENTS: Words<Option<Arrangement>> = &[
@@ -131,35 +114,10 @@ pub const PANELS: Words<Option<Explanation>> = &{
 };
 
 /// The explanations at the side of the window.
-pub const EXPLANATIONS: Words<Explanation> = &[
-    ("matrices", Explanation::Matrices),
-    ("point", Explanation::Point),
-    ("w", Explanation::Homogeneous),
-    ("order", Explanation::Order),
-    ("steps", Explanation::Steps),
-    ("stages", Explanation::Stages),
-    ("triangle", Explanation::Triangle),
-    ("hidden-surfaces", Explanation::HiddenSurfaces),
-    ("clipping", Explanation::Clipping),
-    ("depth", Explanation::Depth),
-    ("dialects", Explanation::Dialects),
-    ("code", Explanation::Code),
-    ("conventions", Explanation::Conventions),
-    ("exercises", Explanation::Exercises),
-    ("notes", Explanation::Notes),
-];
+pub const EXPLANATIONS: Words<Explanation> = Explanation::NAMED;
 
 /// `[show] triangle`, its `step`
-pub const TRIANGLE_STEPS: Words<TriangleStep> = &[
-    ("view", TriangleStep::View),
-    ("facing", TriangleStep::Facing),
-    ("outcodes", TriangleStep::Outcodes),
-    ("cuts", TriangleStep::Cuts),
-    ("divide", TriangleStep::Divide),
-    ("viewport", TriangleStep::Viewport),
-    ("pixels", TriangleStep::Pixels),
-    ("depth", TriangleStep::Depth),
-];
+pub const TRIANGLE_STEPS: Words<TriangleStep> = TriangleStep::NAMED;
 
 /// `[show] measure`: the notes' symbols; a component is written after a point.
 pub const MEASURES: Words<Measured> = &[
@@ -243,10 +201,4 @@ pub(super) fn names<T>(words: Words<T>) -> Vec<&'static str> {
 }
 
 /// `[screen] entry.matrix`
-pub const SCREEN_MATRICES: Words<ScreenMatrix> = &[
-    ("model", ScreenMatrix::Model),
-    ("view", ScreenMatrix::View),
-    ("projection", ScreenMatrix::Projection),
-    ("view-projection", ScreenMatrix::ViewProjection),
-    ("viewport", ScreenMatrix::Viewport),
-];
+pub const SCREEN_MATRICES: Words<ScreenMatrix> = ScreenMatrix::NAMED;

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use super::{PointReport, RayReport, Report};
+use serde::Serialize;
+use serde_json::Value;
+
+use super::Report;
 use crate::camera::ParameterKey;
 
 /// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order in which they were
@@ -201,50 +204,14 @@ impl Quantity {
     /// Its numbers in a report; `None` if the report has none. A point behind the eye has no NDC.
     #[must_use]
     pub fn of(self, report: &Report) -> Option<Numbers> {
-        let camera = &report.camera;
-        Some(match self {
-            Self::Camera(key) => match key {
-                ParameterKey::Position => column(camera.position),
-                ParameterKey::FocalPoint => column(camera.focal_point),
-                ParameterKey::ViewUp => column(camera.view_up),
-                ParameterKey::ViewAngle => column([camera.view_angle]),
-                ParameterKey::Height => column([camera.height]),
-                ParameterKey::Aspect => column([camera.aspect]),
-                ParameterKey::Near => column([camera.near]),
-                ParameterKey::Far => column([camera.far]),
-                ParameterKey::Window => return None,
-            },
-            Self::CameraSide(side) => {
-                let window = camera.window?;
-                column([match side {
-                    Side::Left => window.left,
-                    Side::Right => window.right,
-                    Side::Bottom => window.bottom,
-                    Side::Top => window.top,
-                }])
-            }
-            Self::Direction => column(report.dop),
-            Self::Distance => column([report.distance]),
-            Self::Axis(BasisAxis::U) => column(report.basis.u),
-            Self::Axis(BasisAxis::V) => column(report.basis.v),
-            Self::Axis(BasisAxis::N) => column(report.basis.n),
-            Self::Window(number) => column([match number {
-                WindowNumber::Left => report.window.left,
-                WindowNumber::Right => report.window.right,
-                WindowNumber::Bottom => report.window.bottom,
-                WindowNumber::Top => report.window.top,
-                WindowNumber::Width => report.window.width,
-                WindowNumber::Height => report.window.height,
-                WindowNumber::Aspect => report.window.aspect,
-            }]),
-            Self::Lens(number) => {
-                let lens = report.lens?;
-                match number {
-                    LensNumber::HorizontalAngle => column([lens.horizontal_angle]),
-                    LensNumber::DiagonalAngle => column([lens.diagonal_angle]),
-                    LensNumber::FocalLengthPixels => column(lens.focal_length_pixels),
-                }
-            }
+        match self {
+            Self::Camera(key) => in_part(&report.camera, key.name()),
+            Self::CameraSide(side) => in_part(&report.camera.window?, side.name()),
+            Self::Direction => Some(column(report.dop)),
+            Self::Distance => Some(column([report.distance])),
+            Self::Axis(axis) => in_part(&report.basis, axis.name()),
+            Self::Window(number) => in_part(&report.window, number.name()),
+            Self::Lens(number) => in_part(&report.lens?, number.name()),
             Self::Matrix(matrix) => {
                 let rows = match matrix {
                     ReportMatrix::View => &report.view_matrix,
@@ -253,13 +220,13 @@ impl Quantity {
                     ReportMatrix::InverseView => &report.inverse_view_matrix,
                     ReportMatrix::InverseProjection => &report.inverse_projection_matrix,
                 };
-                Numbers { columns: 4, entries: rows.concat() }
+                Some(Numbers { columns: 4, entries: rows.concat() })
             }
-            Self::Corner(index) => column(*report.volume_corners.get(index)?),
-            Self::Plane(plane) => column(report.planes.of(plane)),
-            Self::Point(index, number) => point(report.points.get(index)?, number)?,
-            Self::Ray(index, number) => ray(report.rays.get(index)?, number),
-        })
+            Self::Corner(index) => report.volume_corners.get(index).map(|corner| column(*corner)),
+            Self::Plane(plane) => in_part(&report.planes, plane.name()),
+            Self::Point(index, number) => in_part(report.points.get(index)?, number.name()),
+            Self::Ray(index, number) => in_part(report.rays.get(index)?, number.name()),
+        }
     }
 
     /// The quantity of a path. The rest of the path is of entries of it.
@@ -286,28 +253,15 @@ impl Quantity {
     }
 }
 
-fn point(report: &PointReport, number: PointNumber) -> Option<Numbers> {
-    Some(match number {
-        PointNumber::World => column(report.world),
-        PointNumber::View => column(report.view),
-        PointNumber::Clip => column(report.clip),
-        PointNumber::Ndc => column(report.ndc?),
-        PointNumber::Window => column(report.window?),
-        PointNumber::Pixel => column(report.pixel?.map(|whole| whole.0)),
-        PointNumber::Viewport => {
-            let (x, y, z) = report.viewport?;
-            column([x.0, y.0, z])
-        }
-        PointNumber::Inside => column([f64::from(u8::from(report.inside?))]),
-    })
-}
-
-fn ray(report: &RayReport, number: RayNumber) -> Numbers {
-    match number {
-        RayNumber::Pixel => column(report.pixel.map(|index| index as f64)),
-        RayNumber::Origin => column(report.origin),
-        RayNumber::Direction => column(report.direction),
-    }
+/// The number or the vector that a part of a report has under a key in JSON. 1 means true.
+fn in_part(part: &impl Serialize, key: &str) -> Option<Numbers> {
+    let part = serde_json::to_value(part).ok()?;
+    let number = |value: &Value| value.as_f64().or_else(|| value.as_bool().map(|is| f64::from(u8::from(is))));
+    let numbers: Option<Vec<f64>> = match part.get(key)? {
+        Value::Array(items) => items.iter().map(number).collect(),
+        single => number(single).map(|number| vec![number]),
+    };
+    numbers.map(column)
 }
 
 /// The path in the JSON of `inspect`.
@@ -393,7 +347,6 @@ mod tests {
     use crate::camera::{Convention, ViewWindow};
     use crate::figure::Figure;
     use glam::DVec3;
-    use serde_json::Value;
 
     /// Every path to a number or to numbers in a JSON value.
     fn paths(value: &Value, at: &str, found: &mut Vec<String>) {

@@ -77,8 +77,7 @@ impl Animation {
     ) -> Result<PictureFile, PictureError> {
         match format {
             FilmFormat::Animation(format) => {
-                let bytes = self.animation(format, seconds, progress).await?;
-                Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None })
+                Ok(PictureFile { bytes: self.animation(format, seconds, progress).await?, ..PictureFile::default() })
             }
             FilmFormat::Strip(format) => file(&self.stills(), FileOptions::of(format), told, progress).await,
         }

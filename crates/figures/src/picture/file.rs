@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::views::View;
 
 /// A picture as a file.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PictureFile {
     /// The bytes of the file.
     pub bytes: Vec<u8>,

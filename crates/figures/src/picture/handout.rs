@@ -144,12 +144,12 @@ impl Block {
             self.height += LEADING * size;
             let at = [indent, self.height - 0.3 * size];
             let mut item = written(line, at, size, color);
-            if let Item::Text { halo, halo_width, .. } = &mut item
+            if let Item::Text(text) = &mut item
                 && bold
             {
                 // The bundled font has one weight. A heading has a border in its own colour, so that it is heavier and
                 // still one text for a search.
-                (*halo, *halo_width) = (color, 0.04 * size);
+                (text.halo, text.halo_width) = (color, 0.04 * size);
             }
             self.items.push(item);
         }

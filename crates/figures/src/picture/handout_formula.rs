@@ -147,7 +147,7 @@ mod tests {
         let wide = set(&parts, 10.0, 300.0);
         let place = |wanted: &str| {
             let texts = wide.items.iter().filter_map(|item| match item {
-                Item::Text { at, text, .. } => Some((text, *at)),
+                Item::Text(text) => Some((&text.text, text.at)),
                 _ => None,
             });
             texts.filter(|(text, _)| *text == wanted).map(|(_, at)| at).collect::<Vec<_>>()

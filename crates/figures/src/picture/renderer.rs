@@ -322,7 +322,7 @@ mod tests {
     fn with_few_pieces() -> Renderer {
         let mut renderer = Renderer::default();
         for pipeline in renderer.pipelines.iter_mut().chain([&mut renderer.window_pipeline]) {
-            pipeline.stages.max_pieces = 40;
+            pipeline.stages.max_pieces = Some(40);
         }
         renderer
     }
@@ -463,7 +463,7 @@ mod tests {
         let request = Request { output: Output::Vectors, ..request(View::Image, "depth-buffer") };
         let mut pipeline = TimedPipeline::default();
         assert!(views::frame(&request, None, &mut pipeline).over_budget.is_none());
-        pipeline.stages.max_pieces = 40;
+        pipeline.stages.max_pieces = Some(40);
         let frame = views::frame(&request, None, &mut pipeline);
         assert!(frame.over_budget.is_some() && !frame.drawing.painted_in_order);
     }

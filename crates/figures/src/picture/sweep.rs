@@ -41,8 +41,7 @@ impl Sweep {
     ) -> Result<PictureFile, PictureError> {
         match format {
             FilmFormat::Animation(format) => {
-                let bytes = self.animation(format, progress).await?;
-                Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None })
+                Ok(PictureFile { bytes: self.animation(format, progress).await?, ..PictureFile::default() })
             }
             FilmFormat::Strip(format) => file(&self.stills()?, FileOptions::of(format), told, progress).await,
         }

@@ -10,8 +10,8 @@ use super::plate::{Plate, Plates};
 use super::vector_faces::{Pictures, can_be_written, faces_of, polygon};
 use super::{Composite, Pixels, Renderer};
 use crate::appearance::{DepthFormat, LineStyle, Occlusion, Rgba, TextureReveal, head_corners};
-use crate::drawing::{Drawing, single};
-use crate::export::vector::{Item, Page};
+use crate::drawing::{Drawing, Label, single};
+use crate::export::vector::{Item, Page, PageText};
 use crate::figure::{Reveal, ShadowReveal};
 use crate::limits::MAX_PIXELS;
 use crate::pipeline::stroke_order::painted_runs;
@@ -368,17 +368,9 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
             continue;
         }
         let [color, halo] = [label.color, label.halo].map(|color| faded(color, fades));
-        let halo_width = HALO * label.size;
-        items.push(Item::Text {
-            at,
-            text: label.text.clone(),
-            mathematical: label.mathematical,
-            size: label.size,
-            color,
-            halo,
-            halo_width,
-            anchor: label.anchor,
-        });
+        let (text, halo_width) = (label.text.clone(), HALO * label.size);
+        let Label { mathematical, size, anchor, .. } = *label;
+        items.push(Item::Text(PageText { at, text, mathematical, size, color, halo, halo_width, anchor }));
     }
     Ok(items)
 }

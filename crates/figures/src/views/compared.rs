@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::{Compared, Labels, Palette, Probe, Request, Shot, Size};
-use crate::appearance::{Dash, HiddenLines, Rgba};
+use crate::appearance::{HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
 use crate::sanitize;
 use crate::views::reveal::probe::projector;
@@ -128,11 +128,8 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
         drawing.areas.push(Area { corner: [left, 0.0], size, radius: 0.0, fill: palette.surround });
     } else {
         for (color, stroke) in [(palette.paper, 3.0), (palette.ink, 1.2)] {
-            drawing.strokes.push(StrokeSet {
-                points: vec![[left, 0.0, 1.0], [left, high, 1.0]],
-                polylines: std::iter::once(0..2).collect(),
-                style: crate::views::world::gizmos::stroke(color, stroke * scale, Dash::Solid, HiddenLines::Shown),
-            });
+            let style = LineStyle::solid(color, stroke * scale, HiddenLines::Shown);
+            drawing.strokes.push(StrokeSet::line(vec![[left, 0.0, 1.0], [left, high, 1.0]], style));
         }
     }
     if request.finish.bare {

@@ -181,8 +181,8 @@ impl Request {
     #[must_use]
     pub fn fitted(&self, observer: &Observer) -> Option<Observer> {
         match self.view {
-            View::World => Some(world::world_framing::fit(self, observer)),
-            View::Canonical => Some(canonical::fit(self, observer)),
+            View::World => Some(world::world_framing::framing(self, *observer)),
+            View::Canonical => Some(canonical::framing(self, *observer)),
             View::Image => None,
         }
     }

@@ -42,24 +42,16 @@ impl Viewpoint {
         [Self::Front, Self::Top, Self::Side, Self::Iso, Self::AlongU, Self::AlongV, Self::AlongN];
 }
 
-/// A viewing direction, without a position.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Direction {
-    /// Degrees, as in [`Observer`].
-    pub(super) azimuth: f64,
-    /// Degrees, as in [`Observer`].
-    pub(super) elevation: f64,
-    /// Degrees, as in [`Observer`].
-    pub(super) roll: f64,
-    /// Parallel or perspective projection.
-    pub(super) parallel: bool,
+/// An observer on a side of the origin, of which only the direction matters.
+pub(super) const fn on_side(azimuth: f64, elevation: f64, parallel: bool) -> Observer {
+    Observer { target: DVec3::ZERO, distance: 1.0, azimuth, elevation, roll: 0.0, parallel }
 }
 
 impl Viewpoint {
-    /// The direction in a space where the camera has the axes `basis`; `iso` says where the corner is.
-    pub(super) fn direction(self, iso: Direction, basis: Basis) -> Direction {
-        let along = |azimuth, elevation| Direction { azimuth, elevation, roll: 0.0, parallel: true };
-        let from = |right, back| Direction::from(PARALLEL.looking(right, back));
+    /// An observer with the direction in a space where the camera has the axes `basis`; `iso` says where the corner is.
+    pub(super) fn direction(self, iso: Observer, basis: Basis) -> Observer {
+        let along = |azimuth, elevation| on_side(azimuth, elevation, true);
+        let from = |right, back| along(0.0, 0.0).looking(right, back);
         let Basis { u, v, n } = basis;
         match self {
             Self::Front => along(0.0, 0.0),
@@ -73,49 +65,37 @@ impl Viewpoint {
     }
 }
 
-const PARALLEL: Observer =
-    Observer { target: DVec3::ZERO, distance: 1.0, azimuth: 0.0, elevation: 0.0, roll: 0.0, parallel: true };
-
-impl Direction {
-    /// Towards the eye.
-    fn eye(self) -> DVec3 {
-        let Self { azimuth, elevation, roll, parallel } = self;
-        Observer { azimuth, elevation, roll, parallel, ..PARALLEL }.axes()[2]
-    }
-
-    /// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit
-    /// vectors), all points on it would be at one spot.
-    pub(super) fn clear_of(self, lines: &[DVec3]) -> Self {
-        /// From this angle on a direction stays, and another is as far as this from all lines.
-        const STAYS: f64 = 18.0;
-        const CLEAR: f64 = 26.0;
-        let clear = |d: Self, least: f64| {
-            let most = least.to_radians().cos();
-            lines.iter().all(|line| line.dot(d.eye()).abs() <= most)
-        };
-        if clear(self, STAYS) {
-            return self;
-        }
-        // Turning about the vertical keeps the ground as it is; rising is the second choice.
-        let around = (1..=36_u32).flat_map(|i| [1.0, -1.0].map(|side| side * f64::from(i) * 5.0));
-        let up = [0.0, 12.0, -12.0, 24.0, -24.0, 36.0];
-        up.into_iter()
-            .flat_map(|rise| around.clone().map(move |turn| (rise, turn)))
-            .map(|(rise, turn)| Self {
-                azimuth: (self.azimuth + turn).rem_euclid(360.0),
-                elevation: (self.elevation + rise).clamp(-85.0, 85.0),
-                ..self
-            })
-            .filter(|d| clear(*d, CLEAR))
-            .max_by(|a, b| a.eye().dot(self.eye()).total_cmp(&b.eye().dot(self.eye())))
-            .unwrap_or(self)
-    }
+/// Towards the eye.
+fn eye(o: Observer) -> DVec3 {
+    o.axes()[2]
 }
 
-impl From<Observer> for Direction {
-    fn from(o: Observer) -> Self {
-        Self { azimuth: o.azimuth, elevation: o.elevation, roll: o.roll, parallel: o.parallel }
+/// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit
+/// vectors), all points on it would be at one spot.
+pub(super) fn clear_of(own: Observer, lines: &[DVec3]) -> Observer {
+    /// From this angle on a direction stays, and another is as far as this from all lines.
+    const STAYS: f64 = 18.0;
+    const CLEAR: f64 = 26.0;
+    let clear = |d: Observer, least: f64| {
+        let most = least.to_radians().cos();
+        lines.iter().all(|line| line.dot(eye(d)).abs() <= most)
+    };
+    if clear(own, STAYS) {
+        return own;
     }
+    // Turning about the vertical keeps the ground as it is; rising is the second choice.
+    let around = (1..=36_u32).flat_map(|i| [1.0, -1.0].map(|side| side * f64::from(i) * 5.0));
+    let up = [0.0, 12.0, -12.0, 24.0, -24.0, 36.0];
+    up.into_iter()
+        .flat_map(|rise| around.clone().map(move |turn| (rise, turn)))
+        .map(|(rise, turn)| Observer {
+            azimuth: (own.azimuth + turn).rem_euclid(360.0),
+            elevation: (own.elevation + rise).clamp(-85.0, 85.0),
+            ..own
+        })
+        .filter(|d| clear(*d, CLEAR))
+        .max_by(|a, b| eye(*a).dot(eye(own)).total_cmp(&eye(*b).dot(eye(own))))
+        .unwrap_or(own)
 }
 
 /// The share of the picture's width and height that [`enclosing`] fills.
@@ -127,8 +107,7 @@ fn fill(size: Size) -> DVec2 {
 
 /// The nearest observer in a direction that has all `points` in a picture of this size, with a margin. Points that are
 /// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
-pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> Observer {
-    let Direction { azimuth, elevation, roll, parallel } = direction;
+pub(super) fn enclosing(points: &[DVec3], direction: Observer, size: Size) -> Observer {
     let Some(bounds) = Aabb::around(points.iter().copied()) else {
         return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, size);
     };
@@ -136,11 +115,11 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-13);
     let least = if least > 0.0 { least } else { 1e-9 };
     let target = bounds.center();
-    let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, roll, parallel }.axes();
+    let [right, up, back] = direction.axes();
     // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t ·
     // depth), after `[0]` Eq. (5.9); opposite sides then meet in the eye.
     let support = |axis: DVec3, t: f64| {
-        let slope = if parallel { 0.0 } else { t };
+        let slope = if direction.parallel { 0.0 } else { t };
         points
             .iter()
             .filter(|p| p.is_finite())
@@ -153,7 +132,7 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let (t, b) = (support(up, tan_y), support(-up, tan_y));
     let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
     let target = target + right * ((r - l) / 2.0) + up * ((t - b) / 2.0);
-    Observer { target, distance, azimuth, elevation, roll, parallel }
+    Observer { target, distance, ..direction }
 }
 
 /// Whether an observer has all `points` in its picture, to the very border. Points that are not finite do not count.
@@ -172,7 +151,7 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
 
-    const ISO: Direction = Direction { azimuth: 35.0, elevation: 25.0, roll: 0.0, parallel: false };
+    const ISO: Observer = on_side(35.0, 25.0, false);
 
     const BASIS: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
 
@@ -225,12 +204,11 @@ mod tests {
     fn an_eye_moves_aside_from_lines_and_stays_otherwise() {
         for azimuth in 0..72 {
             for elevation in [-60.0, 0.0, 20.0, 70.0] {
-                let before = Direction { azimuth: f64::from(azimuth) * 5.0, elevation, ..ISO };
-                let eye = |d: Direction| d.eye();
-                let angle = |d: Direction| {
+                let before = Observer { azimuth: f64::from(azimuth) * 5.0, elevation, ..ISO };
+                let angle = |d: Observer| {
                     DVec3::AXES.map(|line| line.dot(eye(d)).abs().acos().to_degrees()).into_iter().fold(90.0, f64::min)
                 };
-                let after = before.clear_of(&DVec3::AXES);
+                let after = clear_of(before, &DVec3::AXES);
                 if angle(before) >= 18.0 {
                     assert_eq!(after, before);
                 } else {

@@ -51,91 +51,37 @@ pub struct Palette {
     pub differing: Rgba,
 }
 
-const fn hex(rgb: u32) -> Rgba {
-    let [_, r, g, b] = rgb.to_be_bytes();
-    Rgba::rgb(r, g, b)
-}
-
-const LIGHT: Palette = Palette {
-    paper: hex(0xfa_fb_fc),
-    surround: hex(0xe2_e6_ea),
-    ink: hex(0x1c_21_28),
-    soft: hex(0x5b_64_70),
-    grid: hex(0xd3_d9_e0),
-    axes: [hex(0xb8_43_00), hex(0x00_78_5a), hex(0x00_67_a5)],
-    volume: hex(0xe6_9f_00).with_alpha(18),
-    volume_edge: hex(0x8a_5a_00),
-    body: hex(0x8c_98_a6),
-    body_edge: hex(0x1c_21_28),
-    view_up: hex(0xa0_3d_78),
-    aim: hex(0x1c_21_28),
-    probe: hex(0xb0_00_5e),
-    ghost: hex(0x5b_64_70),
-    nothing: hex(0xb9_d3_ee),
-    outside: hex(0xb0_00_9a).with_alpha(105),
-    dropped: hex(0x4a_52_5c).with_alpha(110),
-    back: hex(0xb3_9d_f0),
-    cut: hex(0xb0_00_5e),
-    wrong: hex(0xc4_1e_1e),
-    differing: hex(0xd6_00_7f),
-};
-
-const DARK: Palette = Palette {
-    paper: hex(0x16_1a_20),
-    surround: hex(0x0b_0d_10),
-    ink: hex(0xe9_ec_ef),
-    soft: hex(0x9a_a4_b0),
-    grid: hex(0x30_38_42),
-    axes: [hex(0xff_8f_57), hex(0x3f_ca_a2), hex(0x6f_b8_f5)],
-    volume: hex(0xf5_b9_42).with_alpha(17),
-    volume_edge: hex(0xf5_b9_42),
-    body: hex(0x9a_a4_b0),
-    body_edge: hex(0x0b_0d_10),
-    view_up: hex(0xe7_9c_c6),
-    aim: hex(0xe9_ec_ef),
-    probe: hex(0xff_7a_c6),
-    ghost: hex(0x9a_a4_b0),
-    nothing: hex(0x1c_36_54),
-    outside: hex(0xff_5a_e0).with_alpha(95),
-    dropped: hex(0xb4_bd_c8).with_alpha(90),
-    back: hex(0xb9_a2_ff),
-    cut: hex(0xff_7a_c6),
-    wrong: hex(0xff_6b_60),
-    differing: hex(0xff_4f_c3),
-};
-
-const PRINT: Palette = Palette {
-    paper: hex(0xff_ff_ff),
-    surround: hex(0xff_ff_ff),
-    ink: hex(0x00_00_00),
-    soft: hex(0x4a_4a_4a),
-    grid: hex(0xcc_cc_cc),
-    axes: [hex(0xa3_3a_00), hex(0x00_69_4f), hex(0x00_5a_91)],
-    volume: hex(0x00_00_00).with_alpha(9),
-    volume_edge: hex(0x33_33_33),
-    body: hex(0xd8_d8_d8),
-    body_edge: hex(0x00_00_00),
-    view_up: hex(0x8c_2f_66),
-    aim: hex(0x00_00_00),
-    probe: hex(0x90_00_50),
-    ghost: hex(0x4a_4a_4a),
-    nothing: hex(0xb9_d3_ee),
-    outside: hex(0x90_00_80).with_alpha(150),
-    dropped: hex(0x33_33_33).with_alpha(100),
-    back: hex(0xdd_d4_ff),
-    cut: hex(0x90_00_50),
-    wrong: hex(0xb0_10_10),
-    differing: hex(0x00_00_00),
-};
-
 impl Palette {
     /// The colours of a theme.
     #[must_use]
-    pub const fn of(theme: Theme) -> Self {
-        match theme {
-            Theme::Light => LIGHT,
-            Theme::Dark => DARK,
-            Theme::Print => PRINT,
+    pub fn of(theme: Theme) -> Self {
+        let pick = |colors| theme.color(colors);
+        Self {
+            paper: pick([0xfa_fb_fc, 0x16_1a_20, 0xff_ff_ff]),
+            surround: pick([0xe2_e6_ea, 0x0b_0d_10, 0xff_ff_ff]),
+            ink: pick([0x1c_21_28, 0xe9_ec_ef, 0x00_00_00]),
+            soft: pick([0x5b_64_70, 0x9a_a4_b0, 0x4a_4a_4a]),
+            grid: pick([0xd3_d9_e0, 0x30_38_42, 0xcc_cc_cc]),
+            axes: [
+                pick([0xb8_43_00, 0xff_8f_57, 0xa3_3a_00]),
+                pick([0x00_78_5a, 0x3f_ca_a2, 0x00_69_4f]),
+                pick([0x00_67_a5, 0x6f_b8_f5, 0x00_5a_91]),
+            ],
+            volume: pick([0xe6_9f_00, 0xf5_b9_42, 0x00_00_00]).with_alpha([18, 17, 9][theme as usize]),
+            volume_edge: pick([0x8a_5a_00, 0xf5_b9_42, 0x33_33_33]),
+            body: pick([0x8c_98_a6, 0x9a_a4_b0, 0xd8_d8_d8]),
+            body_edge: pick([0x1c_21_28, 0x0b_0d_10, 0x00_00_00]),
+            view_up: pick([0xa0_3d_78, 0xe7_9c_c6, 0x8c_2f_66]),
+            aim: pick([0x1c_21_28, 0xe9_ec_ef, 0x00_00_00]),
+            probe: pick([0xb0_00_5e, 0xff_7a_c6, 0x90_00_50]),
+            ghost: pick([0x5b_64_70, 0x9a_a4_b0, 0x4a_4a_4a]),
+            nothing: pick([0xb9_d3_ee, 0x1c_36_54, 0xb9_d3_ee]),
+            outside: pick([0xb0_00_9a, 0xff_5a_e0, 0x90_00_80]).with_alpha([105, 95, 150][theme as usize]),
+            dropped: pick([0x4a_52_5c, 0xb4_bd_c8, 0x33_33_33]).with_alpha([110, 90, 100][theme as usize]),
+            back: pick([0xb3_9d_f0, 0xb9_a2_ff, 0xdd_d4_ff]),
+            cut: pick([0xb0_00_5e, 0xff_7a_c6, 0x90_00_50]),
+            wrong: pick([0xc4_1e_1e, 0xff_6b_60, 0xb0_10_10]),
+            differing: pick([0xd6_00_7f, 0xff_4f_c3, 0x00_00_00]),
         }
     }
 }

@@ -14,8 +14,10 @@ use super::pixels::PixelRect;
 pub(super) struct Screen {
     camera: Camera,
     origin: DVec2,
-    extent: DVec2,
-    scale: f64,
+    /// Width and height in pixels.
+    pub(super) extent: DVec2,
+    /// Pixels for one unit of stroke width or type size.
+    pub(super) scale: f64,
 }
 
 impl Screen {
@@ -32,16 +34,6 @@ impl Screen {
 
     pub(super) fn camera(&self) -> &Camera {
         &self.camera
-    }
-
-    /// Pixels for one unit of stroke width or type size.
-    pub(super) fn scale(&self) -> f64 {
-        self.scale
-    }
-
-    /// Width and height in pixels.
-    pub(super) fn extent(&self) -> DVec2 {
-        self.extent
     }
 
     /// The displayed position of a point, in pixels. Also outside the rectangle. `None` for points not in front of the

@@ -161,35 +161,25 @@ impl Shot {
             look.style.depth_format = DepthFormat::default();
             look.photograph_opacity = 0.0;
         }
+        let show = match view {
+            View::World => Show { measure: show.measure.clone(), moved: show.moved.clone(), ..everywhere },
+            View::Canonical => Show { step: show.step, ..everywhere },
+            View::Image => Show { painted: show.painted, ..everywhere },
+        };
+        let in_world = view == View::World;
         let seen = Self {
             look,
             points: Arc::clone(&self.points),
-            ndc: self.ndc,
+            // Steps end in the convention of those who take them.
+            ndc: show.step.map_or(self.ndc, |step| step.way.ndc()),
             pictures: Vec::new(),
             labels: self.labels.seen_in(view),
-            show: everywhere,
-            answered: None,
-            camera_name: None,
-            cameras: Arc::default(),
-            measured_object: None,
+            show,
+            answered: self.answered.clone().filter(|_| in_world),
+            camera_name: self.camera_name.clone().filter(|_| in_world),
+            cameras: if in_world { Arc::clone(&self.cameras) } else { Arc::default() },
+            measured_object: self.measured_object.filter(|_| in_world),
             compared: None,
-        };
-        let seen = match view {
-            View::World => Self {
-                show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
-                answered: self.answered.clone(),
-                camera_name: self.camera_name.clone(),
-                cameras: Arc::clone(&self.cameras),
-                measured_object: self.measured_object,
-                ..seen
-            },
-            View::Canonical => Self {
-                // Steps end in the convention of those who take them.
-                ndc: show.step.map_or(self.ndc, |step| step.way.ndc()),
-                show: Show { step: show.step, ..seen.show },
-                ..seen
-            },
-            View::Image => Self { show: Show { painted: show.painted, ..seen.show }, ..seen },
         };
         let compared = self.compared.as_ref().and_then(|compared| compared.seen_in(view, &seen));
         Self { compared: compared.map(Arc::new), ..seen }

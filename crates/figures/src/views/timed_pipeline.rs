@@ -77,20 +77,9 @@ impl TimedPipeline {
         }
     }
 
-    /// Sends the content of a picture through the pipeline.
+    /// Sends the content of a picture through the pipeline. `repaint` may paint its surfaces otherwise, before a stage
+    /// is shown over them.
     pub(super) fn frame<'a>(
-        &mut self,
-        request: &Request,
-        scenes: impl Into<Scenes<'a>>,
-        camera: &Camera,
-        target: Target,
-        style: &Style,
-    ) -> Frame {
-        self.repainted(request, scenes, camera, target, style, |_, _| {})
-    }
-
-    /// As [`frame`](Self::frame), with surfaces that are painted otherwise before a stage is shown over them.
-    pub(super) fn repainted<'a>(
         &mut self,
         request: &Request,
         scenes: impl Into<Scenes<'a>>,

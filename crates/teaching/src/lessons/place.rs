@@ -35,7 +35,7 @@ fn within(mut root: Section<'_>, part: Part) -> Option<(usize, String)> {
     match part {
         Part::Head => Some((root.place("id")?, String::new())),
         Part::Before => of(&root, "before"),
-        Part::Step(number) => step(number).map(|step| (step.start(), step.name_of("").trim().to_owned())),
+        Part::Step(number) => step(number).map(|step| (step.at, step.name_of("").trim().to_owned())),
         Part::Link(number, link) => {
             let link = step(number)?.sections("links", "[[step.links]]").into_iter().nth(link)?;
             ["note", "lesson", "exercise"].into_iter().find_map(|key| of(&link, key))

@@ -195,7 +195,7 @@ fn task(
         faults.extend(section.finish());
         return exercise.map(|(id, seed)| Task::Exercise { id, seed });
     }
-    let at = section.start();
+    let at = section.at;
     let figure = subject.figure.clone();
     // A place is asked for in the figure that is shown after it.
     let subject = match see {

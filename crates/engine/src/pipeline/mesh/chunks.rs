@@ -7,9 +7,15 @@ pub(crate) const CHUNK: usize = 4096;
 
 /// Calls `work` for all stretches of `values`, with the index of the first value. Long ones over all threads.
 pub(crate) fn each_chunk<T: Send>(values: &mut [T], work: impl Fn(&mut [T], usize) + Sync + Send) {
-    if values.len() > 2 * CHUNK {
-        values.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| work(chunk, k * CHUNK));
+    let count = values.len();
+    each(count, values.chunks_mut(CHUNK).enumerate(), |(k, chunk)| work(chunk, k * CHUNK));
+}
+
+/// Calls `work` for all chunks of so many vertices or triangles. Many over all threads.
+pub(crate) fn each<T: Send>(count: usize, chunks: impl Iterator<Item = T>, work: impl Fn(T) + Sync + Send) {
+    if count > 2 * CHUNK {
+        chunks.collect::<Vec<_>>().into_par_iter().for_each(work);
     } else {
-        work(values, 0);
+        chunks.for_each(work);
     }
 }

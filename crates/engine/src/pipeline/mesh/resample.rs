@@ -198,7 +198,7 @@ pub(crate) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
 }
 
 /// A mesh made of parts of another: each vertex with its origin, shared as it was.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Remake {
     /// The new index of each vertex of the old mesh that is still used.
     index: Vec<Option<u32>>,
@@ -214,14 +214,7 @@ pub(crate) struct Remake {
 
 impl Remake {
     pub(crate) fn new(old: &Mesh) -> Self {
-        Self {
-            index: vec![None; old.positions.len()],
-            origins: Vec::new(),
-            triangles: Vec::new(),
-            sources: Vec::new(),
-            edges: Vec::new(),
-            shared: Vec::new(),
-        }
+        Self { index: vec![None; old.positions.len()], ..Self::default() }
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -257,16 +257,8 @@ fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
             let (from, to) = (last.at(1.0 - share), last.at(1.0));
             let along: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
             let length = share * last.length;
-            segments.push(Segment {
-                run: k,
-                layer,
-                from,
-                along,
-                arc: arc - length,
-                length,
-                radius: 0.38 * head,
-                width,
-            });
+            let of_head = Segment { from, along, arc: arc - length, length, radius: 0.38 * head, ..*last };
+            segments.push(of_head);
         }
     }
     segments

@@ -68,7 +68,7 @@ impl SceneCounts {
             lit_faces: lit(LitAt::Faces),
             lit_vertices: lit(LitAt::Vertices),
             lit_pixels: lit(LitAt::Pixels),
-            dark: scenes.lights().is_empty(),
+            dark: scenes.lights.is_empty(),
             varies: faces.iter().filter(|(object, plan)| plan.interpolates(object)).count(),
             casts: scenes.casts_shadows(),
             shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
@@ -162,15 +162,6 @@ impl SceneCounts {
             Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
             Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
             Stage::HiddenSurfaces => self.no_faces(style).unwrap_or_else(|| self.hidden_surfaces(style, output)),
-            Stage::Normals
-            | Stage::Light
-            | Stage::CullFaces
-            | Stage::Fill
-            | Stage::Interpolate
-            | Stage::Texture
-            | Stage::Shadow
-            | Stage::Blend
-            | Stage::Antialias => self.no_faces(style).unwrap_or_else(|| self.with_faces(stage, style)),
             Stage::Clip if self.in_view == 0 => (false, Reason::NothingInView),
             Stage::Clip if self.crossing == 0 => (false, Reason::AllInside { objects: self.in_view }),
             Stage::Clip => (true, Reason::Crossing { objects: self.crossing, of: self.in_view, planes: self.planes }),
@@ -181,6 +172,7 @@ impl SceneCounts {
             Stage::Lines if self.lines => (true, Reason::LinesInView),
             Stage::Lines if self.in_view == 0 => (false, Reason::NothingInView),
             Stage::Lines => (false, Reason::NoLines),
+            _ => self.no_faces(style).unwrap_or_else(|| self.with_faces(stage, style)),
         }
     }
 

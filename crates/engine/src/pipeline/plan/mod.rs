@@ -63,7 +63,7 @@ impl Plan {
         options: Options,
     ) -> Self {
         let force = options.force_all_stages;
-        let dark = scenes.lights().is_empty();
+        let dark = scenes.lights.is_empty();
         let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
         let planned = |(object, extent): (&Object, &Extent)| {
             let planned = plan_object(object, extent.containment, style, dark, force);

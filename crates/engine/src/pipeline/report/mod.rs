@@ -97,11 +97,12 @@ pub struct StageReport {
 }
 
 /// Counts and times while a picture is made.
+#[derive(Default)]
 pub(crate) struct Meter {
     clock: Option<fn() -> Duration>,
     last: Duration,
     times: [Duration; Stage::ALL.len()],
-    vertices: usize,
+    pub(crate) vertices: usize,
     /// Vertices that clipping made.
     cuts: usize,
     normals: usize,
@@ -117,20 +118,8 @@ pub(crate) struct Meter {
 
 impl Meter {
     pub(crate) fn new(options: Options) -> Self {
-        Self {
-            clock: options.clock,
-            last: options.clock.map_or(Duration::ZERO, |now| now()),
-            times: [Duration::ZERO; Stage::ALL.len()],
-            vertices: 0,
-            cuts: 0,
-            normals: 0,
-            lit: 0,
-            pieces: None,
-            triangles: 0,
-            front: 0,
-            drawn: 0,
-            lines: (0, 0),
-        }
+        let last = options.clock.map_or(Duration::ZERO, |now| now());
+        Self { clock: options.clock, last, ..Self::default() }
     }
 
     /// Books the time since the last call to `stage`.
@@ -168,11 +157,6 @@ impl Meter {
         };
     }
 
-    /// Counts the points of the edges and outline of an object whose faces are not drawn.
-    pub(crate) fn count_ends(&mut self, ends: usize) {
-        self.vertices += ends;
-    }
-
     /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
     pub(crate) fn report(&self, plan: &Plan, done: &SceneCounts, style: &Style) -> Vec<StageReport> {
         let drawn = plan.objects.iter().filter(|planned| planned.drawn).count();
@@ -193,13 +177,7 @@ impl Meter {
                     Stage::Light => (same(self.lit), true),
                     Stage::HiddenSurfaces => (self.pieces, plan.order != Visibility::DepthBuffer),
                     Stage::Lines => (Some(self.lines), true),
-                    Stage::Fill
-                    | Stage::Interpolate
-                    | Stage::Texture
-                    | Stage::Shadow
-                    | Stage::Blend
-                    | Stage::Antialias
-                    | Stage::Write => (None, false),
+                    _ => (None, false),
                 };
                 let (ran, reason) = done.face_stage(planned, style).unwrap_or((planned.runs, planned.reason));
                 StageReport {

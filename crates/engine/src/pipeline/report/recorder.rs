@@ -72,7 +72,7 @@ impl<'a> Recorder<'a> {
     /// Records that an object is drawn; `ends`: the number of points transformed for its lines.
     pub(crate) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
         if !pass.plan.faces {
-            self.meter.count_ends(ends);
+            self.meter.vertices += ends;
         }
         self.meter.lap(Stage::Lines);
         self.misplaced.look_at(pass.object, &pass.vertices());
@@ -90,7 +90,7 @@ impl<'a> Recorder<'a> {
             drawing,
             work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),
             plan: plan.clone(),
-            lamps: scenes.lights().len(),
+            lamps: scenes.lights.len(),
             objects: self.objects,
             over_budget: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,

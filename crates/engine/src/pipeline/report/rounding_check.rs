@@ -41,13 +41,13 @@ impl<'a> Misplaced<'a> {
     /// Looks at an object as it was drawn.
     pub(crate) fn look_at(&mut self, object: &Object, vertices: &Vertices) {
         let Vertices { projector, view_from_object, .. } = *vertices;
-        let summands = self.in_view.magnitude + view_from_object.rest();
+        let summands = self.in_view.magnitude + view_from_object.rest;
         if within(self.bound(projector, summands, self.in_view.nearest)) {
             return;
         }
         let off = |(i, &p): (usize, &glam::DVec3)| {
             let clip = clip_from_view(projector, view_point(view_from_object, ObjectPoint(p)));
-            let summands = view_from_object.magnitude(p) + view_from_object.rest();
+            let summands = view_from_object.magnitude(p) + view_from_object.rest;
             // A vertex that is not drawn has no place.
             if outcode(projector, clip) != 0 || within(self.bound(projector, summands, clip.w)) {
                 return None;
@@ -163,7 +163,7 @@ mod tests {
             let p = world_from_object.inverse().transform_point3(camera.world_from_view().transform_point3(p_view));
             let clip = clip_from_view(&projector, view_point(&view_from_object, ObjectPoint(p)));
             let misplaced = Misplaced::new(&camera, &screen, InView::NOTHING);
-            let bound = misplaced.bound(&projector, view_from_object.magnitude(p) + view_from_object.rest(), clip.w);
+            let bound = misplaced.bound(&projector, view_from_object.magnitude(p) + view_from_object.rest, clip.w);
             if outcode(&projector, clip) == 0 && let Some(exact) = camera.exact_ndc(&world_from_object, p) {
                 let [x, y, _] = snap(viewport(&screen, divide(&projector.depths, clip)));
                 let off = screen.pixels(exact).distance(DVec2::new(x.into(), y.into()));

@@ -120,11 +120,14 @@ pub(crate) struct ViewFromObject {
     pub(crate) linear: DMat3,
     /// Model matrix, if the eye couldn't be taken to object space.
     through_world: Option<(DMat3, DVec3)>,
-    /// See [`rest`](Self::rest).
-    rest: f64,
+    /// The size of the numbers that taking the eye to object space adds to these. The inverse of the model matrix is
+    /// known to as many digits as its condition leaves, and so is its product with C.
+    pub(crate) rest: f64,
     /// Determinant of the model matrix: negative if it mirrors.
     determinant: f64,
-    seen_from: DVec4,
+    /// The eye in object space, homogeneous: a point, or in parallel projection the direction towards it (w = 0). Not
+    /// finite for a flattened object.
+    pub(crate) seen_from: DVec4,
 }
 
 impl ViewFromObject {
@@ -168,12 +171,6 @@ impl ViewFromObject {
         }
     }
 
-    /// The size of the numbers that taking the eye to object space adds to these. The inverse of the model matrix is
-    /// known to as many digits as its condition leaves, and so is its product with C.
-    pub(crate) fn rest(&self) -> f64 {
-        self.rest
-    }
-
     /// The slope in the object's space of a linear function of view space with this gradient.
     pub(crate) fn slope(&self, gradient: DVec3) -> f64 {
         let linear = match self.through_world {
@@ -181,12 +178,6 @@ impl ViewFromObject {
             Some((linear, _)) => self.linear * linear,
         };
         (linear.transpose() * gradient).length()
-    }
-
-    /// The eye in object space, homogeneous: a point, or in parallel projection the direction towards it (w = 0). Not
-    /// finite for a flattened object.
-    pub(crate) fn seen_from(&self) -> DVec4 {
-        self.seen_from
     }
 
     /// The whole way to view space as a matrix.

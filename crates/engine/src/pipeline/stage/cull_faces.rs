@@ -10,11 +10,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use rayon::prelude::*;
-
 use super::faces::{Crossing, CulledChunk, Faces, LANES, to_u32};
 use super::vertices::{OnImage, Vertices};
-use crate::pipeline::mesh::chunks::CHUNK;
+use crate::pipeline::mesh::chunks::{CHUNK, each};
 use crate::pipeline::space::planes::{NOT_A_NUMBER, PlaneSet};
 use crate::pipeline::space::point::ViewPoint;
 use crate::pipeline::space::projector::Projector;
@@ -44,12 +42,7 @@ pub(crate) fn cull_faces(faces: &mut Faces, vertices: &Vertices, triangles: &[[u
     let culling = Culling { image: &faces.image, vertices, used: &faces.used, task };
     let chunks = faces.chunks.iter_mut().zip(triangles.chunks(CHUNK)).zip(faces.kept.chunks_mut(CHUNK / 8));
     let chunks = (0..).step_by(CHUNK).zip(chunks);
-    let cull = |(first, ((chunk, triangles), kept))| culling.chunk(chunk, triangles, kept, first);
-    if triangles.len() > 2 * CHUNK {
-        chunks.collect::<Vec<_>>().into_par_iter().for_each(cull);
-    } else {
-        chunks.for_each(cull);
-    }
+    each(triangles.len(), chunks, |(first, ((chunk, triangles), kept))| culling.chunk(chunk, triangles, kept, first));
     faces.back = faces.chunks.iter().map(|chunk| chunk.back).sum();
     faces.turned_over = faces.chunks.iter().map(|chunk| chunk.turned_over).sum();
     gather(faces, triangles, task.want_source);
@@ -86,11 +79,7 @@ fn gather(faces: &mut Faces, triangles: &[[u32; 3]], want_source: bool) {
             }
         }
     };
-    if triangles.len() > 2 * CHUNK {
-        chunks.collect::<Vec<_>>().into_par_iter().for_each(gather);
-    } else {
-        chunks.for_each(gather);
-    }
+    each(triangles.len(), chunks, gather);
 }
 
 /// Twice the area of a triangle on the image, positive if its corners run counter-clockwise as they are seen (y is
@@ -164,11 +153,9 @@ impl Culling<'_> {
             }
         }
         let (mut front, mut behind) = (0, 0);
-        if !self.image.huge {
-            for l in 0..8 {
-                front |= u8::from(first[l] > second[l]) << l;
-                behind |= u8::from(first[l] < second[l]) << l;
-            }
+        for l in 0..8 {
+            front |= u8::from(first[l] > second[l]) << l;
+            behind |= u8::from(first[l] < second[l]) << l;
         }
         let decided = front | behind;
         for (l, &[a, b, c]) in eight.iter().enumerate().filter(|(l, _)| decided >> l & 1 == 0) {

@@ -11,7 +11,6 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::clip::Clipper;
 use super::divide::divide;
@@ -19,10 +18,10 @@ use super::pool::{Pool, StrokePool};
 use super::project::{clip_from_view, clip_from_world};
 use super::vertices::Vertices;
 use super::viewport::{unsnapped, viewport};
-use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
-use crate::pipeline::mesh::chunks::CHUNK;
+use crate::pipeline::mesh::chunks::{CHUNK, each};
 use crate::pipeline::mesh::outline::outline;
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::InView;
@@ -172,29 +171,22 @@ impl<'a> Strokes<'a> {
         set.points.resize(first_point + 2 * edges.len(), [0.0; 3]);
         set.polylines.resize(first + edges.len(), 0..0);
         let (points, polylines) = (&mut set.points[first_point..], &mut set.polylines[first..]);
-        let fill = |start: usize, edges: &[[u32; 2]], points: &mut [[f32; 3]], polylines: &mut [Range<u32>]| {
+        let chunks = edges.chunks(CHUNK).zip(points.chunks_mut(2 * CHUNK)).zip(polylines.chunks_mut(CHUNK)).enumerate();
+        each(edges.len(), chunks, |(k, ((edges, points), polylines))| {
             let points = points.as_chunks_mut::<2>().0;
-            let starts = (start..).step_by(2);
+            let starts = (first_point + 2 * CHUNK * k..).step_by(2);
             for (((&[a, b], points), polyline), start) in edges.iter().zip(points).zip(polylines).zip(starts) {
                 *points = [ends[a as usize], ends[b as usize]];
                 *polyline = range(start, start + 2);
             }
-        };
-        if edges.len() > 2 * CHUNK {
-            let chunks = points.par_chunks_mut(2 * CHUNK).zip(polylines.par_chunks_mut(CHUNK));
-            edges.par_chunks(CHUNK).zip(chunks).enumerate().for_each(|(k, (edges, (points, polylines)))| {
-                fill(first_point + 2 * CHUNK * k, edges, points, polylines);
-            });
-        } else {
-            fill(first_point, edges, points, polylines);
-        }
+        });
     }
 
     /// The outline of an object: silhouette and creases. Returns the number of points transformed.
     fn outline(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = object.outline.filter(|_| style.shading != Shading::Wireframe) else { return 0 };
         let line_style = line_style.in_style(style);
-        let polylines = outline(&object.mesh, vertices.view_from_object.seen_from());
+        let polylines = outline(&object.mesh, vertices.view_from_object.seen_from);
         self.asked += polylines.len();
         for polyline in &polylines {
             self.polyline(polyline.iter().map(|&i| vertices.view(i)), line_style, self.fine);
@@ -309,13 +301,7 @@ fn edge_style(object: &Object, style: &Style, background: Rgba) -> Option<LineSt
     if style.shading != Shading::Wireframe {
         return edges;
     }
-    let style = edges.unwrap_or(LineStyle {
-        color: Rgba::rgb(128, 128, 128),
-        width: 1.25,
-        dash: Dash::Solid,
-        hidden: HiddenLines::Shown,
-        arrow: false,
-    });
+    let style = edges.unwrap_or(LineStyle::solid(Rgba::rgb(128, 128, 128), 1.25, HiddenLines::Shown));
     let color = match &object.paint {
         ObjectPaint::Solid(color) => color.with_alpha(255),
         ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => style.color,

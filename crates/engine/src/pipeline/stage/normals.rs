@@ -13,7 +13,6 @@ use super::faces::LANES;
 use crate::geometry::try_unit;
 use crate::lighting::Eight;
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8};
 
 /// A matrix by its rows, in single precision.
 pub(super) type Rows = [[f32; 3]; 3];

@@ -17,7 +17,7 @@ use crate::pipeline::space::point::{ObjectPoint, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
 use crate::scene::{Light, LightKind, Mesh};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, u32x8, with_vectors};
+use crate::simd::with_vectors;
 
 /// The light of a face that no lamp reaches.
 pub const AMBIENT: f32 = 0.35;

@@ -87,7 +87,7 @@ impl ShadowMaps {
                     self.kept().keep(light, made, &occluders)
                 }
             };
-            let bias = single(scenes.lights()[index].shadows.held().bias);
+            let bias = single(scenes.lights[index].shadows.held().bias);
             lights.push(ShadowLight { light: index, bias, ..found });
         }
         lights
@@ -105,7 +105,7 @@ impl ShadowMaps {
 
 /// The lights that cast shadows, with their places, as far as their maps depend on them.
 fn casting(scenes: Scenes<'_>) -> impl Iterator<Item = (usize, Light)> {
-    let casting = scenes.lights().iter().enumerate().filter(|(_, light)| light.shadows.cast);
+    let casting = scenes.lights.iter().enumerate().filter(|(_, light)| light.shadows.cast);
     casting.map(|(index, light)| (index, Light { shadows: Shadows { bias: 0.0, ..light.shadows }, ..*light }))
 }
 
@@ -113,7 +113,7 @@ impl Kept {
     /// The things that hide light in a scene, and what is known of its lights that cast shadows.
     fn known(&mut self, scenes: Scenes) -> (Arc<[Occluder]>, Vec<Option<ShadowLight>>) {
         let (before, now) =
-            (std::mem::replace(&mut self.revision, scenes.occluders_revision()), scenes.occluders_revision());
+            (std::mem::replace(&mut self.revision, scenes.occluders_revision), scenes.occluders_revision);
         if (now.is_none() || before != now) && !self.holds(scenes) {
             self.made.clear();
             let all = scenes.occluders();

@@ -58,8 +58,6 @@ pub(crate) struct OnImage {
     pub(crate) outcodes: Vec<PlaneSet>,
     /// The planes that any vertex is outside of.
     pub(crate) outside: PlaneSet,
-    /// The image is so large that differences of positions may not fit in single precision.
-    pub(crate) huge: bool,
 }
 
 /// A chunk of vertices. `inverse_w` and `outcodes` are empty if not requested.
@@ -82,7 +80,6 @@ impl OnImage {
         want_inverse_w: bool,
     ) {
         let n = vertices.len();
-        self.huge = screen.half_width.max(screen.half_height) > 0.5 * 65_536.0;
         // The old content is overwritten.
         self.positions.resize(n, [0.0; 3]);
         self.inverse_w.resize(if want_inverse_w { n } else { 0 }, 0.0);

@@ -11,7 +11,6 @@ use std::ops::Range;
 
 use crate::appearance::Rgba;
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
 use super::eights::{TouchedColumns, next_column};
 use super::fragments::{Fragments, Rank};

@@ -13,7 +13,6 @@ mod pieces;
 mod segment;
 
 use std::ops::Range;
-use std::sync::Mutex;
 
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
@@ -21,8 +20,10 @@ use tiny_skia::Pixmap;
 use crate::appearance::{HiddenLines, LineStyle, Occlusion};
 use crate::drawing::{Drawing, StrokeSet};
 use crate::progress::{Progress, pause};
-use crate::simd::{Simd, with_vectors};
+use crate::simd::prelude::Simd;
+use crate::simd::with_vectors;
 
+use crate::raster::bands::each_band;
 use crate::raster::depth::Occluders;
 use coverage::Coverage;
 use fragments::Rank;
@@ -77,8 +78,7 @@ struct SharedByBands<'a> {
 }
 
 impl Strokes {
-    /// Draws all strokes of a drawing over its surfaces, from back to front. Each row is a step of the progress. On one
-    /// thread it pauses after some polylines, and after each band.
+    /// Draws all strokes of a drawing over its surfaces, from back to front. One thread pauses after some polylines.
     pub(super) async fn draw(
         &mut self,
         pixmap: &mut Pixmap,
@@ -113,31 +113,10 @@ impl Strokes {
         let shared = SharedByBands { chunks, layers: &self.layers, bands };
         self.coverages.resize_with(self.coverages.len().max(threads), Coverage::default);
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
-        let mut jobs = pixels.chunks_mut(width << rows_log).enumerate();
-        if threads > 1 {
-            let queue = Mutex::new(jobs);
-            rayon::scope(|scope| {
-                for coverage in &mut self.coverages[..threads] {
-                    let queue = &queue;
-                    scope.spawn(move |_| {
-                        while let Some((band, pixels)) = queue.lock().ok().and_then(|mut jobs| jobs.next()) {
-                            if progress.is_cancelled() {
-                                return;
-                            }
-                            let rows = pixels.len() / width;
-                            shared.paint(coverage, band, pixels);
-                            progress.advance(rows);
-                        }
-                    });
-                }
-            });
-        } else if let Some(coverage) = self.coverages.first_mut() {
-            while let Some((band, pixels)) = jobs.next().filter(|_| !progress.is_cancelled()) {
-                let rows = pixels.len() / width;
-                shared.paint(coverage, band, pixels);
-                progress.advance_and_pause(rows).await;
-            }
-        }
+        let jobs = pixels.chunks_mut(width << rows_log).enumerate();
+        let jobs = jobs.map(|(band, pixels)| (pixels.len() / width, (band, pixels)));
+        let paint = |coverage: &mut Coverage, (band, pixels): (usize, _)| shared.paint(coverage, band, pixels);
+        each_band(&mut self.coverages[..threads], jobs, progress, paint).await;
     }
 
     /// Divides sets into chunks of so many polylines, and lists their layers. Gives the number of chunks.

@@ -12,7 +12,6 @@ use glam::DVec2;
 
 use crate::drawing::order::stroke_reach;
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
 /// A point of a stroke's middle line.
 pub(super) type Point = [f32; 3];

@@ -8,7 +8,6 @@ use std::ops::Range;
 
 use crate::drawing::Surface;
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
 use super::counts::Counts;
 use super::setup::Size;

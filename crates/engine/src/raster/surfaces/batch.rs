@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use crate::drawing::Surface;
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, round_bits};
+use crate::simd::round_bits;
 
 use super::setup::{AffineValue, Size, Triangle, pick};
 use crate::raster::grid::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, REACH, STEPS, WIDEST};

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::drawing::{Drawing, Surface};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, with_vectors};
+use crate::simd::with_vectors;
 
 use super::batch::{BATCH, Batch, corners_of, gather_points};
 use super::setup::Size;
@@ -26,7 +26,7 @@ pub(super) struct Bins {
     chunks: Vec<Chunk>,
     used: usize,
     /// Triangles that may own a sample.
-    kept: usize,
+    pub(super) kept: usize,
     translucent: Vec<Translucent>,
     /// The translucent triangles that touch each band, from back to front.
     runs: Vec<Runs>,
@@ -114,11 +114,6 @@ impl Bins {
         self.sort_translucent(drawing, many, size, height);
         self.sort_runs(bands);
         self.kept = kept + self.translucent.len();
-    }
-
-    /// Number of triangles that may own a sample of the picture.
-    pub(super) fn kept(&self) -> usize {
-        self.kept
     }
 
     fn sort_translucent(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize) {

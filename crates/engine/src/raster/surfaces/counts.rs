@@ -4,7 +4,6 @@
 //! with one instruction, and are added up when a surface is done. Without a clock there are no counts at all.
 
 use crate::simd::prelude::*;
-use crate::simd::{Simd, i32x8, mask32x8};
 
 use crate::raster::pixel::LANES;
 

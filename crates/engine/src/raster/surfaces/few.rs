@@ -8,7 +8,6 @@
 //! pixel inside, wherever it lies. So few lanes wait, and boxes of 11 × 11 pixels count as tiny.
 
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::band::Band;
 use super::batch::{BATCH, Batch, Planes, SetUp};

@@ -39,7 +39,6 @@ use std::ops::Range;
 
 use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
 
 use super::band::{Band, TileStart};
 use super::batch::{BATCH, Batch, corners, corners_at, gather_points};

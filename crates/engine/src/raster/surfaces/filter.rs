@@ -6,7 +6,6 @@
 
 use crate::appearance::{Level, LevelPairs, Sampler, Wrap};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x4, i32x8, mask32x8, u32x4, u32x8};
 
 use crate::raster::pixel::LANES;
 

@@ -20,12 +20,12 @@ mod shadow;
 mod texel;
 
 use std::ops::Range;
-use std::sync::Mutex;
 
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
 use crate::progress::Progress;
+use crate::raster::bands::each_band;
 use crate::raster::textbook;
 use crate::simd::{has_vectors, with_vectors};
 
@@ -93,8 +93,7 @@ struct SharedByBands<'a> {
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, and stores their depth. Each row is a step of the progress.
-    /// On one thread it pauses after each band.
+    /// Paints background and surfaces over all of `pixmap`, and stores their depth.
     pub(super) async fn paint(
         &mut self,
         drawing: &Drawing,
@@ -132,40 +131,15 @@ impl Surfaces {
             return;
         }
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
-        let jobs = pixels
-            .chunks_mut(rows * width)
-            .zip(depth.bands_mut())
-            .enumerate()
-            .map(|(band, (pixels, depth))| BandJob { band, pixels, depth });
+        let jobs = pixels.chunks_mut(rows * width).zip(depth.bands_mut()).enumerate();
+        let jobs = jobs.map(|(band, (pixels, depth))| (pixels.len() / width, BandJob { band, pixels, depth }));
         let threads = rayon::current_num_threads().min(bands);
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         for scratch in &mut self.scratch {
             scratch.counts = Counts::default();
         }
-        if threads > 1 {
-            let queue = Mutex::new(jobs);
-            rayon::scope(|scope| {
-                for scratch in &mut self.scratch[..threads] {
-                    let (queue, frame) = (&queue, &frame);
-                    scope.spawn(move |_| {
-                        while let Some(job) = queue.lock().ok().and_then(|mut jobs| jobs.next()) {
-                            if progress.is_cancelled() {
-                                return;
-                            }
-                            let rows = job.pixels.len() / width;
-                            scratch.paint(frame, job);
-                            progress.advance(rows);
-                        }
-                    });
-                }
-            });
-        } else if let Some(scratch) = self.scratch.first_mut() {
-            for job in jobs.take_while(|_| !progress.is_cancelled()) {
-                let rows = job.pixels.len() / width;
-                scratch.paint(&frame, job);
-                progress.advance_and_pause(rows).await;
-            }
-        }
+        let paint = |scratch: &mut Scratch, job: BandJob| scratch.paint(&frame, job);
+        each_band(&mut self.scratch[..threads], jobs, progress, paint).await;
     }
 }
 
@@ -174,7 +148,7 @@ impl Surfaces {
     /// samples written.
     pub(super) fn work(&self) -> (usize, u64, u64) {
         let sum = |count: fn(&Scratch) -> u64| self.scratch.iter().map(count).sum();
-        (self.bins.kept(), sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
+        (self.bins.kept, sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
     }
 }
 

@@ -10,7 +10,6 @@ use crate::appearance::{LightShare, TextureReveal};
 use crate::drawing::{Base, BlockedLight, Lighting, Shadow, Surface, SurfaceLight};
 use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather, gather_points};
 use super::filter::channel;

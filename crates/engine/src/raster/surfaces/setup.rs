@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use crate::raster::grid::{HALF, STEPS, snapped};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, f64x4, mask32x8, round_bits_f64};
+use crate::simd::round_bits_f64;
 
 /// A triangle of any size, ready to be filled.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@
 use crate::appearance::Rgba;
 use crate::drawing::{Base, Surface};
 use crate::simd::prelude::*;
-use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
+use crate::simd::{ROUND_F32, round_bits};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather};
 use super::setup::{AffineValue, Triangle, greater, pick};

@@ -8,7 +8,6 @@
 
 use crate::drawing::{Rays, Shadow};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
 use crate::raster::pixel::LANES;
 

@@ -6,7 +6,6 @@
 
 use crate::appearance::{Filter, LEVEL_COLORS, Rgba, Sampler, Texture, TextureReveal, Wrap};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::filter::{Channels, bilinear, nearest, trilinear};
 use crate::raster::pixel::LANES;

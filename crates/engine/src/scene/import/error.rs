@@ -68,14 +68,7 @@ impl MeshError {
     pub fn is_outside(&self) -> bool {
         match self {
             Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),
-            Self::Format
-            | Self::Cancelled
-            | Self::Empty
-            | Self::TooLarge
-            | Self::TooManyObjects
-            | Self::Obj { .. }
-            | Self::Json { .. }
-            | Self::Gltf { .. } => false,
+            _ => false,
         }
     }
 }

@@ -97,18 +97,8 @@ impl Materials<'_> {
             AlphaMode::Mask => Alpha::Mask(material.alpha_cutoff().unwrap_or(0.5)),
             AlphaMode::Blend => Alpha::Kept,
         };
-        match self.image(&texture, alpha, read_file) {
-            Ok(image) => Some(PartTexture { image, sampler: sampler(&texture.sampler()) }),
-            Err(error) => {
-                let is_told = error.is_unread();
-                let notice = MeshNotice::Texture(error);
-                // Whoever reads the files says which were missing.
-                if !is_told && !self.notices.contains(&notice) {
-                    self.notices.push(notice);
-                }
-                None
-            }
-        }
+        let image = self.image(&texture, alpha, read_file);
+        PartTexture::new(image, sampler(&texture.sampler()), &mut self.notices)
     }
 
     fn image(
@@ -161,6 +151,15 @@ fn sampler(sampler: &::gltf::texture::Sampler<'_>) -> Sampler {
 
 fn fault(place: impl Into<String>, fault: GltfFault) -> MeshError {
     MeshError::Gltf { place: place.into(), fault }
+}
+
+fn of_accessor(accessor: &Accessor<'_>, found: GltfFault) -> MeshError {
+    fault(place("accessors", accessor.index()), found)
+}
+
+fn unsupported(accessor: &Accessor<'_>) -> MeshError {
+    let what = format!("{:?} {:?}", accessor.dimensions(), accessor.data_type());
+    of_accessor(accessor, GltfFault::Unsupported { what })
 }
 
 fn place(list: &str, index: usize) -> String {
@@ -426,10 +425,7 @@ impl Reader {
             (DataType::F32, Dimensions::Vec2) => |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]),
             (DataType::U8, Dimensions::Vec2) => |b| f32::from(b[0]) / 255.0,
             (DataType::U16, Dimensions::Vec2) => |b| f32::from(u16::from_le_bytes([b[0], b[1]])) / 65_535.0,
-            (data_type, dimensions) => {
-                let what = format!("{dimensions:?} {data_type:?}");
-                return Err(fault(place("accessors", accessor.index()), GltfFault::Unsupported { what }));
-            }
+            _ => return Err(unsupported(accessor)),
         };
         let width = accessor.data_type().size();
         Ok(self.items::<2>(accessor)?.iter().map(|b| [read(&b[..width]), read(&b[width..])]).collect())
@@ -437,7 +433,7 @@ impl Reader {
 
     /// The bytes of the items of an accessor with `N` components, each as long as the other.
     fn items<const N: usize>(&self, accessor: &Accessor<'_>) -> Result<Items<'_>, MeshError> {
-        let fault = |f| fault(place("accessors", accessor.index()), f);
+        let fault = |f| of_accessor(accessor, f);
         let item = N * accessor.data_type().size();
         let held = accessor.count().checked_mul(item).and_then(|bytes| self.left.get().checked_sub(bytes));
         self.left.set(held.ok_or_else(|| fault(GltfFault::OverBudget))?);
@@ -487,15 +483,14 @@ impl Reader {
 
     /// Points or normals.
     fn vectors(&self, accessor: &Accessor<'_>) -> Result<Vec<DVec3>, MeshError> {
-        let fault = |f| fault(place("accessors", accessor.index()), f);
         if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
-            let what = format!("{:?} {:?}", accessor.dimensions(), accessor.data_type());
-            return Err(fault(GltfFault::Unsupported { what }));
+            return Err(unsupported(accessor));
         }
         let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let vector = |b: &[u8]| DVec3::new(number(&b[..4]), number(&b[4..8]), number(&b[8..]));
         let vectors: Vec<DVec3> = self.items::<3>(accessor)?.iter().map(vector).collect();
-        if vectors.iter().all(|v| v.is_finite()) { Ok(vectors) } else { Err(fault(GltfFault::NotFinite)) }
+        let is_finite = vectors.iter().all(|v| v.is_finite());
+        if is_finite { Ok(vectors) } else { Err(of_accessor(accessor, GltfFault::NotFinite)) }
     }
 
     fn indices(&self, accessor: &Accessor<'_>) -> Result<Vec<u32>, MeshError> {
@@ -503,10 +498,7 @@ impl Reader {
             (DataType::U8, Dimensions::Scalar) => |b| u32::from(b[0]),
             (DataType::U16, Dimensions::Scalar) => |b| u32::from(u16::from_le_bytes([b[0], b[1]])),
             (DataType::U32, Dimensions::Scalar) => |b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]),
-            (data_type, dimensions) => {
-                let what = format!("{dimensions:?} {data_type:?}");
-                return Err(fault(place("accessors", accessor.index()), GltfFault::Unsupported { what }));
-            }
+            _ => return Err(unsupported(accessor)),
         };
         Ok(self.items::<1>(accessor)?.iter().map(read).collect())
     }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::part::{Imported, Part, PartTexture};
+use super::part::{Imported, Part, PartTexture, note};
 use super::soup::Soup;
 use crate::appearance::{Rgba, Sampler, Wrap};
 use crate::limits::MAX_OBJECTS;
@@ -66,27 +66,14 @@ pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
         }
         let material = part.material.and_then(|index| file.materials.get(index));
         if let Some(invisible) = material.filter(|material| material.is_invisible()) {
-            let notice = MeshNotice::Invisible { material: escaped(&invisible.name) };
-            if !notices.contains(&notice) {
-                notices.push(notice);
-            }
+            note(&mut notices, MeshNotice::Invisible { material: escaped(&invisible.name) });
         }
         let color = material.map(Material::color);
         let two_sided = !mesh.closed;
         let map = material.and_then(|material| material.map.as_ref()).filter(|_| !uv.is_empty());
-        let texture = match map.map(|map| (map, textures.get(&map.file, Alpha::Ignored, read_file))) {
-            None => None,
-            Some((map, Ok(image))) => Some(PartTexture { image, sampler: map.sampler() }),
-            Some((_, Err(error))) => {
-                let is_told = error.is_unread();
-                let notice = MeshNotice::Texture(error);
-                // Whoever reads the files says which were missing.
-                if !is_told && !notices.contains(&notice) {
-                    notices.push(notice);
-                }
-                None
-            }
-        };
+        let texture = map.and_then(|map| {
+            PartTexture::new(textures.get(&map.file, Alpha::Ignored, read_file), map.sampler(), &mut notices)
+        });
         parts.push(Part {
             name: part.name,
             two_sided,

@@ -6,7 +6,7 @@ use glam::DMat4;
 
 use crate::appearance::{Rgba, Sampler, Texture};
 use crate::scene::texture::CornerUv;
-use crate::scene::{Mesh, MeshNotice};
+use crate::scene::{Mesh, MeshNotice, TextureError};
 
 /// A mesh file that has been read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +17,13 @@ pub struct Imported {
     pub notices: Vec<MeshNotice>,
 }
 
+/// Notes something once.
+pub(super) fn note(notices: &mut Vec<MeshNotice>, notice: MeshNotice) {
+    if !notices.contains(&notice) {
+        notices.push(notice);
+    }
+}
+
 /// The texture of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartTexture {
@@ -24,6 +31,23 @@ pub struct PartTexture {
     pub image: Arc<Texture>,
     /// How it is asked for a colour.
     pub sampler: Sampler,
+}
+
+impl PartTexture {
+    /// A picture that was read. If it can't be used, a notice says so, unless whoever reads the files says which were
+    /// missing.
+    pub(super) fn new(
+        image: Result<Arc<Texture>, TextureError>,
+        sampler: Sampler,
+        notices: &mut Vec<MeshNotice>,
+    ) -> Option<Self> {
+        match image {
+            Ok(image) => return Some(Self { image, sampler }),
+            Err(error) if error.is_unread() => {}
+            Err(error) => note(notices, MeshNotice::Texture(error)),
+        }
+        None
+    }
 }
 
 /// One object of a mesh file.

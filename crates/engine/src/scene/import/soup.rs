@@ -78,13 +78,7 @@ impl Soup {
         }
         let normals: Option<Vec<DVec3>> = self.normals.iter().map(|&n| try_unit(n)).collect();
         let normals = normals.filter(|n| !n.is_empty());
-        let mut maker = Maker {
-            first_vertex: vec![NONE; self.positions.len()],
-            next_vertex: Vec::new(),
-            mesh: Mesh::default(),
-            sides: Vec::new(),
-            uv: Vec::new(),
-        };
+        let mut maker = Maker { first_vertex: vec![NONE; self.positions.len()], ..Maker::default() };
         let mut start = 0;
         let mut polygon = Polygon::default();
         let polygons = if self.arities.is_empty() { self.corners.len() / 3 } else { self.arities.len() };
@@ -153,6 +147,7 @@ impl Polygon {
 }
 
 /// The mesh, while it grows. The vertices at one point are a linked list.
+#[derive(Default)]
 struct Maker {
     first_vertex: Vec<u32>,
     next_vertex: Vec<u32>,

@@ -342,13 +342,7 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
             lit: false,
             two_sided: true,
             faces: false,
-            edges: Some(LineStyle {
-                color: on_face,
-                width: 4.0,
-                dash: Dash::Solid,
-                hidden: HiddenLines::Hidden,
-                arrow: false,
-            }),
+            edges: Some(LineStyle::solid(on_face, 4.0, HiddenLines::Hidden)),
             ..Object::new(
                 digit.to_string(),
                 Arc::new(Mesh::segments(points.windows(2).map(|pair| [pair[0], pair[1]]))),

@@ -102,19 +102,12 @@ impl CodeTarget {
     #[must_use]
     pub const fn comment(self) -> Option<&'static str> {
         match self {
-            Self::OpenGl
-            | Self::Glm
-            | Self::Glam
-            | Self::ThreeJs
-            | Self::Unity
-            | Self::Unreal
-            | Self::Babylon
-            | Self::Bevy => Some("// "),
             Self::Vtk | Self::NumPy | Self::Blender | Self::OpenCv | Self::Colmap | Self::PyTorch3d | Self::Godot => {
                 Some("# ")
             }
             Self::Latex => Some("% "),
             Self::Open3d | Self::Nerfstudio | Self::Gltf => None,
+            _ => Some("// "),
         }
     }
 
@@ -208,39 +201,33 @@ fn pose(camera: &Camera) -> [String; 3] {
     [camera.position(), camera.focal_point(), camera.view_up()].map(|v| list(v.to_array()))
 }
 
-/// l, r, b, t, F, B.
-fn frustum(camera: &Camera) -> String {
-    list(sides(camera).into_iter().chain([camera.near(), camera.far()]))
-}
-
 /// θ in radians, A, F, B: those of a symmetric perspective.
 fn perspective(camera: &Camera, angle: f64) -> String {
     list([angle, camera.window_aspect(), camera.near(), camera.far()])
 }
 
+/// A call of the function for a symmetric perspective, for any perspective, or for a parallel projection.
+fn lens_call(camera: &Camera, angle: f64, [symmetric, frustum, ortho]: [&str; 3]) -> String {
+    let function = match (camera.projection(), camera.has_symmetric_window()) {
+        (Projection::Perspective, true) => return format!("{symmetric}({})", perspective(camera, angle)),
+        (Projection::Perspective, false) => frustum,
+        (Projection::Parallel, _) => ortho,
+    };
+    format!("{function}({})", list(sides(camera).into_iter().chain([camera.near(), camera.far()])))
+}
+
 fn open_gl(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
-    let lens = match (camera.projection(), camera.has_symmetric_window()) {
-        (Projection::Perspective, true) => {
-            format!("gluPerspective({});", perspective(camera, camera.view_angle().degrees()))
-        }
-        (Projection::Perspective, false) => format!("glFrustum({});", frustum(camera)),
-        (Projection::Parallel, _) => format!("glOrtho({});", frustum(camera)),
-    };
+    let lens = lens_call(camera, camera.view_angle().degrees(), ["gluPerspective", "glFrustum", "glOrtho"]);
     format!(
-        "glMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n{lens}\nglMatrixMode(GL_MODELVIEW);\nglLoadIdentity();\ngluLookAt({eye}, {centre}, {up});\n"
+        "glMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n{lens};\nglMatrixMode(GL_MODELVIEW);\nglLoadIdentity();\ngluLookAt({eye}, {centre}, {up});\n"
     )
 }
 
 fn glm(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
-    let lens = match (camera.projection(), camera.has_symmetric_window()) {
-        (Projection::Perspective, true) => {
-            format!("glm::perspectiveRH_NO({})", perspective(camera, camera.view_angle().radians()))
-        }
-        (Projection::Perspective, false) => format!("glm::frustumRH_NO({})", frustum(camera)),
-        (Projection::Parallel, _) => format!("glm::orthoRH_NO({})", frustum(camera)),
-    };
+    let functions = ["glm::perspectiveRH_NO", "glm::frustumRH_NO", "glm::orthoRH_NO"];
+    let lens = lens_call(camera, camera.view_angle().radians(), functions);
     format!(
         "glm::dmat4 view = glm::lookAtRH(glm::dvec3({eye}), glm::dvec3({centre}), glm::dvec3({up}));\nglm::dmat4 projection = {lens};\n"
     )
@@ -248,18 +235,9 @@ fn glm(camera: &Camera) -> String {
 
 fn glam(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
-    let lens = match (camera.projection(), camera.has_symmetric_window()) {
-        (Projection::Perspective, true) => {
-            format!(
-                "glam::dcamera::rh::proj::opengl::perspective({})",
-                perspective(camera, camera.view_angle().radians())
-            )
-        }
-        (Projection::Perspective, false) => format!("glam::dcamera::rh::proj::opengl::frustum({})", frustum(camera)),
-        (Projection::Parallel, _) => format!("glam::dcamera::rh::proj::opengl::orthographic({})", frustum(camera)),
-    };
+    let lens = lens_call(camera, camera.view_angle().radians(), ["perspective", "frustum", "orthographic"]);
     format!(
-        "let view = glam::dcamera::rh::view::look_at_mat4(glam::dvec3({eye}), glam::dvec3({centre}), glam::dvec3({up}));\nlet projection = {lens};\n"
+        "let view = glam::dcamera::rh::view::look_at_mat4(glam::dvec3({eye}), glam::dvec3({centre}), glam::dvec3({up}));\nlet projection = glam::dcamera::rh::proj::opengl::{lens};\n"
     )
 }
 

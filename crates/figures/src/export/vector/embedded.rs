@@ -29,15 +29,10 @@ fn is_svg(bytes: &[u8]) -> bool {
         || (start.starts_with(b"<?xml") && find(&start[..start.len().min(4096)], b"<svg").is_some())
 }
 
-/// True for what begins as a PDF does.
-fn is_pdf(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"%PDF-")
-}
-
 /// The figure file in an SVG file or a PDF, where the bytes are one of these; `Some(None)`: none that can be read.
 #[must_use]
 pub fn figure_in(bytes: &[u8]) -> Option<Option<Vec<u8>>> {
-    if is_pdf(bytes) { Some(figure_in_pdf(bytes)) } else { is_svg(bytes).then(|| figure_in_svg(bytes)) }
+    if bytes.starts_with(b"%PDF-") { Some(figure_in_pdf(bytes)) } else { is_svg(bytes).then(|| figure_in_svg(bytes)) }
 }
 
 /// The figure file in an SVG file; `None` if there is none that can be read.

@@ -74,25 +74,8 @@ pub enum Item {
         /// Ends and corners are round. Otherwise ends are flat and corners sharp.
         round: bool,
     },
-    /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`].
-    Text {
-        /// The left end of its baseline.
-        at: [f32; 2],
-        /// On one line.
-        text: String,
-        /// In the letters of mathematics, where these have them.
-        mathematical: bool,
-        /// Height of the em.
-        size: f32,
-        /// The colour of its letters.
-        color: Rgba,
-        /// The colour of the halo around them.
-        halo: Rgba,
-        /// The width of the halo's stroke, of which half is outside of the letters.
-        halo_width: f32,
-        /// The end of it that stays where another font is wider or narrower.
-        anchor: Anchor,
-    },
+    /// A text.
+    Text(PageText),
     /// Pixels, stretched over a rectangle.
     Picture {
         /// The upper left corner.
@@ -102,6 +85,33 @@ pub enum Item {
         /// The pixels, premultiplied.
         pixels: Pixmap,
     },
+}
+
+/// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct PageText {
+    /// The left end of its baseline.
+    pub at: [f32; 2],
+    /// On one line.
+    pub text: String,
+    /// In the letters of mathematics, where these have them.
+    pub mathematical: bool,
+    /// Height of the em.
+    pub size: f32,
+    /// The colour of its letters.
+    pub color: Rgba,
+    /// The colour of the halo around them.
+    pub halo: Rgba,
+    /// The width of the halo's stroke, of which half is outside of the letters.
+    pub halo_width: f32,
+    /// The end of it that stays where another font is wider or narrower.
+    pub anchor: Anchor,
+}
+
+impl PageText {
+    fn outline(&self) -> Vec<Element> {
+        text::moved(&text::outline(&self.text, self.size, self.mathematical), self.at)
+    }
 }
 
 impl Item {
@@ -126,7 +136,16 @@ impl Item {
             Anchor::Right => 1.0,
         } * text::measure(&text, size, false).width;
         let halo = Rgba::rgba(0, 0, 0, 0);
-        Self::Text { at: [x - left, y], text, mathematical: false, size, color, halo, halo_width: 0.0, anchor }
+        Self::Text(PageText {
+            at: [x - left, y],
+            text,
+            mathematical: false,
+            size,
+            color,
+            halo,
+            halo_width: 0.0,
+            anchor,
+        })
     }
 }
 

@@ -5,7 +5,7 @@ use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use tiny_skia::Pixmap;
 
 use super::font::{FONTS_NAMED, Glyphs};
-use super::{Item, Letters, Page, straight};
+use super::{Item, Letters, Page, PageText, straight};
 use crate::appearance::Rgba;
 use crate::text::{self, Element, Face};
 
@@ -245,19 +245,19 @@ impl<'a> Writer<'a> {
                 self.path(path);
                 self.operators.stroke();
             }
-            Item::Text { at, text, mathematical, size, color, halo, halo_width, .. } => {
-                if halo.a > 0 {
-                    self.color(*halo);
-                    self.operators.set_line_width(*halo_width).set_line_join(LineJoinStyle::RoundJoin);
+            Item::Text(text) => {
+                if text.halo.a > 0 {
+                    self.color(text.halo);
+                    self.operators.set_line_width(text.halo_width).set_line_join(LineJoinStyle::RoundJoin);
                     self.operators.set_dash_pattern([], 0.0);
-                    self.path(&text::moved(&text::outline(text, *size, *mathematical), *at));
+                    self.path(&text.outline());
                     self.operators.stroke();
                 }
-                self.color(*color);
+                self.color(text.color);
                 match self.letters {
-                    Letters::Text => self.text(*at, (text, *mathematical), *size),
+                    Letters::Text => self.text(text),
                     Letters::Outlines => {
-                        self.path(&text::moved(&text::outline(text, *size, *mathematical), *at));
+                        self.path(&text.outline());
                         self.operators.fill_nonzero();
                     }
                 }
@@ -275,9 +275,10 @@ impl<'a> Writer<'a> {
     }
 
     /// One text of PDF for each: what is selected in a viewer is the whole name.
-    fn text(&mut self, [x, y]: [f32; 2], (text, mathematical): (&str, bool), size: f32) {
+    fn text(&mut self, of: &PageText) {
+        let [x, y] = of.at;
         self.operators.begin_text();
-        for run in text::set_runs(text, size, mathematical) {
+        for run in text::set_runs(&of.text, of.size, of.mathematical) {
             let font = run.face as usize;
             let bytes = self.glyphs[font].show(&run.text);
             self.operators.set_font(FONTS_NAMED[font], run.size);

@@ -1,12 +1,11 @@
 //! A page as pixels.
 
-use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Stroke, StrokeDash, Transform,
-};
+use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Pixmap, PixmapPaint, Stroke, StrokeDash, Transform};
 
 use super::{Item, Page};
 use crate::appearance::Rgba;
-use crate::text::{self, Element};
+use crate::raster::path_of;
+use crate::text::Element;
 
 /// The pixels of a page, `zoom` per unit; `None` if there would be too many.
 #[must_use]
@@ -41,13 +40,13 @@ fn paint(items: &[Item], [left, top, right, bottom]: [f32; 4], zoom: f32) -> Opt
                     place,
                 );
             }
-            Item::Text { at, text, mathematical, size, color, halo, halo_width, .. } => {
-                let outline = text::moved(&text::outline(text, *size, *mathematical), *at);
-                if halo.a > 0 {
-                    let around = Stroke { width: *halo_width, line_join: LineJoin::Round, ..Stroke::default() };
-                    stroke(&mut pixmap, &outline, *halo, &around, place);
+            Item::Text(text) => {
+                let outline = text.outline();
+                if text.halo.a > 0 {
+                    let around = Stroke { width: text.halo_width, line_join: LineJoin::Round, ..Stroke::default() };
+                    stroke(&mut pixmap, &outline, text.halo, &around, place);
                 }
-                fill(&mut pixmap, &outline, *color, place);
+                fill(&mut pixmap, &outline, text.color, place);
             }
             Item::Picture { corner, size, pixels } => {
                 let [x, y] = [size[0] / pixels.width() as f32, size[1] / pixels.height() as f32];
@@ -75,18 +74,4 @@ fn paint_of(Rgba { r, g, b, a }: Rgba) -> Paint<'static> {
     let mut paint = Paint::default();
     paint.set_color_rgba8(r, g, b, a);
     paint
-}
-
-fn path_of(path: &[Element]) -> Option<Path> {
-    let mut builder = PathBuilder::new();
-    for element in path {
-        match *element {
-            Element::Move([x, y]) => builder.move_to(x, y),
-            Element::Line([x, y]) => builder.line_to(x, y),
-            Element::Quad([cx, cy], [x, y]) => builder.quad_to(cx, cy, x, y),
-            Element::Cubic([ax, ay], [bx, by], [x, y]) => builder.cubic_to(ax, ay, bx, by, x, y),
-            Element::Close => builder.close(),
-        }
-    }
-    builder.finish()
 }

@@ -6,7 +6,7 @@ use xmlwriter::{Indent, Options, XmlWriter};
 
 use super::embedded::write_in_svg;
 use super::font::Glyphs;
-use super::{Item, Letters, Page, number, straight};
+use super::{Item, Letters, Page, PageText, number, straight};
 use crate::appearance::Rgba;
 use crate::text::{self, Element, Face};
 
@@ -84,17 +84,15 @@ impl Writer {
                 }
                 self.xml.end_element();
             }
-            Item::Text { at, text, mathematical, size, color, halo, halo_width, .. } => match self.letters {
-                Letters::Text => self.text(*at, (text, *mathematical), *size, [*color, *halo], *halo_width),
-                Letters::Outlines => self.outlines(*at, (text, *mathematical), *size, [*color, *halo], *halo_width),
+            Item::Text(text) => match self.letters {
+                Letters::Text => self.text(text),
+                Letters::Outlines => self.outlines(text),
             },
             Item::Picture { corner, size, pixels } => {
                 let Some(png) = png_of(pixels) else { return };
                 let xml = &mut self.xml;
                 xml.start_element("image");
-                for (name, value) in [("x", corner[0]), ("y", corner[1]), ("width", size[0]), ("height", size[1])] {
-                    xml.write_attribute(name, &number(value));
-                }
+                place(xml, [corner[0], corner[1], size[0], size[1]]);
                 xml.write_attribute("preserveAspectRatio", "none");
                 let href = format!("data:image/png;base64,{}", STANDARD.encode(png));
                 // The older name is the one that every program knows.
@@ -111,9 +109,7 @@ impl Writer {
         xml.start_element("clipPath");
         xml.write_attribute("id", &id);
         xml.start_element("rect");
-        for (name, value) in [("x", left), ("y", top), ("width", right - left), ("height", bottom - top)] {
-            xml.write_attribute(name, &number(value));
-        }
+        place(xml, [left, top, right - left, bottom - top]);
         xml.end_element();
         xml.end_element();
         xml.start_element("g");
@@ -144,17 +140,11 @@ impl Writer {
 
     /// One element with its halo painted first, so that each text is there once. The halo of a part of it would cover
     /// the letters of the part before: where there are several, it is that of the outlines, below the text.
-    fn text(
-        &mut self,
-        [x, y]: [f32; 2],
-        (text, mathematical): (&str, bool),
-        size: f32,
-        [color, halo]: [Rgba; 2],
-        halo_width: f32,
-    ) {
-        let runs = text::set_runs(text, size, mathematical);
+    fn text(&mut self, of: &PageText) {
+        let PageText { at: [x, y], size, halo, .. } = *of;
+        let runs = text::set_runs(&of.text, size, of.mathematical);
         if runs.len() > 1 && halo.a > 0 {
-            self.halo(&text::moved(&text::outline(text, size, mathematical), [x, y]), halo, halo_width);
+            self.halo(&of.outline(), of);
         }
         self.xml.start_element("text");
         if runs.iter().skip(1).any(|run| run.text.starts_with(' ')) {
@@ -165,24 +155,23 @@ impl Writer {
         self.xml.write_attribute("y", &number(y));
         self.xml.write_attribute_fmt("font-family", format_args!("{}, Verdana, sans-serif", family(Face::Plain)));
         self.xml.write_attribute("font-size", &number(size));
-        self.color("fill", color);
+        self.color("fill", of.color);
         if runs.len() <= 1 && halo.a > 0 {
             self.xml.write_attribute("paint-order", "stroke");
             self.color("stroke", halo);
-            self.xml.write_attribute("stroke-width", &number(halo_width));
+            self.xml.write_attribute("stroke-width", &number(of.halo_width));
             self.xml.write_attribute("stroke-linejoin", "round");
         }
         for run in &runs {
             self.glyphs[run.face as usize].take(&run.text);
         }
+        self.xml.set_preserve_whitespaces(true);
         if let [run] = runs.as_slice()
             && run.size == size
             && run.face == Face::Plain
         {
-            self.xml.set_preserve_whitespaces(true);
             self.xml.write_text(&escaped(&run.text));
         } else {
-            self.xml.set_preserve_whitespaces(true);
             for run in runs {
                 self.xml.start_element("tspan");
                 // The places of the font that is meant: another one's letters follow them.
@@ -233,33 +222,33 @@ impl Writer {
     }
 
     /// A stroke around letters.
-    fn halo(&mut self, outline: &[Element], color: Rgba, width: f32) {
+    fn halo(&mut self, outline: &[Element], of: &PageText) {
         self.path(outline);
         self.xml.write_attribute("fill", "none");
-        self.color("stroke", color);
-        self.xml.write_attribute("stroke-width", &number(width));
+        self.color("stroke", of.halo);
+        self.xml.write_attribute("stroke-width", &number(of.halo_width));
         self.xml.write_attribute("stroke-linejoin", "round");
         self.xml.end_element();
     }
 
-    fn outlines(
-        &mut self,
-        at: [f32; 2],
-        (text, mathematical): (&str, bool),
-        size: f32,
-        [color, halo]: [Rgba; 2],
-        halo_width: f32,
-    ) {
-        let path = text::moved(&text::outline(text, size, mathematical), at);
+    fn outlines(&mut self, of: &PageText) {
+        let path = of.outline();
         self.xml.start_element("g");
-        self.xml.write_attribute("aria-label", &escaped(text));
-        if halo.a > 0 {
-            self.halo(&path, halo, halo_width);
+        self.xml.write_attribute("aria-label", &escaped(&of.text));
+        if of.halo.a > 0 {
+            self.halo(&path, of);
         }
         self.path(&path);
-        self.color("fill", color);
+        self.color("fill", of.color);
         self.xml.end_element();
         self.xml.end_element();
+    }
+}
+
+/// The place of an element: its upper left corner, its width and its height.
+fn place(xml: &mut XmlWriter, numbers: [f32; 4]) {
+    for (name, value) in ["x", "y", "width", "height"].into_iter().zip(numbers) {
+        xml.write_attribute(name, &number(value));
     }
 }
 

@@ -1,6 +1,6 @@
 //! A page as a figure of a LaTeX document. Its letters are the document's, all else is a PDF beside it.
 
-use super::{Item, Page, number};
+use super::{Item, Page, PageText, number};
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
 use crate::formula;
@@ -37,7 +37,7 @@ pub(super) fn tex(page: &Page, art: &str) -> String {
 pub(super) fn without_texts(page: &Page) -> Page {
     fn kept(items: &[Item]) -> Vec<Item> {
         let keep = |item: &Item| match item {
-            Item::Text { .. } => None,
+            Item::Text(_) => None,
             Item::Group { corner, scale, clip, items } => {
                 Some(Item::Group { corner: *corner, scale: *scale, clip: *clip, items: kept(items) })
             }
@@ -56,7 +56,7 @@ fn labels(page: &Page, items: &[Item], (by, zoom): ([f32; 2], f32), latex: &mut 
                 let corner = [0, 1].map(|k| by[k] + zoom * corner[k]);
                 labels(page, items, (corner, zoom * scale), latex);
             }
-            Item::Text { at, text, mathematical, size, color, anchor, .. } => {
+            Item::Text(PageText { at, text, mathematical, size, color, anchor, .. }) => {
                 let width = text::measure(text, *size, *mathematical).width;
                 let (share, before, after) = match anchor {
                     Anchor::Left => (0.0, "", r"\hss"),

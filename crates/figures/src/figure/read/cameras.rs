@@ -38,6 +38,5 @@ fn camera(mut section: Section<'_>, before: &[String], faults: &mut Vec<Fault>) 
         section.fault("name", Problem::Duplicate);
     }
     let (parameters, lens) = camera_keys(&mut section, faults);
-    let good = section.is_good(faults);
-    name.filter(|_| good).map(|name| NamedCamera { name, color, parameters, lens })
+    section.good(name.map(|name| NamedCamera { name, color, parameters, lens }), faults)
 }

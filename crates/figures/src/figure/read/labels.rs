@@ -46,8 +46,7 @@ fn each<'a, T>(
     let sections = at_most(sections, MAX_LABELS, &format!("[[labels.{key}]]"), faults);
     let one = |mut section: Section<'a>| {
         let found = read(&mut section, faults);
-        let is_good = section.is_good(faults);
-        found.filter(|_| is_good)
+        section.good(found, faults)
     };
     sections.into_iter().filter_map(one).collect()
 }
@@ -117,10 +116,7 @@ fn place(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<NotePlace
         }
         None => {}
     }
-    let mut inner = section.section("at", "[[labels.notes]] at.");
-    if !inner.is_table() {
-        return None;
-    }
+    let mut inner = section.section("at", "[[labels.notes]] at.").there()?;
     inner.require("object", Allowed::Text);
     let object = inner.text("object");
     let at = match [inner.is_present("vertex"), inner.is_present("edge")] {
@@ -143,6 +139,5 @@ fn place(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<NotePlace
             None
         }
     };
-    let is_good = inner.is_good(faults);
-    at.filter(|_| is_good)
+    inner.good(at, faults)
 }

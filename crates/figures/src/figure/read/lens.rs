@@ -34,10 +34,7 @@ pub(super) fn lens(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<
 
 /// `lens = { focal_length = 35.0, sensor = [36.0, 24.0], fit = "horizontal" }`.
 fn focal_length(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<LensForm> {
-    let mut section = camera.section("lens", &format!("{}.", camera.name_of("lens")));
-    if !section.is_table() {
-        return None;
-    }
+    let mut section = camera.section("lens", &format!("{}.", camera.name_of("lens"))).there()?;
     let usual = Sensor::default();
     let focal_length = section.positive("focal_length", 50.0);
     section.require("focal_length", Allowed::PositiveNumber);

@@ -27,6 +27,7 @@ use super::{
 };
 use crate::appearance::Style;
 use crate::camera::{Camera, CameraError, ImageSize, LensForm, Parameters, Projection, ViewWindow, Viewport};
+use crate::expression::Dimension;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 use crate::sanitize;
 pub use comparison::typed_comparison;
@@ -65,11 +66,25 @@ pub fn text_of(bytes: &[u8], limit: usize) -> Result<&str, FigureError> {
 /// # Errors
 /// [`FigureError`] names the first faulty line.
 pub fn parse_with<T>(text: &str, read: impl FnOnce(Section<'_>, &mut Vec<Fault>) -> T) -> Result<T, FigureError> {
+    let (found, _) = parse_but(text, read, |_| false)?;
+    Ok(found)
+}
+
+/// As [`parse_with`], but the faults that are `excused` are given back.
+fn parse_but<T>(
+    text: &str,
+    read: impl FnOnce(Section<'_>, &mut Vec<Fault>) -> T,
+    excused: impl FnMut(&Fault) -> bool,
+) -> Result<(T, Vec<Fault>), FigureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
     let mut faults = Vec::new();
     let found = read(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
-    first_of(text, faults).map_or(Ok(found), Err)
+    let (excused, faults): (Vec<Fault>, Vec<Fault>) = faults.into_iter().partition(excused);
+    match faults.into_iter().min_by_key(|fault| fault.at) {
+        Some(Fault { at, key, problem }) => Err(FigureError { line: line_of(text, at), key, problem }),
+        None => Ok((found, excused)),
+    }
 }
 
 /// Reads a figure file. A missing key has its default. The empty text is the default figure.
@@ -80,12 +95,7 @@ pub fn parse_with<T>(text: &str, read: impl FnOnce(Section<'_>, &mut Vec<Fault>)
 /// # Errors
 /// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.
 pub fn parse(text: &str) -> Result<Figure, FigureError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (figure, faults) = figure_and_faults(text)?;
-    match first_of(text, faults) {
-        Some(error) => Err(error),
-        None => Ok(figure),
-    }
+    parse_with(text, figure)
 }
 
 /// As [`parse`], but keys that are not known, which a later version may have written, are passed over. They are given
@@ -94,13 +104,8 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
 /// # Errors
 /// As for [`parse`].
 pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (figure, faults) = figure_and_faults(text)?;
-    let (unknown, faults): (Vec<_>, Vec<_>) = faults.into_iter().partition(Fault::is_unknown_key);
-    match first_of(text, faults) {
-        Some(error) => Err(error),
-        None => Ok((figure, unknown.into_iter().map(|fault| fault.key).collect())),
-    }
+    let (figure, unknown) = parse_but(text, figure, Fault::is_unknown_key)?;
+    Ok((figure, unknown.into_iter().map(|fault| fault.key).collect()))
 }
 
 /// As [`parse`], but a camera that is impossible is no fault. Its error is given back with the figure.
@@ -108,29 +113,13 @@ pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
 /// # Errors
 /// As for [`parse`], except for [`Problem::Camera`].
 pub fn parse_with_any_camera(text: &str) -> Result<(Figure, Option<CameraError>), FigureError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (figure, faults) = figure_and_faults(text)?;
-    let (mut camera_error, mut others) = (None, Vec::new());
-    for fault in faults {
-        match fault.problem {
-            Problem::Camera(error) if fault.key.starts_with("[camera]") => camera_error = Some(error),
-            _ => others.push(fault),
-        }
-    }
-    first_of(text, others).map_or(Ok((figure, camera_error)), Err)
-}
-
-fn first_of(text: &str, faults: Vec<Fault>) -> Option<FigureError> {
-    let Fault { at, key, problem } = faults.into_iter().min_by_key(|fault| fault.at)?;
-    Some(FigureError { line: line_of(text, at), key, problem })
-}
-
-/// The figure of a text that is TOML, and all faults; where there is one, the figure has a default there.
-fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
-    let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
-    let mut faults = Vec::new();
-    let figure = figure(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
-    Ok((figure, faults))
+    let is_camera = |fault: &Fault| matches!(fault.problem, Problem::Camera(_)) && fault.key.starts_with("[camera]");
+    let (figure, faults) = parse_but(text, figure, is_camera)?;
+    let error = faults.into_iter().find_map(|fault| match fault.problem {
+        Problem::Camera(error) => Some(error),
+        _ => None,
+    });
+    Ok((figure, error))
 }
 
 /// The figure whose sections are in a section: a file, or a part of one.
@@ -216,17 +205,14 @@ fn camera_keys(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> (Parameter
 }
 
 fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindow> {
-    let mut section = camera.section("window", &format!("{}.", camera.name_of("window")));
-    if !section.is_table() {
-        return None;
-    }
+    let mut section = camera.section("window", &format!("{}.", camera.name_of("window"))).there()?;
     let mut side = |key| {
         let value = section.number(key, 0.0);
         section.require(key, Allowed::Number);
         value
     };
     let window = ViewWindow { left: side("left"), right: side("right"), bottom: side("bottom"), top: side("top") };
-    section.is_good(faults).then_some(window)
+    section.good(Some(window), faults)
 }
 
 /// The size, whether the image is shown undistorted, and the photograph under it.
@@ -329,7 +315,7 @@ fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
         target: section.vector("target", DVec3::ZERO),
         distance: section.positive("distance", 10.0),
         azimuth: section.angle("azimuth", 30.0),
-        elevation: section.angle_in("elevation", -90.0, 90.0, 20.0),
+        elevation: section.quantity_in("elevation", Dimension::Angle, -90.0, 90.0, 20.0),
         roll: section.angle("roll", 0.0),
         parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
     };

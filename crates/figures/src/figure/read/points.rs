@@ -25,6 +25,5 @@ fn point(mut section: Section<'_>, before: &[NamedPoint], faults: &mut Vec<Fault
     if name.as_ref().is_some_and(|name| !may_be_named(name, before.iter())) {
         section.fault("name", Problem::Duplicate);
     }
-    let is_good = section.is_good(faults);
-    name.filter(|_| is_good).map(|name| NamedPoint { name, position })
+    section.good(name.map(|name| NamedPoint { name, position }), faults)
 }

@@ -54,16 +54,7 @@ impl Places {
         let index = match &error {
             // The second one is too many.
             SceneError::DuplicateName { name } => named(name).nth(1),
-            SceneError::UnknownParent { .. }
-            | SceneError::Cycle { .. }
-            | SceneError::NotFinite { .. }
-            | SceneError::ZeroScale { .. }
-            | SceneError::Segments { .. }
-            | SceneError::Mesh { .. }
-            | SceneError::Light { .. }
-            | SceneError::TooManyLights { .. }
-            | SceneError::ShadowMaps { .. }
-            | SceneError::TooManyObjects => error.object().and_then(|name| named(name).next()),
+            _ => error.object().and_then(|name| named(name).next()),
         };
         let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
             (Some((start, keys)), _) => {
@@ -91,7 +82,7 @@ fn near_parent(spec: &SceneSpec, error: &SceneError) -> Option<String> {
 fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> ObjectSpec {
     const KEYS: [&str; 6] = ["name", "parent", "translate", "rotate", "scale", "segments"];
     let keys = KEYS.iter().filter_map(|key| Some((*key, section.place(key)?))).collect();
-    places.objects.push((section.start(), keys));
+    places.objects.push((section.at, keys));
     let shape = read_shape(&mut section);
     let segments = Shape::usual_segments(shape.as_ref());
     let object = ObjectSpec {
@@ -104,8 +95,8 @@ fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faul
         color: section.color("color"),
         segments: section.integer("segments", i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS), segments),
         texture: section.text("texture").map(|text| TextureSource::of(&text)),
-        wrap: section.choice("wrap", &Wrap::NAMED),
-        filter: section.choice("filter", &Filter::NAMED),
+        wrap: section.choice("wrap", Wrap::NAMED),
+        filter: section.choice("filter", Filter::NAMED),
         texture_scale: read_texture_scale(&mut section),
     };
     faults.extend(section.finish());
@@ -159,7 +150,7 @@ fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fa
             section.refuse(key, Allowed::NonZeroVector);
         }
         let shadows = read_shadows(&mut section);
-        places.lights.push(section.place(key).unwrap_or(section.start()));
+        places.lights.push(section.place(key).unwrap_or(section.at));
         Light { kind, vector, shadows }
     });
     if light.is_none() {
@@ -195,5 +186,5 @@ pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
         let called = object.text("name").unwrap_or_else(|| default_name(i));
         (called == name).then_some(object)
     })?;
-    Some(line_of(document.raw(), found.place(key).unwrap_or(found.start())))
+    Some(line_of(document.raw(), found.place(key).unwrap_or(found.at)))
 }

@@ -39,14 +39,11 @@ pub(super) fn screen(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Scree
     screen
 }
 
-fn entry(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ScreenEntry> {
-    if !section.is_table() {
-        return None;
-    }
+fn entry(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ScreenEntry> {
+    let mut section = section.there()?;
     let matrix = section.choice("matrix", SCREEN_MATRICES);
     section.require("matrix", Allowed::word_of(SCREEN_MATRICES));
     let inverse = section.switch("inverse");
     let [row, column] = ["row", "column"].map(|key| section.integer(key, 1, 4, 1));
-    let is_good = section.is_good(faults);
-    matrix.filter(|_| is_good).map(|matrix| ScreenEntry { matrix, inverse, place: [row, column] })
+    section.good(matrix.map(|matrix| ScreenEntry { matrix, inverse, place: [row, column] }), faults)
 }

@@ -30,10 +30,13 @@ impl Fault {
 
 /// A section that is there, or one of which every key has its default.
 pub struct Section<'a> {
-    text: &'a str,
-    table: Option<&'a dyn TableLike>,
+    /// The text of the file that it is in.
+    pub(super) text: &'a str,
+    /// The tables and values in it, as they are written.
+    pub(super) table: Option<&'a dyn TableLike>,
     label: String,
-    at: usize,
+    /// The start of the section.
+    pub at: usize,
     asked: Vec<&'static str>,
     /// Faults of the keys read so far.
     pub faults: Vec<Fault>,
@@ -49,11 +52,6 @@ impl<'a> Section<'a> {
     pub fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
-    }
-
-    /// The start of the section.
-    pub fn start(&self) -> usize {
-        self.at
     }
 
     /// True if the section has the key, whatever its value.
@@ -76,14 +74,9 @@ impl<'a> Section<'a> {
         self.table.is_some()
     }
 
-    /// The tables and values in it, as they are written.
-    pub(super) fn items(&self) -> Option<&'a dyn TableLike> {
-        self.table
-    }
-
-    /// The text of the file that it is in.
-    pub(super) fn file(&self) -> &'a str {
-        self.text
+    /// The section, if there is a table, even an empty one.
+    pub fn there(self) -> Option<Self> {
+        self.is_table().then_some(self)
     }
 
     /// True if no key is there.
@@ -203,41 +196,32 @@ impl<'a> Section<'a> {
         is_present.then_some(number)
     }
 
-    /// Degrees.
-    pub fn angle_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
-        self.quantity_in(key, Dimension::Angle, least, most, default)
-    }
-
-    fn quantity_in(&mut self, key: &'static str, dimension: Dimension, least: f64, most: f64, default: f64) -> f64 {
+    /// An angle is in degrees.
+    pub fn quantity_in(&mut self, key: &'static str, dimension: Dimension, least: f64, most: f64, default: f64) -> f64 {
         self.read_numbers(key, default, Allowed::NumberIn(least, most), |value| {
-            number(value, dimension).and_then(|x| (least..=most).contains(&x).then_some(x).ok_or(Refused::Value))
+            number_if(value, dimension, |x| (least..=most).contains(&x))
         })
     }
 
     /// A number greater than 0.
     pub fn positive(&mut self, key: &'static str, default: f64) -> f64 {
         self.read_numbers(key, default, Allowed::PositiveNumber, |value| {
-            number(value, Dimension::Number).and_then(|x| (x > 0.0).then_some(x).ok_or(Refused::Value))
+            number_if(value, Dimension::Number, |x| x > 0.0)
         })
     }
 
     /// Degrees between 0 and 180, both excluded; `None` if the key is missing, or wrong.
     pub fn angle_of_half_turn(&mut self, key: &'static str) -> Option<f64> {
         self.read_numbers(key, None, Allowed::HalfTurn, |value| {
-            let degrees = number(value, Dimension::Angle)?;
-            if degrees > 0.0 && degrees < 180.0 { Ok(Some(degrees)) } else { Err(Refused::Value) }
+            number_if(value, Dimension::Angle, |degrees| degrees > 0.0 && degrees < 180.0).map(Some)
         })
     }
 
     /// Two numbers greater than 0.
     pub fn positive_pair(&mut self, key: &'static str, default: [f64; 2]) -> [f64; 2] {
         self.read_numbers(key, default, Allowed::PositivePair, |value| {
-            let list = value.as_array().filter(|list| list.len() == 2).ok_or(Refused::Value)?;
-            let mut numbers = [0.0; 2];
-            for (place, value) in numbers.iter_mut().zip(list) {
-                *place = number(value, Dimension::Number).and_then(|x| (x > 0.0).then_some(x).ok_or(Refused::Value))?;
-            }
-            Ok(numbers)
+            let pair: [f64; 2] = numbers(value, Dimension::Number)?;
+            pair.iter().all(|x| *x > 0.0).then_some(pair).ok_or(Refused::Value)
         })
     }
 
@@ -312,11 +296,7 @@ impl<'a> Section<'a> {
     /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in
     /// Portuguese.
     pub fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
-        // `text.en = "…"` is a table, `text = { en = "…" }` a value.
-        let found = self.ask(key).map(|item| match item.as_table_like() {
-            Some(table) => bilingual_in(table),
-            None => item.as_value().and_then(told),
-        })?;
+        let found = told_by(self.ask(key)?);
         if found.is_none() {
             self.refuse(key, Allowed::Bilingual);
         }
@@ -326,11 +306,7 @@ impl<'a> Section<'a> {
     /// A table of such texts, in the order of the file.
     pub fn bilingual_table(&mut self, key: &'static str) -> Vec<(String, [String; 2])> {
         let Some(table) = self.ask(key).and_then(Item::as_table_like) else { return Vec::new() };
-        let of = |item: &Item| match item.as_table_like() {
-            Some(table) => bilingual_in(table),
-            None => item.as_value().and_then(told),
-        };
-        let texts: Option<Vec<_>> = table.iter().map(|(name, item)| Some((name.to_owned(), of(item)?))).collect();
+        let texts: Option<Vec<_>> = table.iter().map(|(name, item)| Some((name.to_owned(), told_by(item)?))).collect();
         if texts.is_none() {
             self.refuse(key, Allowed::Bilingual);
         }
@@ -367,10 +343,7 @@ impl<'a> Section<'a> {
     /// Two finite numbers.
     pub fn pair(&mut self, key: &'static str) -> Option<DVec2> {
         self.read_numbers(key, None, Allowed::Pair, |value| {
-            let list = value.as_array().filter(|list| list.len() == 2).ok_or(Refused::Value)?;
-            let numbers: Vec<f64> =
-                list.iter().map(|value| number(value, Dimension::Number)).collect::<Result<_, _>>()?;
-            Ok(Some(DVec2::new(numbers[0], numbers[1])))
+            numbers(value, Dimension::Number).map(|pair| Some(DVec2::from_array(pair)))
         })
     }
 
@@ -402,9 +375,9 @@ impl<'a> Section<'a> {
     /// Two whole numbers from `least` on.
     pub fn whole_pair<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64) -> Option<[T; 2]> {
         self.read(key, None, Allowed::Pixel, |value| {
-            let list = value.as_array().filter(|list| list.len() == 2)?;
-            let whole = |k: usize| T::try_from(list.get(k)?.as_integer().filter(|i| *i >= least)?).ok();
-            Some(Some([whole(0)?, whole(1)?]))
+            let whole = |i: i64| T::try_from(i).ok().filter(|_| i >= least);
+            let [i, j] = whole_numbers(value)?.map(whole);
+            Some(Some([i?, j?]))
         })
     }
 
@@ -412,26 +385,17 @@ impl<'a> Section<'a> {
     pub fn matrix(&mut self, key: &'static str) -> Option<DMat4> {
         self.read_numbers(key, None, Allowed::Matrix, |value| {
             let rows = value.as_array().filter(|rows| rows.len() == 4).ok_or(Refused::Value)?;
-            let mut entries = [0.0; 16];
-            for (i, row) in rows.iter().enumerate() {
-                let row = row.as_array().filter(|row| row.len() == 4).ok_or(Refused::Value)?;
-                for (j, entry) in row.iter().enumerate() {
-                    entries[4 * i + j] = number(entry, Dimension::Number)?;
-                }
+            let mut entries = [[0.0; 4]; 4];
+            for (place, row) in entries.iter_mut().zip(rows) {
+                *place = numbers(row, Dimension::Number)?;
             }
-            Ok(Some(DMat4::from_cols_array(&entries).transpose()))
+            Ok(Some(DMat4::from_cols_array_2d(&entries).transpose()))
         })
     }
 
     /// A list of pairs of whole numbers.
     pub fn pairs(&mut self, key: &'static str) -> Vec<[i64; 2]> {
-        self.read(key, Vec::new(), Allowed::Pixels, |value| {
-            let pair = |value: &Value| -> Option<[i64; 2]> {
-                let list = value.as_array().filter(|list| list.len() == 2)?;
-                Some([list.get(0)?.as_integer()?, list.get(1)?.as_integer()?])
-            };
-            value.as_array()?.iter().map(pair).collect()
-        })
+        self.read(key, Vec::new(), Allowed::Pixels, |value| value.as_array()?.iter().map(whole_numbers).collect())
     }
 
     /// Numbers in rows: a number is one row of one, a list is a row for each, a list of lists is itself.
@@ -529,6 +493,12 @@ impl<'a> Section<'a> {
         Some(self.text.get(span)?.trim().to_owned())
     }
 
+    /// The result of a section in which nothing is wrong but unknown keys. Its faults join the others.
+    pub fn good<T>(self, found: Option<T>, faults: &mut Vec<Fault>) -> Option<T> {
+        let is_good = self.is_good(faults);
+        found.filter(|_| is_good)
+    }
+
     /// Adds the section's faults to others. True if nothing is wrong with it but unknown keys.
     pub fn is_good(self, faults: &mut Vec<Fault>) -> bool {
         let own = self.finish();
@@ -585,6 +555,34 @@ fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
     }
 }
 
+/// A number that is allowed.
+fn number_if(value: &Value, dimension: Dimension, is_allowed: impl Fn(f64) -> bool) -> Result<f64, Refused> {
+    number(value, dimension).and_then(|x| is_allowed(x).then_some(x).ok_or(Refused::Value))
+}
+
+/// A list of as many numbers.
+fn numbers<const N: usize>(value: &Value, dimension: Dimension) -> Result<[f64; N], Refused> {
+    let list = value.as_array().filter(|list| list.len() == N).ok_or(Refused::Value)?;
+    let mut numbers = [0.0; N];
+    for (place, value) in numbers.iter_mut().zip(list) {
+        *place = number(value, dimension)?;
+    }
+    Ok(numbers)
+}
+
+fn whole_numbers(value: &Value) -> Option<[i64; 2]> {
+    let list = value.as_array().filter(|list| list.len() == 2)?;
+    Some([list.get(0)?.as_integer()?, list.get(1)?.as_integer()?])
+}
+
+/// A text for both languages: `text.en = "…"` is a table, `text = { en = "…" }` a value.
+fn told_by(item: &Item) -> Option<[String; 2]> {
+    match item.as_table_like() {
+        Some(table) => bilingual_in(table),
+        None => item.as_value().and_then(told),
+    }
+}
+
 /// A text for both languages. One that is missing is the other.
 fn told(value: &Value) -> Option<[String; 2]> {
     match value.as_inline_table() {
@@ -609,7 +607,5 @@ fn bilingual_in(table: &dyn TableLike) -> Option<[String; 2]> {
 }
 
 fn vector(value: &Value, dimension: Dimension) -> Result<DVec3, Refused> {
-    let list = value.as_array().filter(|list| list.len() == 3).ok_or(Refused::Value)?;
-    let numbers: Vec<f64> = list.iter().map(|value| number(value, dimension)).collect::<Result<_, _>>()?;
-    Ok(DVec3::from_slice(&numbers))
+    numbers(value, dimension).map(DVec3::from_array)
 }

@@ -60,40 +60,28 @@ fn operations(section: &mut Section<'_>) -> Vec<Operation> {
     operations
 }
 
-/// The result of a section without faults.
-fn good<T>(section: Section<'_>, found: Option<T>, faults: &mut Vec<Fault>) -> Option<T> {
-    let is_good = section.is_good(faults);
-    found.filter(|_| is_good)
-}
-
-fn step(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> {
-    if !section.is_table() {
-        return None;
-    }
+fn step(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> {
+    let mut section = section.there()?;
     let way = section.choice("way", WAYS);
     section.require("way", Allowed::word_of(WAYS));
     // In either projection: who changes it keeps a figure that can be read.
     let steps = way.unwrap_or_default().most_steps();
     let at = section.optional_in("at", 0.0, f64::from(steps), 0.0);
-    good(section, way.map(|way| ShownStep { way, at }), faults)
+    section.good(way.map(|way| ShownStep { way, at }), faults)
 }
 
-fn triangle(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownTriangle> {
-    if !section.is_table() {
-        return None;
-    }
+fn triangle(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownTriangle> {
+    let mut section = section.there()?;
     let object = section.text("object");
     section.require("object", Allowed::Text);
     let index = section.integer("index", 0, i64::from(u32::MAX), 0);
     let step = section.word("step", TRIANGLE_STEPS, TriangleStep::default());
     let pixel = section.whole_pair("pixel", 0);
-    good(section, object.map(|object| ShownTriangle { object, index, step, pixel }), faults)
+    section.good(object.map(|object| ShownTriangle { object, index, step, pixel }), faults)
 }
 
-fn probe(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownProbe> {
-    if !section.is_table() {
-        return None;
-    }
+fn probe(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownProbe> {
+    let mut section = section.there()?;
     let given: Vec<&str> = ["world", "window", "pixel"].into_iter().filter(|key| section.is_present(key)).collect();
     let world = section.vector("world", DVec3::ZERO);
     let (window, pixel) = (section.pair("window"), section.whole_pair("pixel", i64::MIN));
@@ -110,7 +98,7 @@ fn probe(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownProbe
             None
         }
     };
-    good(section, found, faults)
+    section.good(found, faults)
 }
 
 fn previews(sections: Vec<Section<'_>>, faults: &mut Vec<Fault>) -> Vec<TransformPreview> {
@@ -133,13 +121,11 @@ fn preview(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Transfor
         axis,
         wrong,
     });
-    good(section, found, faults)
+    section.good(found, faults)
 }
 
-fn axis(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Ray> {
-    if !section.is_table() {
-        return None;
-    }
+fn axis(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Ray> {
+    let mut section = section.there()?;
     let origin = section.vector("origin", DVec3::ZERO);
     let direction = section.vector("direction", DVec3::Y);
     if direction == DVec3::ZERO {
@@ -148,5 +134,5 @@ fn axis(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Ray> {
     // As it was written, where it is a unit vector but for rounding.
     let length = direction.length();
     let direction = if (length - 1.0).abs() < 1e-12 { direction } else { direction.normalize_or_zero() };
-    good(section, Some(Ray { origin, direction }), faults)
+    section.good(Some(Ray { origin, direction }), faults)
 }

@@ -38,7 +38,7 @@ impl Stacked {
         for name in SECTIONS {
             over.skip(name);
         }
-        let Some(items) = over.items() else { return };
+        let Some(items) = over.table else { return };
         for name in SECTIONS {
             let Some((key, item)) = items.get_key_value(name) else { continue };
             match (self.table.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
@@ -67,7 +67,7 @@ impl Stacked {
     /// The figure of all of them; `within` is a section of the text that they come from.
     pub fn figure(&self, within: &Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         let label = within.name_of("").trim_matches(['[', ']', ' ']).to_owned();
-        figure(Section::new(within.file(), Some(&self.table), &format!("[{label}]"), within.start()), faults)
+        figure(Section::new(within.text, Some(&self.table), &format!("[{label}]"), within.at), faults)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::pipeline::Frame;
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
-use super::observer::{Direction, Viewpoint, enclosing};
+use super::observer::{Viewpoint, enclosing, on_side};
 use super::pixels::PixelRect;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
@@ -38,7 +38,7 @@ pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 const AXIS: f64 = 1.42;
 /// Size of the visible space around the cube where the outside is shown.
 const BEYOND: f64 = 1.5;
-const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, roll: 0.0, parallel: false };
+const ISO: Observer = on_side(32.0, 20.0, false);
 
 /// The camera's axes as the picture shows them.
 const VRC: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
@@ -48,18 +48,14 @@ pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     framing(request, viewpoint.direction(ISO, VRC))
 }
 
-/// The observer that looks in the same direction and has the cube in the picture.
-pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
-    framing(request, Direction::from(*observer))
-}
-
 /// The observer of several pictures, which has the box of each in the picture.
 pub(super) fn common(requests: &[Request]) -> Option<Observer> {
     let points: Vec<_> = requests.iter().flat_map(Request::each_side).flat_map(|side| points(&side)).collect();
     Some(enclosing(&points, ISO, requests.first()?.size))
 }
 
-fn framing(request: &Request, direction: Direction) -> Observer {
+/// The observer that looks in a direction and has the cube in the picture.
+pub(super) fn framing(request: &Request, direction: Observer) -> Observer {
     let sides = request.each_side();
     let points: Vec<_> = sides.iter().flat_map(points).collect();
     enclosing(&points, direction, sides.first().unwrap_or(request).size)
@@ -108,7 +104,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let palette = Palette::of(style.theme);
     let target = request.size.target(palette.paper);
     let Some(screen) = screen(request) else {
-        return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
+        return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
     let clipped = (!request.shot.look.reveal.divide_first).then(|| pipeline.projected(request));
     let mut revealed = revealed_scene::in_canonical(request, clipped.as_deref(), palette);
@@ -127,7 +123,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let lights = light_view::lights(request, &request.scene);
     let scenes = scene.with(&builder.gear).with_fineness(fineness);
     let scenes = light_view::shadowed(scenes, request, &lights);
-    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
 }
@@ -216,12 +212,12 @@ fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
 fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String)> {
     const SMALL: f64 = 320.0;
     let corners = canonical.bounds().corners();
-    let wanted = if screen.extent().min_element() < SMALL * screen.scale() {
+    let wanted = if screen.extent.min_element() < SMALL * screen.scale {
         vec![corners[4], corners[3]]
     } else {
         corners.to_vec()
     };
-    let coincide = |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0 * screen.scale());
+    let coincide = |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0 * screen.scale);
     let mut names: Vec<(DVec3, String)> = Vec::new();
     for p in wanted {
         let twin = corners.into_iter().find(|&q| q != p && coincide(p, q));

@@ -17,7 +17,7 @@ use crate::pipeline::Frame;
 
 use super::canonical_box::CanonicalBox;
 use crate::views::image::light_view;
-use crate::views::observer::{Direction, enclosing};
+use crate::views::observer::enclosing;
 use crate::views::pixels::PixelRect;
 use crate::views::reveal::probe;
 use crate::views::screen::Screen;
@@ -138,9 +138,8 @@ fn radius(way: &Way, camera: &Camera, steps: usize) -> Option<f64> {
 /// one's.
 fn observer(request: &Request, way: &Way) -> Option<Observer> {
     let end = canonical::observer_of(request);
-    let direction = Direction::from(end);
     let before = extent(way, &request.camera, way.step)?;
-    let around = |bounds: Aabb| enclosing(&bounds.corners(), direction, request.size);
+    let around = |bounds: Aabb| enclosing(&bounds.corners(), end, request.size);
     let last = way.step + 1 == way.factors.len();
     let after = if last { end } else { around(extent(way, &request.camera, way.step + 1)?) };
     Some(between(around(before), after, way.share))
@@ -196,7 +195,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let lights = light_view::lights(request, &request.scene);
     let scenes = scene.with(&builder.gear).with_fineness(screen.fineness(request, place));
     let scenes = light_view::shadowed(scenes, request, &lights);
-    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }
 

@@ -12,7 +12,7 @@ use std::cell::Cell;
 
 use glam::DVec2;
 
-use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Stage, Target};
@@ -29,7 +29,7 @@ use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{LegendRow, LegendText};
-use crate::views::world::gizmos::{AnnotationBuilder, SceneChange, stroke};
+use crate::views::world::gizmos::{AnnotationBuilder, SceneChange};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -98,7 +98,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
             greys.paint(drawing, scale);
         }
     };
-    let mut drawn = pipeline.repainted(request, scenes, &request.camera, target, &style, repaint);
+    let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style, repaint);
     for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
         drawing.depth_format = style.depth_format;
     }
@@ -107,7 +107,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
         let plain = request.clone().with_shot(|shot| shot.show.stage = None);
-        let mut more = TimedPipeline::default().frame(&plain, &wrong, &front, target, &style).drawing;
+        let mut more = TimedPipeline::default().frame(&plain, &wrong, &front, target, &style, |_, _| {}).drawing;
         if greys.is_some() {
             // Glass has no depth.
             more.surfaces.clear();
@@ -190,11 +190,9 @@ fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) ->
     image.surfaces.insert(0, sheet_of_paper([x, y, w, h], image.background));
     let half = 0.5 * size.scale;
     let corner = |dx: f32, dy: f32| [x + dx * w + half * (2.0 * dx - 1.0), y + dy * h + half * (2.0 * dy - 1.0), 1.0];
-    image.strokes.push(StrokeSet {
-        points: vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0), corner(0.0, 0.0)],
-        polylines: std::iter::once(0..5).collect(),
-        style: stroke(palette.soft, size.scale, Dash::Solid, HiddenLines::Shown),
-    });
+    let border = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0), corner(0.0, 0.0)];
+    let style = LineStyle::solid(palette.soft, size.scale, HiddenLines::Shown);
+    image.strokes.push(StrokeSet::line(border, style));
     Drawing { width: size.width, height: size.height, background: palette.surround, ..image }
 }
 

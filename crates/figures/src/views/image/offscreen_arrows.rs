@@ -53,11 +53,8 @@ pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palet
         let tail = tip - unit(direction) * (LENGTH * scale);
         let dash = if behind { Dash::Dashed } else { Dash::Solid };
         let style = stroke(look.color, 2.0 * request.size.scale, dash, HiddenLines::Shown);
-        drawing.strokes.push(StrokeSet {
-            points: [tail, tip].map(|p| [single(p.x), single(p.y), 1.0]).to_vec(),
-            polylines: std::iter::once(0..2).collect(),
-            style: LineStyle { arrow: true, ..style },
-        });
+        let ends = [tail, tip].map(|p| [single(p.x), single(p.y), 1.0]);
+        drawing.strokes.push(StrokeSet::line(ends.to_vec(), LineStyle { arrow: true, ..style }));
         let name = if look.name.is_empty() { String::new() } else { sanitize::escaped(look.name) };
         let text = match (behind, name.is_empty()) {
             (false, _) => name,

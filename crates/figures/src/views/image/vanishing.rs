@@ -7,7 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, MarkShape};
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
 use crate::camera::{Camera, Projection};
 use crate::drawing::{Drawing, Label, Mark, StrokeSet, single};
 use crate::geometry::Aabb;
@@ -78,14 +78,8 @@ pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palet
             }
         }
         if picture.holds(vanishing) {
-            drawing.marks.push(Mark {
-                position: [single(vanishing.x), single(vanishing.y), 1.0],
-                radius: 4.0 * scale,
-                color,
-                outline: palette.paper,
-                shape: MarkShape::Diamond,
-                fade_if_hidden: false,
-            });
+            let position = [single(vanishing.x), single(vanishing.y), 1.0];
+            drawing.marks.push(Mark::new(position, MarkShape::Diamond, 4.0 * scale, [color, palette.paper]));
             drawing.labels.push(label(vanishing, name, SMALL_TYPE * scale, color, palette));
         } else {
             let text = format!("{name}: {}", labels.beyond_image);
@@ -152,27 +146,18 @@ impl WindowPicture<'_> {
     }
 
     /// Draws the part of a line in the picture (in `f64`: a vanishing point may be a billion pixels away).
-    fn line(
-        &self,
-        drawing: &mut Drawing,
-        [a, b]: [DVec2; 2],
-        style: crate::appearance::LineStyle,
-    ) -> Option<[DVec2; 2]> {
+    fn line(&self, drawing: &mut Drawing, [a, b]: [DVec2; 2], style: LineStyle) -> Option<[DVec2; 2]> {
         let whole = Box2 { center: self.size / 2.0, half: self.size / 2.0 };
         let ends = whole.part_inside(a, b)?.map(|share| a.lerp(b, share));
         if !ends.iter().all(|p| p.is_finite()) {
             return None;
         }
-        drawing.strokes.push(StrokeSet {
-            points: ends.map(|p| [single(p.x), single(p.y), 1.0]).to_vec(),
-            polylines: std::iter::once(0..2).collect(),
-            style,
-        });
+        drawing.strokes.push(StrokeSet::line(ends.map(|p| [single(p.x), single(p.y), 1.0]).to_vec(), style));
         Some(ends)
     }
 }
 
-fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palette: Palette) -> Label {
+fn label(at: DVec2, text: &str, size: f32, color: Rgba, palette: Palette) -> Label {
     Label {
         name: text.to_owned(),
         offset: [0.6 * size, -0.6 * size],

@@ -69,7 +69,7 @@ pub(in crate::views) fn on_axis(
     if pixels_per_step < 0.05 {
         return Vec::new();
     }
-    let least = unit * clear * screen.scale() / pixels_per_step;
+    let least = unit * clear * screen.scale / pixels_per_step;
     [(Handle::Near, volume.start), (Handle::Far, volume.end)].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 

@@ -15,12 +15,6 @@ use crate::views::screen::Screen;
 use crate::views::world::world_framing;
 use crate::views::{Probe, Request, View, canonical, image};
 
-/// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is not a camera.
-#[must_use]
-pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
-    Some(world_framing::screen(request)?.ray(pointer))
-}
-
 /// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is
 /// taken only where no other is within reach; in the canonical volume and in the image only vertices inside the view
 /// volume are.
@@ -144,8 +138,7 @@ pub fn window_point_in_image(request: &Request, pointer: DVec2) -> Option<DVec2>
 }
 
 fn object_in_world(request: &Request, pointer: DVec2) -> Option<String> {
-    let ray = ray_in_world(request, pointer)?;
-    first_object(request, ray)
+    first_object(request, world_framing::screen(request)?.ray(pointer))
 }
 
 fn object_in_image(request: &Request, pointer: DVec2) -> Option<String> {

@@ -43,7 +43,7 @@ pub enum Pull {
 
 /// The length of arrows and bars, and the radius of the rings (world). It is fixed on the screen.
 fn length(gizmo: &TransformGizmo, screen: &Screen) -> f64 {
-    let (side, scale) = (screen.extent().min_element(), screen.scale());
+    let (side, scale) = (screen.extent.min_element(), screen.scale);
     screen.units_per_pixel(gizmo.origin) * (0.15 * side).clamp(40.0 * scale, 120.0 * scale)
 }
 

@@ -3,8 +3,6 @@
 //! Work on vertices, triangles and objects is drawn over the picture, as recorded while the picture was made
 //! ([`StageWork`]). Work on pixels shows in two halves: the left one before the stage, the right one after it.
 
-use std::ops::Range;
-
 use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
@@ -132,27 +130,12 @@ fn outlines(surfaces: &[Surface], style: LineStyle) -> Vec<StrokeSet> {
             [[a, b], [b, c], [c, a]].map(|ends| ends.map(at))
         })
     });
-    vec![strokes(&sides.collect::<Vec<_>>(), style)]
-}
-
-fn strokes(sides: &[[[f32; 3]; 2]], style: LineStyle) -> StrokeSet {
-    let ends = |i: usize| -> Range<u32> {
-        let first = u32::try_from(2 * i).unwrap_or(u32::MAX - 2);
-        first..first + 2
-    };
-    StrokeSet { points: sides.as_flattened().to_vec(), polylines: (0..sides.len()).map(ends).collect(), style }
+    vec![StrokeSet::pairs(&sides.collect::<Vec<_>>(), style)]
 }
 
 fn mark(position: [f32; 3], color: Rgba, radius: f32, request: &Request) -> Mark {
     let palette = Palette::of(request.shot.look.style.theme);
-    Mark {
-        position,
-        shape: MarkShape::Disc,
-        radius: radius * request.size.scale,
-        color,
-        outline: palette.paper,
-        fade_if_hidden: false,
-    }
+    Mark::new(position, MarkShape::Disc, radius * request.size.scale, [color, palette.paper])
 }
 
 /// A face that the stage drops, as glass.
@@ -170,7 +153,7 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     let dashed = LineStyle { dash: Dash::Dashed, width: 3.0 * thin.width, ..thin };
     for (sides, style) in [(&work.before, dashed), (&work.after, stroke_of(color_out, request))] {
         if !sides.is_empty() {
-            drawing.strokes.push(strokes(sides, style));
+            drawing.strokes.push(StrokeSet::pairs(sides, style));
         }
     }
     let cut = |p: &[f32; 3]| Mark { shape: MarkShape::Diamond, ..mark(*p, palette.cut, 3.4, request) };

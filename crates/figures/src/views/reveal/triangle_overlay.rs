@@ -23,11 +23,7 @@ fn shown(triangle: &TriangleOverlay) -> Vec<(char, DVec3)> {
         TriangleStep::View | TriangleStep::Facing | TriangleStep::Outcodes => {
             "abc".chars().zip(triangle.corners).collect()
         }
-        TriangleStep::Cuts
-        | TriangleStep::Divide
-        | TriangleStep::Viewport
-        | TriangleStep::Pixels
-        | TriangleStep::Depth => triangle.left.clone(),
+        _ => triangle.left.clone(),
     }
 }
 

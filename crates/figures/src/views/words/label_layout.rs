@@ -8,7 +8,7 @@
 
 use glam::DVec2;
 
-use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
+use crate::appearance::{HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
 use crate::figure::labels::{set_text, symbols};
 use crate::figure::{LabelChange, Labels, Letters, View};
@@ -309,17 +309,8 @@ const COVERS: f64 = 40.0;
 
 /// The lines from texts to their points, over everything.
 fn leading(ends: &[[DVec2; 2]], color: Rgba, width: f32) -> StrokeSet {
-    let mut set = StrokeSet {
-        points: Vec::new(),
-        polylines: Vec::new(),
-        style: LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: false },
-    };
-    for end in ends {
-        let from = u32::try_from(set.points.len()).unwrap_or(u32::MAX);
-        set.points.extend(end.map(|p| [single(p.x), single(p.y), 1.0]));
-        set.polylines.push(from..from.saturating_add(2));
-    }
-    set
+    let ends: Vec<_> = ends.iter().map(|ends| ends.map(|p| [single(p.x), single(p.y), 1.0])).collect();
+    StrokeSet::pairs(&ends, LineStyle::solid(color, width, HiddenLines::Shown))
 }
 
 /// A place for a label.

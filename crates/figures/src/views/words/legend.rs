@@ -257,14 +257,8 @@ impl Legend {
             LegendRow::Mark(shape, color, meaning) => {
                 text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
                 let middle = at + DVec2::X * (SWATCH.x / 2.0 * em);
-                drawing.marks.push(Mark {
-                    position: [single(middle.x), single(middle.y), 1.0],
-                    shape: *shape,
-                    radius: single(0.3 * em),
-                    color: *color,
-                    outline: self.palette.paper,
-                    fade_if_hidden: false,
-                });
+                let (position, colors) = ([single(middle.x), single(middle.y), 1.0], [*color, self.palette.paper]);
+                drawing.marks.push(Mark::new(position, *shape, single(0.3 * em), colors));
             }
             LegendRow::Scale(colors, texts) => {
                 for (i, line) in (1..).zip(texts) {

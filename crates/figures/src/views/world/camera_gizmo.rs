@@ -20,7 +20,7 @@ pub(in crate::views) struct GizmoSizes {
 impl GizmoSizes {
     pub(in crate::views) fn new(screen: &Screen, camera: &Camera, look: &WorldLook) -> Self {
         let pixel = screen.units_per_pixel(camera.position());
-        let (side, scale) = (screen.extent().min_element(), screen.scale());
+        let (side, scale) = (screen.extent.min_element(), screen.scale);
         let axis_of = |length: f64| pixel * (0.12 * length * side).clamp(30.0 * scale, 180.0 * length.max(1.0) * scale);
         Self {
             body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),

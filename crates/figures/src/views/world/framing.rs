@@ -3,12 +3,13 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::Camera;
+use crate::figure::Observer;
 use crate::geometry::Aabb;
 use crate::numbers::nice_above;
 
 use super::volume::DrawnVolume;
 use crate::views::Request;
-use crate::views::observer::Direction;
+use crate::views::observer::on_side;
 
 /// The boxes of the world's content.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,11 +123,11 @@ impl Ground {
 /// The direction of [`Viewpoint::Iso`](crate::views::observer::Viewpoint::Iso): to the side of the camera and a little
 /// behind it, so that its axis runs across the picture from left to right and the image on its window is not seen from
 /// the back.
-pub(in crate::views) fn iso_direction(camera: &Camera) -> Direction {
+pub(in crate::views) fn iso_direction(camera: &Camera) -> Observer {
     const ASIDE: f64 = 60.0;
     let n = camera.basis().n;
     // A camera that looks straight down is placed, as a map is, with **v** to the back.
     let flat = if n.x.hypot(n.z) > 0.1 { n } else { camera.basis().v * -n.y.signum() };
     let azimuth = flat.x.atan2(flat.z).to_degrees();
-    Direction { azimuth: (azimuth + ASIDE).round().rem_euclid(360.0), elevation: 20.0, roll: 0.0, parallel: false }
+    on_side((azimuth + ASIDE).round().rem_euclid(360.0), 20.0, false)
 }

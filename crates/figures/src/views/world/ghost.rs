@@ -109,7 +109,7 @@ fn turn(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, gho
         Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return pivot,
     };
     let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return pivot };
-    let reach = builder.screen.units_per_pixel(pivot) * 0.2 * builder.screen.extent().min_element();
+    let reach = builder.screen.units_per_pixel(pivot) * 0.2 * builder.screen.extent.min_element();
     let tip = pivot + axis.direction * reach;
     builder.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
     builder.text(tip, name, builder.screen.heading(pivot, axis.direction), TYPE, color);

@@ -65,7 +65,7 @@ impl<'a> AnnotationBuilder<'a> {
         const HALF: f64 = 6.0;
         let (Some(a), Some(b)) = (self.screen.place(from), self.screen.place(to)) else { return };
         let along = (b - a).normalize_or_zero();
-        let slanted = (along.perp() + 0.5 * along) * (HALF * self.screen.scale());
+        let slanted = (along.perp() + 0.5 * along) * (HALF * self.screen.scale);
         for p in [from, to] {
             let shift = self.screen.moved(p, slanted) - p;
             self.line(vec![p - shift, p + shift], color, 1.3, Dash::Solid);

@@ -47,7 +47,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let target = request.size.target(palette.paper);
     let content = Content::of(request);
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
-        return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
+        return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
     let mut revealed = if request.shot.look.world.section {
         PipelineReveal::plain(Cow::default())
@@ -102,7 +102,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
         .in_shadows_of(request.scene.alone())
         .lit_by(&lights);
-    let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
+    let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
@@ -289,7 +289,7 @@ impl World<'_> {
         let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
         let mut corners: Vec<_> = in_frame.collect();
         let reach = corners.iter().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
-        if reach < 10.0 * screen.scale() {
+        if reach < 10.0 * screen.scale {
             return;
         }
         corners.sort_by(|a, b| a.1.y.total_cmp(&b.1.y));
@@ -394,7 +394,7 @@ impl World<'_> {
         let (screen, bounds) = (self.builder.screen, self.request.scene.bounds());
         let Some(bounds) = bounds.filter(|b| b.radius() > 0.0) else { return };
         let middle = bounds.center();
-        if bounds.radius() < SMALL * screen.scale() * screen.units_per_pixel(middle) {
+        if bounds.radius() < SMALL * screen.scale * screen.units_per_pixel(middle) {
             self.builder.mark_above(middle, MarkShape::Ring, 4.5, self.palette.soft);
             let toward = DVec2::new(1.0, 0.4);
             self.builder.named("scene", middle, self.request.labels.scene, toward, SMALL_TYPE, self.palette.ink);

@@ -60,7 +60,7 @@ fn rotation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTr
     let along = |v: DVec3| frame.transform_vector3(turned * v);
     let (axis, from) = (DVec3::AXES[i], DVec3::AXES[(i + 1) % 3]);
     // The parent may scale: the arc is of its frame too.
-    let pixels = RADIUS * builder.screen.scale() * builder.screen.units_per_pixel(origin);
+    let pixels = RADIUS * builder.screen.scale * builder.screen.units_per_pixel(origin);
     let (Some(radius), Some(reach)) = (share(pixels, along(from)), share(1.6 * pixels, along(axis))) else { return };
     builder.line(vec![origin - along(axis) * reach, origin + along(axis) * reach], pen.color, pen.width, Dash::DashDot);
     let angle = trs.rotate[i].clamp(-360.0, 360.0);

@@ -14,7 +14,7 @@ use super::framing::Content;
 use super::gizmos::{AnnotationBuilder, TYPE, symbol_of};
 use super::volume::DrawnVolume;
 use crate::figure::Measure;
-use crate::views::observer::{Direction, Viewpoint, enclosing};
+use crate::views::observer::{Viewpoint, enclosing};
 use crate::views::reveal::probe::Pixel;
 use crate::views::{Palette, Probe, Request};
 
@@ -138,7 +138,7 @@ fn example(request: &Request) -> (DVec3, String) {
 pub(in crate::views) fn observer(request: &Request) -> Observer {
     let content = Content::of(request);
     let iso = framing::iso_direction(&request.camera);
-    let direction: Direction = Viewpoint::AlongU.direction(iso, request.camera.basis());
+    let direction = Viewpoint::AlongU.direction(iso, request.camera.basis());
     enclosing(&Profile::new(request, &content).points(), direction, request.size)
 }
 

@@ -87,7 +87,7 @@ fn axes(builder: &mut AnnotationBuilder, preview: &TransformPreview, number: usi
 
 /// The axis of the last turn.
 fn about(builder: &mut AnnotationBuilder, axis: Ray, color: Rgba) {
-    let reach = builder.screen.units_per_pixel(axis.origin) * 0.25 * builder.screen.extent().min_element();
+    let reach = builder.screen.units_per_pixel(axis.origin) * 0.25 * builder.screen.extent.min_element();
     let ends = [-reach, reach].map(|t| axis.origin + axis.direction * t);
     builder.line(ends.to_vec(), color, 1.2, Dash::DashDot);
 }

@@ -7,7 +7,7 @@ use super::framing::{Content, iso_direction};
 use super::{dimensions, section};
 use crate::camera::Camera;
 use crate::figure::Observer;
-use crate::views::observer::{Direction, Viewpoint, enclosing};
+use crate::views::observer::{Viewpoint, clear_of, enclosing};
 use crate::views::pixels::PixelRect;
 use crate::views::screen::Screen;
 use crate::views::{Request, Size};
@@ -15,7 +15,7 @@ use crate::views::{Request, Size};
 /// The observer that a button gives. It looks from the viewpoint's side and has everything of interest in the picture.
 pub(in crate::views) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     let camera = &request.camera;
-    let iso = iso_direction(camera).clear_of(&lines(camera));
+    let iso = clear_of(iso_direction(camera), &lines(camera));
     framing(request, viewpoint.direction(iso, camera.basis()))
 }
 
@@ -25,27 +25,23 @@ fn lines(camera: &Camera) -> [DVec3; 3] {
     [basis.u, basis.v, basis.n]
 }
 
-/// The observer that looks in the same direction and has everything of interest in the picture.
-pub(in crate::views) fn fit(request: &Request, observer: &Observer) -> Observer {
-    framing(request, Direction::from(*observer))
-}
-
 /// The observer of several pictures, which has everything of interest of each: it looks as that of the first one, or so
 /// that no camera is seen along an axis, where that can be.
 pub(in crate::views) fn common(requests: &[Request]) -> Option<Observer> {
     let first = requests.first()?;
     let all: Vec<DVec3> = requests.iter().flat_map(|request| lines(&request.camera)).collect();
-    let direction = iso_direction(&first.camera).clear_of(&lines(&first.camera)).clear_of(&all);
+    let direction = clear_of(clear_of(iso_direction(&first.camera), &lines(&first.camera)), &all);
     Some(framing_of(requests.iter().flat_map(Request::each_side), direction, first.size))
 }
 
-fn framing(request: &Request, direction: Direction) -> Observer {
+/// The observer that looks in a direction and has everything of interest in the picture.
+pub(in crate::views) fn framing(request: &Request, direction: Observer) -> Observer {
     framing_of(request.each_side(), direction, request.size)
 }
 
 /// Frames the content. The camera's gear has a size in pixels, so its extent is known after a framing only, and each
 /// next one knows it better.
-fn framing_of(sides: impl IntoIterator<Item = Request>, direction: Direction, size: Size) -> Observer {
+fn framing_of(sides: impl IntoIterator<Item = Request>, direction: Observer, size: Size) -> Observer {
     let sides: Vec<Request> = sides.into_iter().collect();
     let sides: Vec<(&Request, Content)> = sides.iter().map(|side| (side, Content::of(side))).collect();
     let size = sides.first().map_or(size, |(side, _)| side.size);

@@ -62,8 +62,7 @@ pub(crate) fn of_part(value: &Value) -> Option<Pasted> {
         let entries = MatrixEntries::of_matrix(transform(value), 0.0);
         return Some(Pasted::pose("", entries, MatrixKind::CameraToWorld, Axes::OPENGL, (Order::Rows, "rotation")));
     }
-    let lens = lens(value)?;
-    Some(Pasted { name: String::new(), entries: None, word: None, lens: Some(lens), image: None })
+    Some(Pasted::lens("", lens(value)?, None))
 }
 
 fn index(value: &Value) -> Option<usize> {

@@ -3,11 +3,10 @@
 use glam::DMat4;
 use serde_json::Value;
 
-use crate::camera::ImageSize;
 use crate::camera::recovery::entries::{MatrixEntries, Written};
 use crate::camera::recovery::text::numbers::Segment;
 use crate::camera::recovery::text::values::{list, number};
-use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted, gltf, of_segments, side};
+use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted, gltf, image_size, of_segments};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
 /// The cameras of a JSON text.
@@ -63,10 +62,10 @@ fn open3d(value: &Value) -> Option<Pasted> {
     let intrinsic = value.get("intrinsic")?;
     let k = list(intrinsic.get("intrinsic_matrix")?)?;
     let [f_x, _, _, _, f_y, _, x, y, _] = k.as_slice() else { return None };
-    let side = |key: &str| side(intrinsic.get(key).and_then(number)?);
+    let side = |key: &str| intrinsic.get(key).and_then(number);
     Some(Pasted {
-        lens: Some(GivenLens::Pixels { focal_lengths: [*f_x, *f_y], principal_point: [*x, *y] }),
-        image: side("width").zip(side("height")).map(|(width, height)| ImageSize { width, height }),
+        lens: Some(GivenLens::pixels([*f_x, *f_y], [*x, *y])),
+        image: side("width").zip(side("height")).and_then(|(width, height)| image_size(width, height)),
         ..Pasted::pose("", pose, MatrixKind::View, Axes::OPENCV, (Order::Columns, "extrinsic"))
     })
 }
@@ -83,13 +82,12 @@ fn nerfstudio(whole: &Value, frame: &Value) -> Option<Pasted> {
             let middle = |side: Option<f64>| side.map(|side| side / 2.0);
             let x = value("cx").or(middle(value("w")))?;
             let y = value("cy").or(middle(value("h")))?;
-            let focal_lengths = [f_x, value("fl_y").unwrap_or(f_x)];
-            Some(GivenLens::Pixels { focal_lengths, principal_point: [x, y] })
+            Some(GivenLens::pixels([f_x, value("fl_y").unwrap_or(f_x)], [x, y]))
         }
         (None, Some(angle), _) => Some(GivenLens::AngleX(angle)),
         _ => None,
     };
-    let image = image.and_then(|(width, height)| Some(ImageSize { width: side(width)?, height: side(height)? }));
+    let image = image.and_then(|(width, height)| image_size(width, height));
     let name = frame.get("file_path").and_then(Value::as_str).unwrap_or_default();
     let said = (Order::Rows, "transform_matrix");
     Some(Pasted { lens, image, ..Pasted::pose(name, pose, MatrixKind::CameraToWorld, Axes::BLENDER, said) })

@@ -87,6 +87,11 @@ impl Pasted {
         Self { name: name.to_owned(), entries: Some(entries), word: None, lens: None, image: None }
     }
 
+    /// A lens without a pose.
+    fn lens(name: &str, lens: GivenLens, image: Option<ImageSize>) -> Self {
+        Self { name: name.to_owned(), entries: None, word: None, lens: Some(lens), image }
+    }
+
     /// A pose that a format defines.
     fn pose(
         name: &str,
@@ -95,8 +100,18 @@ impl Pasted {
         axes: Axes,
         (order, word): (Order, &'static str),
     ) -> Self {
-        let word = Word { word, kind: Some(kind), axes: Some(axes), order: Some(order), is_weak: false };
-        Self { word: Some(word), ..Self::new(name, entries) }
+        Self { word: Some(Word::full(word, kind, axes, order)), ..Self::new(name, entries) }
+    }
+}
+
+impl GivenLens {
+    const fn pixels(focal_lengths: [f64; 2], principal_point: [f64; 2]) -> Self {
+        Self::Pixels { focal_lengths, principal_point }
+    }
+
+    /// The lens of K, nine numbers by rows.
+    fn of_k(k: &[f64]) -> Self {
+        Self::pixels([k[0], k[4]], [k[2], k[5]])
     }
 }
 
@@ -154,7 +169,7 @@ impl MatrixEntries {
 /// The cameras of numbers under names.
 fn of_segments(segments: Vec<Segment>, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     let word = words::find(&numbers::without_comments(text));
-    let image = image_size(&segments);
+    let image = named_size(&segments);
     let total: usize = segments.iter().map(|segment| segment.numbers.len()).sum();
     let said = |camera: Pasted| Pasted { word: camera.word.or(word), image, ..camera };
     if let Some(entries) = whole(&segments) {
@@ -236,40 +251,30 @@ fn of_parts(segments: &[Segment]) -> Option<Pasted> {
     };
     let nine = segments.iter().filter(|segment| segment.numbers.len() == 9);
     let (intrinsics, rotations): (Vec<&Segment>, Vec<&Segment>) = nine.partition(|s| is_intrinsics(&values(s)));
-    let lens = intrinsics.first().map(|k| {
-        let k = values(k);
-        GivenLens::Pixels { focal_lengths: [k[0], k[4]], principal_point: [k[2], k[5]] }
-    });
+    let lens = intrinsics.first().map(|k| GivenLens::of_k(&values(k)));
     let t = named(&["t", "tvec", "translation", "tvecs", "tr"], 3);
     let rvec = named(&["rvec", "rvecs", "r"], 3);
     let r = rotations.first().map(|r| values(r)).or_else(|| rvec.map(|rvec| rotation_of(&values(rvec))));
     let matrix =
         segments.iter().find(|s| matches!(s.numbers.len(), 12 | 16) && !s.name.to_lowercase().starts_with('p'));
     let entries = match (r, t, matrix) {
-        (Some(r), Some(t), _) => {
-            let line = |i: usize| DVec3::new(r[3 * i], r[3 * i + 1], r[3 * i + 2]);
-            let t = values(t);
-            let matrix = rigid([line(0), line(1), line(2)], DVec3::new(t[0], t[1], t[2]));
-            MatrixEntries::of_matrix(matrix, 1e-6)
-        }
+        (Some(r), Some(t), _) => of_rotation(&r, &values(t)),
         (_, _, Some(matrix)) if lens.is_some() => MatrixEntries::new(matrix.numbers.clone(), matrix.in_line())?,
         _ => return None,
     };
     let open = Pasted { lens, ..Pasted::new("", entries) };
     // K, R and t are those of computer vision.
     let is_vision = lens.is_some() || rvec.is_some();
-    Some(Pasted { word: (is_vision && matrix.is_none()).then(word_of_vision), ..open })
+    Some(Pasted { word: (is_vision && matrix.is_none()).then_some(VISION), ..open })
 }
 
 /// K, R and t lead from the world to the camera, in the axes of `OpenCV`.
-const fn word_of_vision() -> Word {
-    Word {
-        word: "K, R, t",
-        kind: Some(MatrixKind::View),
-        axes: Some(Axes::OPENCV),
-        order: Some(Order::Rows),
-        is_weak: false,
-    }
+const VISION: Word = Word::full("K, R, t", MatrixKind::View, Axes::OPENCV, Order::Rows);
+
+/// The pose of a rotation matrix by rows, and t.
+fn of_rotation(r: &[f64], t: &[f64]) -> MatrixEntries {
+    let line = |i: usize| DVec3::from_slice(&r[3 * i..]);
+    MatrixEntries::of_matrix(rigid([line(0), line(1), line(2)], DVec3::from_slice(t)), 1e-6)
 }
 
 /// The rotation matrix of a vector of Rodrigues, by rows.
@@ -289,13 +294,18 @@ fn is_intrinsics(k: &[f64]) -> bool {
 }
 
 /// The size of the image, under the names that programs give it.
-fn image_size(segments: &[Segment]) -> Option<ImageSize> {
+fn named_size(segments: &[Segment]) -> Option<ImageSize> {
     let side = |names: [&str; 3]| {
         let segment =
             segments.iter().find(|s| s.numbers.len() == 1 && names.contains(&s.name.to_lowercase().as_str()))?;
-        side(segment.numbers[0].value)
+        Some(segment.numbers[0].value)
     };
-    Some(ImageSize { width: side(["image_width", "width", "w"])?, height: side(["image_height", "height", "h"])? })
+    image_size(side(["image_width", "width", "w"])?, side(["image_height", "height", "h"])?)
+}
+
+/// The size of an image, if two numbers can be one.
+fn image_size(width: f64, height: f64) -> Option<ImageSize> {
+    Some(ImageSize { width: side(width)?, height: side(height)? })
 }
 
 /// A side of an image in pixels, if a number can be one.

@@ -22,25 +22,11 @@ impl Segment {
 }
 
 /// Names after which numbers are no entries: the shape of an array, and the like.
-const SHAPES: [&str; 14] = [
-    "rows",
-    "cols",
-    "dt",
-    "dtype",
-    "shape",
-    "size",
-    "step",
-    "channels",
-    "device",
-    "type",
-    "version",
-    "layout",
-    "length",
-    "prototype",
-];
+const SHAPES: &str = "rows cols dt dtype shape size step channels device type version layout length prototype";
 
 fn is_shape(name: &str) -> bool {
-    SHAPES.contains(&name.to_lowercase().as_str())
+    let name = name.to_lowercase();
+    SHAPES.split(' ').any(|shape| shape == name)
 }
 
 /// The numbers of a text, as people and programs print them: in any brackets and frames, with labels between them, and

@@ -14,6 +14,11 @@ pub(crate) struct Word {
 }
 
 impl Word {
+    /// A word that leaves nothing open.
+    pub(crate) const fn full(word: &'static str, kind: MatrixKind, axes: Axes, order: Order) -> Self {
+        Self { order: Some(order), ..with_axes(word, kind, axes) }
+    }
+
     /// Whether it means a reading in each of its parts.
     pub(crate) fn means(&self, reading: &Reading, order: Order) -> bool {
         self.kind.is_none_or(|kind| kind == reading.kind)
@@ -27,7 +32,7 @@ const fn row(word: &'static str, kind: MatrixKind) -> Word {
 }
 
 const fn with_axes(word: &'static str, kind: MatrixKind, axes: Axes) -> Word {
-    Word { word, kind: Some(kind), axes: Some(axes), order: None, is_weak: false }
+    Word { axes: Some(axes), ..row(word, kind) }
 }
 
 /// Without regard to capitals and underscores. A word stands before the shorter ones that it contains.
@@ -65,13 +70,7 @@ const WORDS: [Word; 33] = [
     row("cameramatrix", MatrixKind::Intrinsics),
     row("cameraposition", MatrixKind::LookAt),
     // Files of glTF and three.js: sixteen numbers by columns, of a node.
-    Word {
-        word: "\"matrix\":",
-        kind: Some(MatrixKind::CameraToWorld),
-        axes: Some(Axes::OPENGL),
-        order: Some(Order::Columns),
-        is_weak: true,
-    },
+    Word { is_weak: true, ..Word::full("\"matrix\":", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Columns) },
 ];
 
 /// The word of a text that says which matrix it is.

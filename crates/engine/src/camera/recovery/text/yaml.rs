@@ -15,7 +15,7 @@ use crate::camera::ImageSize;
 use crate::camera::recovery::entries::MatrixEntries;
 use crate::camera::recovery::text::json::written;
 use crate::camera::recovery::text::values::{list, number};
-use crate::camera::recovery::text::{GivenLens, Pasted, is_intrinsics, rotation_of, side, word_of_vision};
+use crate::camera::recovery::text::{GivenLens, Pasted, VISION, image_size, is_intrinsics, of_rotation, rotation_of};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
 /// The depth of nesting that is read: no camera needs more.
@@ -68,8 +68,7 @@ fn of_map(map: &Value) -> Vec<Pasted> {
         return found;
     }
     if let Some(entries) = rigid(map).filter(|_| lens.is_some() || map.get("rvec").is_some()) {
-        let word = Some(word_of_vision());
-        return vec![Pasted { lens, image, word, ..Pasted::new("", entries) }];
+        return vec![Pasted { lens, image, word: Some(VISION), ..Pasted::new("", entries) }];
     }
     let poses = [
         ("T_BS", MatrixKind::CameraToWorld),
@@ -89,8 +88,7 @@ fn of_map(map: &Value) -> Vec<Pasted> {
     {
         return vec![Pasted { image, ..pose("", entries, MatrixKind::Intrinsics, "camera_matrix") }];
     }
-    let only = lens.map(|lens| Pasted { name: String::new(), entries: None, word: None, lens: Some(lens), image });
-    only.into_iter().collect()
+    lens.map(|lens| Pasted::lens("", lens, image)).into_iter().collect()
 }
 
 /// A camera in the axes of `OpenCV`, by rows.
@@ -105,12 +103,11 @@ const INTRINSICS: [&str; 8] = ["camera_matrix", "K", "k", "K2", "M2", "cameraMat
 
 /// K, or `f_x f_y c_x c_y` of Kalibr and `EuRoC`.
 fn lens(map: &Value) -> Option<GivenLens> {
-    let pixels = |f_x, f_y, x, y| GivenLens::Pixels { focal_lengths: [f_x, f_y], principal_point: [x, y] };
     if let Some(k) = matrix(map, &INTRINSICS, 9).filter(|k| is_intrinsics(k)) {
-        return Some(pixels(k[0], k[4], k[2], k[5]));
+        return Some(GivenLens::of_k(&k));
     }
     match matrix(map, &["intrinsics"], 4)?.as_slice() {
-        [f_x, f_y, x, y] => Some(pixels(*f_x, *f_y, *x, *y)),
+        [f_x, f_y, x, y] => Some(GivenLens::pixels([*f_x, *f_y], [*x, *y])),
         _ => None,
     }
 }
@@ -121,9 +118,7 @@ fn rigid(map: &Value) -> Option<MatrixEntries> {
     let r = matrix(map, &["R", "rotation", "rotation_matrix"], 9)
         .or_else(|| vector(&["rvec", "R", "rotation_vector"]).map(|rvec| rotation_of(&rvec)))?;
     let t = vector(&["T", "t", "tvec", "translation", "translation_vector"])?;
-    let line = |i: usize| glam::DVec3::from_slice(&r[3 * i..]);
-    let matrix = super::rigid([line(0), line(1), line(2)], glam::DVec3::from_slice(&t));
-    Some(MatrixEntries::of_matrix(matrix, 1e-6))
+    Some(of_rotation(&r, &t))
 }
 
 /// The numbers under one of some keys: a list, or the `data` of a matrix.
@@ -136,13 +131,13 @@ fn matrix(map: &Value, keys: &[&str], count: usize) -> Option<Vec<f64>> {
 }
 
 fn image(map: &Value) -> Option<ImageSize> {
-    let of = |keys: [&str; 2]| keys.into_iter().find_map(|key| side(map.get(key).and_then(number)?));
+    let of = |keys: [&str; 2]| keys.into_iter().find_map(|key| map.get(key).and_then(number));
     let pair = |key: &str| match matrix(map, &[key], 2)?.as_slice() {
-        [width, height] => Some(ImageSize { width: side(*width)?, height: side(*height)? }),
+        [width, height] => image_size(*width, *height),
         _ => None,
     };
     let sides = of(["image_width", "width"]).zip(of(["image_height", "height"]));
-    let sides = sides.map(|(width, height)| ImageSize { width, height });
+    let sides = sides.and_then(|(width, height)| image_size(width, height));
     sides.or_else(|| ["resolution", "image_size", "imageSize"].into_iter().find_map(pair))
 }
 
