@@ -28,13 +28,11 @@ pub struct Rgba {
 
 impl Rgba {
     /// An opaque colour.
-    #[must_use]
     pub const fn rgb(r: u8, g: u8, b: u8) -> Self {
         Self { r, g, b, a: 255 }
     }
 
     /// A colour with opacity.
-    #[must_use]
     #[expect(clippy::self_named_constructors, reason = "named after its letters, as `rgb` is")]
     pub const fn rgba(r: u8, g: u8, b: u8, a: u8) -> Self {
         Self { r, g, b, a }
@@ -47,7 +45,6 @@ impl Rgba {
     }
 
     /// The relative luminance of WCAG 2: 0 black … 1 white.
-    #[must_use]
     pub fn luminance(self) -> f64 {
         let linear = |v: u8| {
             let v = f64::from(v) / 255.0;
@@ -57,7 +54,6 @@ impl Rgba {
     }
 
     /// The contrast of WCAG 2 between two opaque colours: 1 (equal) … 21 (black on white).
-    #[must_use]
     pub fn contrast(self, other: Self) -> f64 {
         let (a, b) = (self.luminance() + 0.05, other.luminance() + 0.05);
         a.max(b) / a.min(b)
@@ -79,7 +75,6 @@ impl Rgba {
     }
 
     /// True when nothing shows through.
-    #[must_use]
     pub const fn is_opaque(self) -> bool {
         self.a == 255
     }
@@ -174,7 +169,6 @@ pub enum DepthFormat {
 
 impl DepthFormat {
     /// The greatest stored number, which stands for the depth 1; `None` means depths are stored as they are.
-    #[must_use]
     pub const fn greatest(self) -> Option<f32> {
         match self {
             Self::Fixed16 => Some(65_535.0),
@@ -198,7 +192,6 @@ pub enum Theme {
 
 impl Theme {
     /// The opaque colour of this theme among those of the light, the dark and the printed one, each `0xrrggbb`.
-    #[must_use]
     pub const fn color(self, colors: [u32; 3]) -> Rgba {
         let [_, r, g, b] = colors[self as usize].to_be_bytes();
         Rgba::rgb(r, g, b)
@@ -251,7 +244,6 @@ pub enum Dash {
 
 impl Dash {
     /// Lengths drawn and left out in turn, in multiples of the width, the round ends included. Empty means no gaps.
-    #[must_use]
     pub const fn pattern(self) -> &'static [f32] {
         match self {
             Self::Solid => &[],
@@ -290,7 +282,6 @@ pub enum Occlusion {
 
 impl LineStyle {
     /// Without dashes and without an arrow.
-    #[must_use]
     pub const fn solid(color: Rgba, width: f32, hidden: HiddenLines) -> Self {
         Self { color, width, dash: Dash::Solid, hidden, arrow: false }
     }
@@ -320,7 +311,6 @@ impl LineStyle {
     /// The lengths of dashes and of the gaps between them, in turn, for a painter that adds round ends to each: those
     /// of [`pattern`](Dash::pattern) without them; empty: no gaps. And the length of one period, which begins with
     /// half a width of gap.
-    #[must_use]
     pub fn dash_lengths(self) -> (Vec<f32>, f32) {
         let pattern = self.dash.pattern();
         let period = pattern.iter().sum::<f32>() * self.width;
@@ -334,7 +324,6 @@ impl LineStyle {
 
     /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none
     /// below a few pixels. A head is 0.76 as wide as it is long. The stroke goes on for a fifth of it inside.
-    #[must_use]
     pub fn head_length(self, stroke_length: f32) -> f32 {
         let length = (4.0 * self.width + 4.0).min(0.6 * stroke_length);
         if !self.arrow || length < 2.0 { 0.0 } else { length }
@@ -342,7 +331,6 @@ impl LineStyle {
 }
 
 /// The corners of an arrow head between its point and the middle of its base.
-#[must_use]
 pub fn head_corners([tip, base]: [[f32; 2]; 2]) -> [[f32; 2]; 3] {
     let (nx, ny) = (-0.38 * (tip[1] - base[1]), 0.38 * (tip[0] - base[0]));
     [tip, [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]]

@@ -146,7 +146,6 @@ pub fn parts(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The text around a fault, on one line, with the fault between two marks: `2*▸atn◂(1/2)`.
-#[must_use]
 pub fn marked(text: &str, span: &Range<usize>) -> String {
     const AROUND: usize = 20;
     let (before, rest) = text.split_at_checked(span.start).unwrap_or((text, ""));

@@ -14,7 +14,6 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 /// the directions to the light and to the viewer, and no specular term where the light is behind the surface. `normal`
 /// and `position` are in view space. The normal may have any length, and without one only the ambient share is left.
 /// With `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
-#[must_use]
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
     let lit = with_vectors!(simd => {
         let color = u32x8::splat(simd, packed(color));

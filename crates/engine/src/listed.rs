@@ -62,7 +62,6 @@ macro_rules! variant_names {
             $vis const NAMED: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),*];
 
             $(#[$doc])*
-            #[must_use]
             $vis const fn $function(self) -> &'static str {
                 match self { $(Self::$variant => $word,)* }
             }

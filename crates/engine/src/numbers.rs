@@ -13,7 +13,6 @@ pub const EXACT_DIGITS: usize = 17;
 
 /// `value` with this many significant digits; from [`EXACT_DIGITS`] on, the shortest text that reads back as the same
 /// `f64`.
-#[must_use]
 pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -49,19 +48,16 @@ pub enum DecimalMark {
 
 impl DecimalMark {
     /// As [`significant`], as in print: with this mark and a true minus.
-    #[must_use]
     pub fn number(self, value: f64, digits: usize) -> String {
         self.printed(&significant(value, digits))
     }
 
     /// A text of other functions of this module, or one that Rust has formatted, as in print.
-    #[must_use]
     pub fn printed(self, number: &str) -> String {
         self.typed(number).replace('-', "−")
     }
 
     /// As a number is typed: with this mark.
-    #[must_use]
     pub fn typed(self, number: &str) -> String {
         match self {
             Self::Point => number.to_owned(),
@@ -71,14 +67,12 @@ impl DecimalMark {
 
     /// Numbers one after the other. A number that is zero but for the rounding of its neighbours is 0, unless all
     /// digits are requested.
-    #[must_use]
     pub fn list(self, values: &[f64], digits: usize) -> String {
         let numbers = without_rests(values, digits).into_iter().map(|v| self.number(v, digits));
         numbers.collect::<Vec<_>>().join(self.separator())
     }
 
     /// The separator between the numbers of a list.
-    #[must_use]
     pub const fn separator(self) -> &'static str {
         match self {
             Self::Point => ", ",
@@ -87,14 +81,12 @@ impl DecimalMark {
     }
 
     /// A point or a vector: `(1, 2.5, 3)` or `(1; 2,5; 3)`; as [`list`](Self::list).
-    #[must_use]
     pub fn tuple(self, values: &[f64], digits: usize) -> String {
         format!("({})", self.list(values, digits))
     }
 
     /// `value` in full where that `fits`, else rounded to as many digits as fit, which are no more than anybody reads;
     /// as short as can be where nothing fits.
-    #[must_use]
     pub fn fitted(self, value: f64, fits: impl Fn(&str) -> bool) -> String {
         let exact = self.number(value, EXACT_DIGITS);
         if fits(&exact) {
@@ -113,20 +105,17 @@ impl DecimalMark {
 
 /// The values, with 0 for those that can be a rounding error next to the greatest of them. Unchanged with
 /// [`EXACT_DIGITS`].
-#[must_use]
 pub fn without_rests(values: &[f64], digits: usize) -> Vec<f64> {
     let greatest = values.iter().fold(0.0_f64, |greatest, v| greatest.max(v.abs()));
     values.iter().map(|v| if digits < EXACT_DIGITS && is_rest(*v, greatest) { 0.0 } else { *v }).collect()
 }
 
 /// Whether a value can be zero but for a few roundings of numbers as large as `greatest`.
-#[must_use]
 pub fn is_rest(value: f64, greatest: f64) -> bool {
     value.abs() <= 4.0 * f64::EPSILON * greatest
 }
 
 /// `p/q` for a value that equals it to the last digit, with small p and q; `None` for whole numbers too.
-#[must_use]
 pub fn fraction(value: f64) -> Option<String> {
     (2..=32).find_map(|q| {
         let p = (value * f64::from(q)).round();
@@ -136,13 +125,11 @@ pub fn fraction(value: f64) -> Option<String> {
 
 /// The shortest text with a point or an exponent that reads back as the same `f64`, as programs write it: `2.0`,
 /// `1e300`.
-#[must_use]
 pub fn exact(value: f64) -> String {
     format!("{value:?}")
 }
 
 /// A time in three digits.
-#[must_use]
 pub fn duration(time: Duration) -> String {
     let micros = time.as_secs_f64() * 1e6;
     match micros {
@@ -156,7 +143,6 @@ pub fn duration(time: Duration) -> String {
 }
 
 /// A count in five characters at most, up to a billion.
-#[must_use]
 pub fn count(n: usize) -> String {
     match n {
         0..10_000 => n.to_string(),
@@ -169,7 +155,6 @@ pub fn count(n: usize) -> String {
 }
 
 /// A count with its digits in threes.
-#[must_use]
 pub fn in_threes(n: usize) -> String {
     let digits = n.to_string();
     let mut out = String::new();
@@ -184,7 +169,6 @@ pub fn in_threes(n: usize) -> String {
 
 /// The multiple of a power of ten, not above `unit`, that is nearest to `value`. Never −0. Where `unit` is so small or
 /// so large that there is no such power, `value` itself.
-#[must_use]
 pub fn round_to(value: f64, unit: f64) -> f64 {
     let power = unit.abs().log10().floor();
     if !(-300.0..300.0).contains(&power) {
@@ -198,21 +182,18 @@ pub fn round_to(value: f64, unit: f64) -> f64 {
 }
 
 /// The power of ten at or below `x`; `None` if `x` is not a positive number that has one.
-#[must_use]
 pub fn power_of_ten(x: f64) -> Option<f64> {
     let power = 10f64.powf(x.log10().floor());
     (power.is_finite() && power > 0.0).then_some(power)
 }
 
 /// The greatest of 1, 2 and 5 times a power of ten that is at or below `x`; `None` as for [`power_of_ten`].
-#[must_use]
 pub fn nice_below(x: f64) -> Option<f64> {
     let power = power_of_ten(x)?;
     [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|step| *step <= x).or(Some(power))
 }
 
 /// The least of 1, 2 and 5 times a power of ten that is at or above `x`; `None` as for [`power_of_ten`].
-#[must_use]
 pub fn nice_above(x: f64) -> Option<f64> {
     let power = power_of_ten(x)?;
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|step| *step >= x && step.is_finite())
@@ -225,7 +206,6 @@ fn trim(text: &str) -> &str {
 
 /// The order of names in which people expect them: numbers in them count as numbers (2 before 10), and capitals do not
 /// count.
-#[must_use]
 pub fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut rest_a, mut rest_b) = (a, b);
     while !rest_a.is_empty() && !rest_b.is_empty() {

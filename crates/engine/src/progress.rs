@@ -56,7 +56,6 @@ impl Progress {
     }
 
     /// Whether the work is to end soon. Its result is discarded.
-    #[must_use]
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
@@ -95,7 +94,6 @@ impl Progress {
     }
 
     /// The present activity, and its share done, where it is known.
-    #[must_use]
     pub fn now(&self) -> Option<(Activity, Option<f32>)> {
         let doing = *Activity::ALL.get(usize::from(self.steps.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
         let (done, of) = (self.steps.done.load(Ordering::Relaxed), self.steps.of.load(Ordering::Relaxed));

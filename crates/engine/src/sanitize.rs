@@ -10,13 +10,11 @@ const LONGEST: usize = 40;
 const LONGEST_PATH: usize = 160;
 
 /// A foreign text as a part of a message: on one line, without control characters, at most 40 characters and `…`.
-#[must_use]
 pub fn escaped(text: &str) -> String {
     within(text, LONGEST)
 }
 
 /// As [`escaped`], of at most `longest` characters.
-#[must_use]
 pub fn within(text: &str, longest: usize) -> String {
     let mut shown = String::new();
     let mut room = longest;
@@ -35,13 +33,11 @@ pub fn within(text: &str, longest: usize) -> String {
 }
 
 /// A path as a part of a message: as [`escaped`], but longer, and of one that is too long the end.
-#[must_use]
 pub fn path(path: &Path) -> String {
     path_text(&path.to_string_lossy())
 }
 
 /// As [`path`], of a path that is a text.
-#[must_use]
 pub fn path_text(path: &str) -> String {
     let mut room = LONGEST_PATH;
     let mut start = path.len();
@@ -54,7 +50,6 @@ pub fn path_text(path: &str) -> String {
 }
 
 /// The whole text, with escapes for characters that a terminal would obey.
-#[must_use]
 pub fn printable(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     text.chars().for_each(|c| Piece::of(c).write(&mut shown));
@@ -88,7 +83,6 @@ impl Piece {
 }
 
 /// Whether a character is a control character, a line end, invisible, or reverses the writing direction.
-#[must_use]
 pub fn is_obeyed(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200b}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}')

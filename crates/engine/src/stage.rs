@@ -78,7 +78,6 @@ impl Stage {
     /// The stages of geometry are what pictures are made with. For the stages of the rasterizer it's the textbook, to
     /// which the fast files are equal to the byte. Hidden surfaces are there too: the order in which faces are painted
     /// without a depth buffer is in `crates/engine/src/pipeline/stage/hidden_surfaces.rs`.
-    #[must_use]
     pub fn source(self) -> String {
         let file = match self {
             Self::Oblique => "oblique".to_owned(),
@@ -90,19 +89,16 @@ impl Stage {
     }
 
     /// False if its operations are not counted: work on whole objects; lines, marks and texts.
-    #[must_use]
     pub const fn is_counted(self) -> bool {
         !matches!(self, Self::Traverse | Self::CullObjects | Self::Lines)
     }
 
     /// True for a stage that works on pixels, the block of rasterization in `[3]` §1.2, else it belongs to geometry.
-    #[must_use]
     pub const fn is_raster(self) -> bool {
         matches!(self.works_on(), WorksOn::Pixels)
     }
 
     /// The elements on which it works.
-    #[must_use]
     pub const fn works_on(self) -> WorksOn {
         self.row().0
     }
@@ -156,7 +152,6 @@ impl Operations {
     pub const NONE: Self = Self::new(0, 0, 0);
 
     /// So many of each kind.
-    #[must_use]
     pub const fn new(float: u64, integer: u64, memory: u64) -> Self {
         Self { float, integer, memory }
     }

@@ -51,7 +51,6 @@ impl Face {
     pub const ALL: [Self; 4] = [Self::Plain, Self::Roman, Self::Bold, Self::Italic];
 
     /// The bytes of its font.
-    #[must_use]
     pub fn bytes(self) -> &'static [u8] {
         match self {
             Self::Plain => FONT_BYTES,
@@ -73,7 +72,6 @@ impl Face {
 /// The font of a character, and the character that it has there. The bold and italic letters of Unicode's mathematics
 /// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these
 /// have it.
-#[must_use]
 pub fn face(c: char, mathematical: bool) -> (Face, char) {
     let letter = |from: u32, to: char| char::from_u32(u32::from(to) + (u32::from(c) - from)).unwrap_or(c);
     let italic = |letter| (if mathematical { Face::Italic } else { Face::Plain }, letter);
@@ -176,7 +174,6 @@ struct Placed {
 }
 
 /// The room that `text` takes at `size` (height of the em in pixels), subscripts included.
-#[must_use]
 pub fn measure(text: &str, size: f32, mathematical: bool) -> Extent {
     let (glyphs, width) = set(text, mathematical);
     let mut extent = Extent { width: width * size, above: 0.0, below: 0.0 };
@@ -190,7 +187,6 @@ pub fn measure(text: &str, size: f32, mathematical: bool) -> Extent {
 }
 
 /// Height of the letter x at `size`.
-#[must_use]
 pub fn x_height(size: f32) -> f32 {
     Face::Plain.font().map_or(0.0, |font| font.x_height * size)
 }
@@ -199,7 +195,6 @@ pub fn x_height(size: f32) -> f32 {
 /// is the left end of the baseline, y points down. `_c` and `_{abc}` are set as subscripts. A character that the font
 /// lacks becomes the font's box. Empty if there is nothing to fill (no text, blanks only, or a size that is not
 /// positive).
-#[must_use]
 pub fn outline(text: &str, size: f32, mathematical: bool) -> Vec<Element> {
     let mut elements = Vec::new();
     if !(size.is_finite() && size > 0.0) {
@@ -235,13 +230,11 @@ fn set(text: &str, mathematical: bool) -> (Vec<Placed>, f32) {
 }
 
 /// A text whose every `_` stands for itself: a name that a user gave, a key of a file.
-#[must_use]
 pub fn literal(text: &str) -> String {
     text.replace('_', "\\_")
 }
 
 /// The pieces of a text, joined to lines that fit. A piece that fits nowhere has a line of its own.
-#[must_use]
 pub fn broken<T: AsRef<str>>(pieces: impl IntoIterator<Item = T>, fits: impl Fn(&str) -> bool) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for piece in pieces {
@@ -257,7 +250,6 @@ pub fn broken<T: AsRef<str>>(pieces: impl IntoIterator<Item = T>, fits: impl Fn(
 
 /// The runs of a text: `_c` lowers one character, `_{abc}` several. A `_` with nothing to lower stands for itself, and
 /// so does that of `\_`.
-#[must_use]
 pub fn runs(text: &str) -> Vec<Run<'_>> {
     let mut runs = Vec::new();
     let mut push = |text, lowered| runs.push(Run { text, lowered });
@@ -290,7 +282,6 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
 }
 
 /// An outline moved by so many pixels.
-#[must_use]
 pub fn moved(outline: &[Element], by: [f32; 2]) -> Vec<Element> {
     let at = |p: [f32; 2]| [p[0] + by[0], p[1] + by[1]];
     let element = |element: &Element| match *element {
@@ -317,7 +308,6 @@ pub struct SetRun {
 }
 
 /// The runs of `text` at `size` (height of the em in pixels), where [`outline`] draws them.
-#[must_use]
 pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
     let mut x = 0.0;
     let mut set: Vec<SetRun> = Vec::new();
@@ -339,14 +329,12 @@ pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
 }
 
 /// The number of a character's glyph in a font; 0 where the font lacks it.
-#[must_use]
 pub fn glyph(face: Face, c: char) -> u16 {
     let found = face.font().and_then(|font| font.charmap.map(c)).unwrap_or(GlyphId::NOTDEF);
     u16::try_from(found.to_u32()).unwrap_or_default()
 }
 
 /// From a glyph to the next one, in ems.
-#[must_use]
 pub fn advance(face: Face, glyph: u16) -> f32 {
     let font = face.font();
     font.map_or(0.0, |font| font.metrics.advance_width(glyph.into()).unwrap_or(0.0) / font.units_per_em)

@@ -31,7 +31,6 @@ pub enum Axis {
 
 impl Axis {
     /// The place of a number along it.
-    #[must_use]
     pub fn along(self, x: f64) -> f64 {
         match self {
             Self::Logarithmic => x.log10(),
@@ -40,7 +39,6 @@ impl Axis {
     }
 
     /// The distance of the marks along it, of which at most `most` have room over `length`.
-    #[must_use]
     pub fn step(self, length: f64, most: f64) -> f64 {
         let step = match self {
             Self::Logarithmic => {
@@ -53,7 +51,6 @@ impl Axis {
     }
 
     /// A number at a place along it, as it is written beside it.
-    #[must_use]
     pub fn written(self, place: f64, mark: DecimalMark) -> String {
         match self {
             Self::Logarithmic => power_of_ten(10f64.powf(place)),
@@ -95,7 +92,6 @@ pub enum Look {
 impl Chart {
     /// The numbers between which all points lie, `[[x₀, x₁], [y₀, y₁]]`: along a logarithmic axis whole powers of ten,
     /// at least one decade; along a linear one the ends of nice steps.
-    #[must_use]
     pub fn range(&self) -> [[f64; 2]; 2] {
         let points = || self.series.iter().flat_map(|series| &series.points);
         std::array::from_fn(|axis| {
@@ -118,7 +114,6 @@ impl Chart {
 }
 
 /// A power of ten as it is written: 10⁻¹², but 1 and 10.
-#[must_use]
 pub fn power_of_ten(x: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let exponent = x.log10().round();

@@ -108,7 +108,6 @@ const ENVIRONMENTS: &[&str] = &[
 ];
 
 /// LaTeX for a sign that people type as it is, in a formula.
-#[must_use]
 pub fn sign(c: char) -> Option<String> {
     let own = match c {
         '−' => "-",
@@ -126,7 +125,6 @@ pub fn sign(c: char) -> Option<String> {
 }
 
 /// Words in LaTeX, outside of mathematics. A sign that it does not have is named by its number.
-#[must_use]
 pub fn words(text: &str) -> String {
     let mut latex = String::new();
     for c in text.chars() {
@@ -213,7 +211,6 @@ pub fn check_one(latex: &str) -> Result<(), FormulaProblem> {
 }
 
 /// The formula for LaTeX: signs that people type as they are become its words.
-#[must_use]
 pub fn latex(formula: &str) -> String {
     let mut latex = String::with_capacity(formula.len());
     for c in formula.chars() {
@@ -227,7 +224,6 @@ pub fn latex(formula: &str) -> String {
 }
 
 /// True for the control words that a formula may have.
-#[must_use]
 pub fn is_word(word: &str) -> bool {
     WORDS.contains(&word) || TEXTS.contains(&word)
 }
@@ -350,7 +346,6 @@ impl<'a> Reader<'a> {
 }
 
 /// Letters with accents that LaTeX has in words by its encoding T1.
-#[must_use]
 pub fn is_latin(c: char) -> bool {
     ('\u{a1}'..='\u{17e}').contains(&c) && !"\u{ad}ĦħĸĿŀŉŦŧ".contains(c)
 }

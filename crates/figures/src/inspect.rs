@@ -412,7 +412,6 @@ impl Report {
     }
 
     /// One JSON object, indented, vectors and rows on one line, with a line break at its end.
-    #[must_use]
     pub fn to_json(&self) -> String {
         // A report has nothing that could fail to become a JSON value.
         json_text(&serde_json::to_value(self).unwrap_or_default())
@@ -420,7 +419,6 @@ impl Report {
 }
 
 /// A JSON value as reports are written: indented, vectors and rows on one line, with a line break at its end.
-#[must_use]
 pub fn json_text(value: &Value) -> String {
     let mut text = String::new();
     write_json(&mut text, value, "");
@@ -459,7 +457,6 @@ fn write_json(text: &mut String, value: &Value, indent: &str) {
 
 impl CameraReport {
     /// The keys of these parameters.
-    #[must_use]
     pub fn new(p: &Parameters) -> Self {
         Self {
             position: three(p.position),

@@ -6,13 +6,11 @@ use std::time::Duration;
 use web_time::{Instant, SystemTime, UNIX_EPOCH};
 
 /// The seconds since the beginning of 1970 (UTC); 0 where the clock of the machine is before that.
-#[must_use]
 pub fn seconds_since_1970() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
 }
 
 /// The time since the first call.
-#[must_use]
 pub fn now() -> Duration {
     static START: OnceLock<Instant> = OnceLock::new();
     START.get_or_init(Instant::now).elapsed()
@@ -20,7 +18,6 @@ pub fn now() -> Duration {
 
 /// The shortest time that the clock tells apart: some nanoseconds on a system; in a browser, which keeps its clock
 /// coarse, up to a millisecond (W3C, *High Resolution Time*, "Clock resolution").
-#[must_use]
 pub fn resolution() -> Duration {
     /// Looks after which a clock that has not moved has no better resolution.
     const LOOKS: u32 = 10_000_000;

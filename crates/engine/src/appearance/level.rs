@@ -41,14 +41,12 @@ impl Level {
 
     /// A texel by its column and row. Clear outside.
     #[inline]
-    #[must_use]
     pub fn texel(&self, x: u32, y: u32) -> [u8; 4] {
         self.at(y as usize * self.width as usize + x as usize)
     }
 
     /// A texel by its number, row by row. Clear behind the last.
     #[inline]
-    #[must_use]
     pub fn at(&self, index: usize) -> [u8; 4] {
         self.rgba.as_chunks::<4>().0.get(index).copied().unwrap_or_default()
     }

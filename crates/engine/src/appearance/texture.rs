@@ -103,7 +103,6 @@ impl Sampler {
 impl Texture {
     /// A picture without smaller levels. `rgba` has 4 bytes for each of `width` · `height` texels, premultiplied. What
     /// is missing is clear, and a picture without texels has one.
-    #[must_use]
     pub fn flat(width: u32, height: u32, mut rgba: Vec<u8>) -> Self {
         let (width, height) = (width.max(1), height.max(1));
         rgba.resize(4 * width as usize * height as usize, 0);
@@ -127,7 +126,6 @@ impl Texture {
     }
 
     /// The levels of detail, the picture itself first. Never empty.
-    #[must_use]
     pub fn levels(&self) -> &[Level] {
         &self.levels
     }
@@ -138,19 +136,16 @@ impl Texture {
     }
 
     /// Width in texels.
-    #[must_use]
     pub fn width(&self) -> u32 {
         self.levels.first().map_or(1, |level| level.width)
     }
 
     /// Height in texels.
-    #[must_use]
     pub fn height(&self) -> u32 {
         self.levels.first().map_or(1, |level| level.height)
     }
 
     /// The one colour of all its texels, premultiplied; `None` if they differ.
-    #[must_use]
     pub fn one_color(&self) -> Option<[u8; 4]> {
         *self.one_color.get_or_init(|| {
             let texels = self.levels.first()?.rgba.as_chunks::<4>().0;
@@ -160,7 +155,6 @@ impl Texture {
     }
 
     /// The one colour of all its texels, multiplied by another one, opaque; `None` if they differ.
-    #[must_use]
     pub fn one_color_times(&self, tint: Rgba) -> Option<Rgba> {
         let [r, g, b, _] = self.one_color()?;
         #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
@@ -169,7 +163,6 @@ impl Texture {
     }
 
     /// True if no texel lets anything through.
-    #[must_use]
     pub fn is_opaque(&self) -> bool {
         *self.opaque.get_or_init(|| {
             self.levels.first().is_some_and(|level| level.rgba.as_chunks::<4>().0.iter().all(|texel| texel[3] == 255))

@@ -26,21 +26,18 @@ impl Default for ImageSize {
 
 impl ImageSize {
     /// m / n.
-    #[must_use]
     pub fn aspect(self) -> f64 {
         f64::from(self.width) / f64::from(self.height)
     }
 
     /// Is (i, j), as (5.22) gives it, a pixel of the image? Not on the right and on the lower border, where i = m, j =
     /// n.
-    #[must_use]
     pub fn contains(self, pixel: DVec2) -> bool {
         pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < f64::from(self.width) && pixel.y < f64::from(self.height)
     }
 
     /// The image coordinates (x to the right, y down, (0, 0) the corner at the top left) of a window point, before
     /// (5.22) takes the floor.
-    #[must_use]
     pub fn image_from_window(self, window: &ViewWindow, point: DVec2) -> DVec2 {
         DVec2::new(
             f64::from(self.width) * ((point.x - window.left) / window.width()),
@@ -59,7 +56,6 @@ impl ImageSize {
     /// assert_eq!(image.window_from_image(&window, DVec2::new(0.0, 0.0)), DVec2::new(-4.0, 3.0));
     /// assert_eq!(image.window_from_image(&window, DVec2::new(0.5, 0.5)), DVec2::new(-3.5, 2.5));
     /// ```
-    #[must_use]
     pub fn window_from_image(self, window: &ViewWindow, image: DVec2) -> DVec2 {
         DVec2::new(
             window.left + window.width() * (image.x / f64::from(self.width)),
@@ -87,7 +83,6 @@ pub struct Viewport {
 
 impl Viewport {
     /// The whole image, depth 0 … 1.
-    #[must_use]
     pub fn whole(image: ImageSize) -> Self {
         Self { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 }
     }

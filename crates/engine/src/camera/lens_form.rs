@@ -76,7 +76,6 @@ impl LensForm {
     /// let theta = lens.view_angle(16.0 / 9.0);
     /// assert!(((theta.to_radians() / 2.0).tan() - 18.0 / 50.0 * 9.0 / 16.0).abs() < 1e-15);
     /// ```
-    #[must_use]
     pub fn view_angle(self, aspect: f64) -> f64 {
         let aspect_wide = Dd::new(aspect);
         let slope = match self {
@@ -105,7 +104,6 @@ pub struct LensNumbers {
 
 impl Camera {
     /// The lens in other words. `None` in parallel projection: parallel projectors span no angle.
-    #[must_use]
     pub fn lens_numbers(&self, image: ImageSize) -> Option<LensNumbers> {
         if self.projection() == Projection::Parallel {
             return None;
@@ -127,7 +125,6 @@ impl Camera {
     }
 
     /// The focal length in millimetres with a sensor: F / S = f / s for the side that spans the image.
-    #[must_use]
     pub fn focal_length(&self, sensor: Sensor) -> f64 {
         let (side, spanned) = self.spanned(sensor);
         (Dd::new(side) * Dd::new(self.near()) / spanned).value()
@@ -135,7 +132,6 @@ impl Camera {
 
     /// The lens shift: the middle of the window, to the right and up, as shares of the side that the sensor spans. So
     /// counts Blender, in both projections.
-    #[must_use]
     pub fn lens_shift(&self, sensor: Sensor) -> [f64; 2] {
         let (_, spanned) = self.spanned(sensor);
         let WideWindow { left, right, bottom, top } = self.wide_window;
@@ -143,7 +139,6 @@ impl Camera {
     }
 
     /// The window of the same size with another [`Self::lens_shift`].
-    #[must_use]
     pub fn window_with_shift(&self, sensor: Sensor, [x, y]: [f64; 2]) -> ViewWindow {
         let (_, side) = self.spanned(sensor);
         let ends = |share: f64, length: Dd| {
@@ -160,7 +155,6 @@ impl Camera {
     }
 
     /// W × H of the view at a distance from C: in perspective they grow with it.
-    #[must_use]
     pub fn view_size_at(&self, distance: f64) -> [f64; 2] {
         let scale = match self.projection() {
             Projection::Perspective => Dd::new(distance) / Dd::new(self.near()),

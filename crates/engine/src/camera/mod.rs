@@ -178,7 +178,6 @@ impl Camera {
     }
 
     /// The parameters of the camera. (After an operation: the `f64`s nearest to its result.)
-    #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
@@ -192,55 +191,46 @@ impl Camera {
     }
 
     /// C.
-    #[must_use]
     pub fn position(&self) -> DVec3 {
         self.parameters.position
     }
 
     /// PF.
-    #[must_use]
     pub fn focal_point(&self) -> DVec3 {
         self.parameters.focal_point
     }
 
     /// VUP.
-    #[must_use]
     pub fn view_up(&self) -> DVec3 {
         self.parameters.view_up
     }
 
     /// The kind of projection.
-    #[must_use]
     pub fn projection(&self) -> Projection {
         self.parameters.projection
     }
 
     /// F.
-    #[must_use]
     pub fn near(&self) -> f64 {
         self.parameters.near
     }
 
     /// B.
-    #[must_use]
     pub fn far(&self) -> f64 {
         self.parameters.far
     }
 
     /// DOP = −n, `[0]` Eq. (5.2).
-    #[must_use]
     pub fn direction_of_projection(&self) -> DVec3 {
         -self.basis.n
     }
 
     /// D, the distance from C to PF.
-    #[must_use]
     pub fn distance(&self) -> f64 {
         self.frame.distance.value()
     }
 
     /// u, v, n.
-    #[must_use]
     pub fn basis(&self) -> Basis {
         self.basis
     }
@@ -257,38 +247,32 @@ impl Camera {
     /// assert_eq!((window.left, window.right, window.bottom, window.top), (-14.0, 14.0, -7.0, 7.0));
     /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
-    #[must_use]
     pub fn window(&self) -> ViewWindow {
         self.wide_window.value()
     }
 
     /// W, rounded once: [`ViewWindow::width`] of the rounded sides may differ in the last digit.
-    #[must_use]
     pub fn window_width(&self) -> f64 {
         self.wide_window.width().value()
     }
 
     /// H, rounded once.
-    #[must_use]
     pub fn window_height(&self) -> f64 {
         self.wide_window.height().value()
     }
 
     /// A = W / H, `[0]` Eq. (5.1), rounded once.
-    #[must_use]
     pub fn window_aspect(&self) -> f64 {
         (self.wide_window.width() / self.wide_window.height()).value()
     }
 
     /// True if r = −l and t = −b: the cases (5.14) and (5.16) of the notes.
-    #[must_use]
     pub fn has_symmetric_window(&self) -> bool {
         let ViewWindow { left, right, bottom, top } = self.window();
         left == -right && bottom == -top
     }
 
     /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), when the window is symmetric.
-    #[must_use]
     pub fn view_angle(&self) -> Angle {
         // In parallel projection F may be 0 or behind C; the angle is then that at its distance.
         Angle::from_degrees(self.wide_window.vertical_angle(self.near().abs().max(f64::MIN_POSITIVE)))

@@ -29,19 +29,16 @@ pub struct ViewWindow {
 
 impl ViewWindow {
     /// W = r − l.
-    #[must_use]
     pub fn width(&self) -> f64 {
         self.right - self.left
     }
 
     /// H = t − b.
-    #[must_use]
     pub fn height(&self) -> f64 {
         self.top - self.bottom
     }
 
     /// A = W / H, `[0]` Eq. (5.1).
-    #[must_use]
     pub fn aspect(&self) -> f64 {
         self.width() / self.height()
     }
@@ -125,7 +122,6 @@ crate::listed! {
 
 impl ParameterKey {
     /// The notes' symbol.
-    #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Position => "C",
@@ -156,7 +152,6 @@ impl ParameterKey {
     }
 
     /// Their keys, with commas between them.
-    #[must_use]
     pub fn list(keys: &[Self]) -> String {
         keys.iter().map(|key| key.name()).collect::<Vec<_>>().join(", ")
     }
@@ -173,7 +168,6 @@ pub enum Checked {
 
 impl Checked {
     /// Its key in a figure file, or its name on the command line.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Parameter(key) => key.name(),
@@ -182,7 +176,6 @@ impl Checked {
     }
 
     /// The notes' symbol, or the name of the operation.
-    #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Parameter(key) => key.symbol(),
@@ -258,7 +251,6 @@ pub(super) fn check_range(key: Checked, value: f64, allowed: Range) -> Result<()
 }
 
 /// Whether a value asks for a volume without a back plane, which a convention of NDC can have.
-#[must_use]
 pub fn is_infinite_far(key: Checked, value: f64) -> bool {
     key == Checked::Parameter(ParameterKey::Far) && value == f64::INFINITY
 }
@@ -276,7 +268,6 @@ pub enum Range {
 
 impl Range {
     /// Is `value` allowed? Never for NaN and infinities.
-    #[must_use]
     pub fn contains(self, value: f64) -> bool {
         value.is_finite()
             && match self {
@@ -390,14 +381,12 @@ pub enum CameraError {
 
 impl CameraError {
     /// True if one value is impossible by itself, whatever the other parameters are.
-    #[must_use]
     pub const fn is_of_one_value(&self) -> bool {
         matches!(self, Self::OutOfRange { .. } | Self::ViewUpZero)
     }
 
     /// The parameters that the error is about, the most likely culprit first. None for an operation with an impossible
     /// value.
-    #[must_use]
     pub fn parameters(&self) -> &[ParameterKey] {
         use ParameterKey as Key;
         match self {

@@ -21,7 +21,6 @@ impl Camera {
     /// assert_eq!(ray.direction, DVec3::new(-0.6, -0.8, 0.0));
     /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
-    #[must_use]
     pub fn ray_through_window(&self, point: DVec2) -> Ray {
         self.ray(Dd::new(point.x), Dd::new(point.y))
     }
@@ -29,7 +28,6 @@ impl Camera {
     /// The ray through the centre of the pixel (i, j): (5.23) at (i + 1/2, j + 1/2), then (5.17) to (5.21).
     ///
     /// *Guarantees*: rounded once, at the end.
-    #[must_use]
     pub fn ray_through_pixel(&self, image: ImageSize, i: i64, j: i64) -> Ray {
         let half = Dd::new(0.5);
         let [x, y] = self.window_of_image(image, [whole(i) + half, whole(j) + half]);

@@ -60,7 +60,6 @@ impl Camera {
     /// C, so does the error that rounding their coordinates to `f64`s can cause for a point in the plane of the eye.
     /// z_c keeps its digits. Floors are those of the exact numbers: a number that differs from a whole number by no
     /// more than the noise of 106 bits is that number.
-    #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         self.notes_clip_space().stations(p_world, image, viewport)
     }
@@ -136,7 +135,6 @@ impl ClipSpace<'_> {
     /// depend on it.
     ///
     /// *Guarantees*: those of [`Camera::stations`].
-    #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         let camera = self.camera();
         let (view, [aside, ahead]) = camera.exact_view_point(p_world);

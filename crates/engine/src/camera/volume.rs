@@ -11,7 +11,6 @@ impl Camera {
     /// depth of the back face; it lies at −B.)
     ///
     /// *Guarantees*: the `f64` nearest to the exact corner, component by component (but for ties too close to call).
-    #[must_use]
     pub fn volume_corners(&self) -> [DVec3; 8] {
         let w = &self.wide_window;
         let corners = [(w.left, w.bottom), (w.right, w.bottom), (w.right, w.top), (w.left, w.top)];
@@ -30,7 +29,6 @@ impl Camera {
     /// Six world planes, inside positive: left, right, bottom, top, near, far.
     ///
     /// *Guarantees*: normals of unit length to the last digit; the offsets are those of the exact planes, rounded.
-    #[must_use]
     pub fn volume_planes(&self) -> [Plane; 6] {
         let w = &self.wide_window;
         let (near, far) = (Dd::new(self.near()), Dd::new(self.far()));

@@ -59,7 +59,6 @@ pub struct Drawing {
 
 impl Drawing {
     /// A ground with nothing on it, with one sample per pixel.
-    #[must_use]
     pub fn new(width: u32, height: u32, background: Rgba) -> Self {
         Self {
             width,
@@ -90,14 +89,12 @@ pub struct StrokeSet {
 
 impl StrokeSet {
     /// One polyline.
-    #[must_use]
     pub fn line(points: Vec<[f32; 3]>, style: LineStyle) -> Self {
         let end = u32::try_from(points.len()).unwrap_or(u32::MAX);
         Self { points, polylines: std::iter::once(0..end).collect(), style }
     }
 
     /// Segments.
-    #[must_use]
     pub fn pairs(ends: &[[[f32; 3]; 2]], style: LineStyle) -> Self {
         let polylines = (0..).step_by(2).map(|first| first..first + 2).take(ends.len()).collect();
         Self { points: ends.as_flattened().to_vec(), polylines, style }
@@ -136,7 +133,6 @@ pub struct Mark {
 
 impl Mark {
     /// A mark that never fades.
-    #[must_use]
     pub fn new(position: [f32; 3], shape: MarkShape, radius: f32, [color, outline]: [Rgba; 2]) -> Self {
         Self { position, shape, radius, color, outline, fade_if_hidden: false }
     }
@@ -181,7 +177,6 @@ pub struct Label {
 
 impl Label {
     /// A text to the right of a point, which authors can't change. It has no name.
-    #[must_use]
     pub fn new(position: [f32; 3], text: impl Into<String>, size: f32, [color, halo]: [Rgba; 2]) -> Self {
         Self {
             name: String::new(),
@@ -201,7 +196,6 @@ impl Label {
 /// To the precision of the display list, behind the viewport, and of light.
 #[expect(clippy::cast_possible_truncation, reason = "single precision is the display list's")]
 #[inline(always)]
-#[must_use]
 pub fn single(v: f64) -> f32 {
     v as f32
 }

@@ -3,7 +3,6 @@
 
 /// By how much two depths may differ, and still be the same: depths have some 16 bits where perspective crowds them.
 #[inline]
-#[must_use]
 pub fn same_depth(depth: f32) -> f32 {
     1e-4 * depth.abs() + 1e-6
 }
@@ -16,7 +15,6 @@ pub(crate) const ON_A_FACE: f32 = 0.02;
 ///
 /// Corners of faces lie on a grid of the pixel, ends of strokes do not, and slopes stored for each pixel are rounded.
 #[inline]
-#[must_use]
 pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
     same_depth(depth) + ON_A_FACE * (slope[0].abs() + slope[1].abs())
 }
@@ -25,7 +23,6 @@ pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
 /// there, also at an acute angle. `radius`: half its width in pixels; `rise`: the change of its depth on `length`
 /// pixels.
 #[inline]
-#[must_use]
 pub fn stroke_reach(radius: f32, rise: f32, length: f32) -> f32 {
     (3.0 * (radius + 0.5) * (rise / length.max(1e-6)).abs()).min(rise.abs())
 }
@@ -47,7 +44,6 @@ pub struct StrokePoint {
 /// nearer by more than their reach, one that is visible over one behind a face, then the wider over the finer one, then
 /// the later in the list.
 #[inline]
-#[must_use]
 pub fn later_is_over(later: StrokePoint, earlier: StrokePoint) -> bool {
     let nearer = later.depth - earlier.depth;
     let same = later.reach + earlier.reach + same_depth(later.depth);

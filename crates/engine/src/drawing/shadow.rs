@@ -74,19 +74,16 @@ pub enum Rays {
 impl ShadowMap {
     /// A map that is still to be painted. `views`: one for parallel light, six around a lamp; square, without light,
     /// one sample in each pixel. A pixel is a texel. `recipe`: a hash of the light and of all that casts shadows.
-    #[must_use]
     pub fn new(views: Vec<Drawing>, size: u32, rays: Rays, softness: f32, recipe: u64) -> Self {
         Self { size, rays, softness, recipe, views: Mutex::new(Some(Arc::new(views))), depths: OnceLock::new() }
     }
 
     /// The depths of each view, row by row; `None` until they are painted. Those of an empty view are none.
-    #[must_use]
     pub fn depths(&self) -> Option<&[Vec<f32>]> {
         self.depths.get().map(Vec::as_slice)
     }
 
     /// The views that are still to be painted; `None` once they are.
-    #[must_use]
     pub fn unpainted(&self) -> Option<Arc<Vec<Drawing>>> {
         self.views.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

@@ -113,7 +113,6 @@ const TINT: u8 = 85;
 
 impl Surface {
     /// Triangles of one final colour, depth-tested, and translucent if the colour is.
-    #[must_use]
     pub fn solid(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> Self {
         Self {
             positions,
@@ -128,7 +127,6 @@ impl Surface {
     }
 
     /// True if the colour of a triangle varies over it, so that something is interpolated between its vertices.
-    #[must_use]
     pub fn varies(&self) -> bool {
         match (&self.base, &self.light) {
             (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => false,
@@ -138,14 +136,12 @@ impl Surface {
     }
 
     /// True if it has a picture on it.
-    #[must_use]
     pub fn is_textured(&self) -> bool {
         matches!(self.base, Base::Texture { .. })
     }
 
     /// The base colour of a triangle; `None` if the list has none, and where it varies over the triangle.
     #[inline]
-    #[must_use]
     pub fn face_color(&self, triangle: usize) -> Option<Rgba> {
         match &self.base {
             Base::Solid(color) => Some(*color),
@@ -155,7 +151,6 @@ impl Surface {
     }
 
     /// The base colour of a triangle at one of its vertices. Grey under a picture. `None` if the list has none.
-    #[must_use]
     pub fn color_at_vertex(&self, triangle: usize, vertex: u32) -> Option<Rgba> {
         match &self.base {
             Base::Solid(_) | Base::Faces(_) => self.face_color(triangle),
@@ -165,7 +160,6 @@ impl Surface {
     }
 
     /// The opacity of a triangle at its first vertex. `None` if the list has none.
-    #[must_use]
     pub fn alpha_of(&self, triangle: usize) -> Option<u8> {
         match &self.base {
             Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) => {
@@ -226,13 +220,11 @@ impl Surface {
 
 impl ViewLight {
     /// Parallel light from where this unit vector points.
-    #[must_use]
     pub const fn directional(to_light: [f32; 3]) -> Self {
         Self { vector: to_light, distant: true }
     }
 
     /// A lamp at this position.
-    #[must_use]
     pub const fn point(position: [f32; 3]) -> Self {
         Self { vector: position, distant: false }
     }
@@ -240,7 +232,6 @@ impl ViewLight {
 
 impl Lighting {
     /// True if the positions of the points matter.
-    #[must_use]
     pub fn needs_positions(&self) -> bool {
         let viewer = !self.distant_viewer && (self.two_sided || self.specular > 0.0);
         viewer || self.lights.iter().any(|light| !light.distant)

@@ -15,25 +15,21 @@ pub struct Angle {
 
 impl Angle {
     /// From degrees.
-    #[must_use]
     pub const fn from_degrees(degrees: f64) -> Self {
         Self { degrees }
     }
 
     /// From radians.
-    #[must_use]
     pub fn from_radians(radians: f64) -> Self {
         Self { degrees: radians.to_degrees() }
     }
 
     /// In degrees.
-    #[must_use]
     pub const fn degrees(self) -> f64 {
         self.degrees
     }
 
     /// In radians.
-    #[must_use]
     pub fn radians(self) -> f64 {
         self.degrees.to_radians()
     }
@@ -42,14 +38,12 @@ impl Angle {
     ///
     /// *Guarantees*: both are the `f64` nearest to the true value (but for ties too close to call). The angle is
     /// reduced in degrees, exactly: multiples of 30°, 45° and 90° give what they should, and whole turns change no bit.
-    #[must_use]
     pub fn sin_cos(self) -> (f64, f64) {
         let (sine, cosine) = double_double::sin_cos_degrees(self.degrees);
         (sine.value(), cosine.value())
     }
 
     /// The tangent: sine by cosine.
-    #[must_use]
     pub fn tan(self) -> f64 {
         let (sine, cosine) = self.sin_cos();
         sine / cosine
@@ -84,7 +78,6 @@ pub struct Plane {
 
 impl Plane {
     /// Signed distance of `point`. Positive inside.
-    #[must_use]
     pub fn distance(&self, point: DVec3) -> f64 {
         self.normal.dot(point) + self.offset
     }
@@ -113,19 +106,16 @@ impl Aabb {
     }
 
     /// Half the sum of both corners.
-    #[must_use]
     pub fn center(&self) -> DVec3 {
         self.min + (self.max - self.min) * 0.5
     }
 
     /// Half of the diagonal.
-    #[must_use]
     pub fn radius(&self) -> f64 {
         ((self.max - self.min) * 0.5).length()
     }
 
     /// The eight corners.
-    #[must_use]
     pub fn corners(&self) -> [DVec3; 8] {
         std::array::from_fn(|i| {
             DVec3::new(
@@ -146,7 +136,6 @@ impl Aabb {
 /// The unit vector along `v`; `None` for a zero or a non-finite vector.
 ///
 /// *Guarantees*: free of overflow and underflow, since `v` is first scaled by a power of two, which is exact.
-#[must_use]
 pub fn try_unit(v: DVec3) -> Option<DVec3> {
     let greatest = v.abs().max_element();
     if !(greatest > 0.0 && v.is_finite()) {

@@ -42,7 +42,6 @@ pub struct TriangleHit {
 
 impl TriangleTree {
     /// Puts triangles into a tree. Those that are not finite are met by no ray.
-    #[must_use]
     pub fn new(triangles: Vec<[DVec3; 3]>) -> Self {
         let indices = 0..u32::try_from(triangles.len()).unwrap_or(u32::MAX);
         let order: Vec<u32> = indices
@@ -56,7 +55,6 @@ impl TriangleTree {
     }
 
     /// The triangles, in the order in which they were given.
-    #[must_use]
     pub fn triangles(&self) -> &[[DVec3; 3]] {
         &self.triangles
     }
@@ -83,7 +81,6 @@ impl TriangleTree {
 
     /// The first triangle that a ray meets within a range of t, of those that are `wanted`: told by their index, and
     /// whether the ray comes from the side from which their corners run counter-clockwise.
-    #[must_use]
     pub fn first_hit(
         &self,
         origin: DVec3,
@@ -96,7 +93,6 @@ impl TriangleTree {
 
     /// Whether a ray meets any triangle within a range of t, of those that are `wanted`, as in
     /// [`first_hit`](Self::first_hit).
-    #[must_use]
     pub fn is_hit(&self, origin: DVec3, ray: DVec3, within: Range<f64>, wanted: impl Fn(usize, bool) -> bool) -> bool {
         self.hit(origin, ray, within, wanted, true).is_some()
     }
@@ -159,7 +155,6 @@ fn touches(aabb: &Aabb, origin: DVec3, inverse: DVec3, within: Range<f64>) -> bo
 
 /// The place where a ray meets a triangle, and whether it comes from the side from which the corners run
 /// counter-clockwise; Möller and Trumbore (1997).
-#[must_use]
 pub fn ray_meets_triangle(origin: DVec3, ray: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, bool)> {
     let (ab, ac) = (b - a, c - a);
     let p = ray.cross(ac);

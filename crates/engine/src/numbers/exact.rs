@@ -18,7 +18,6 @@ const MOST: i64 = 999;
 
 /// The form of a number that is a fraction or the root of one to the last digits of an `f64`; `None` for all others,
 /// and for numbers that read as well without one: whole numbers, and decimals of three digits at most.
-#[must_use]
 pub fn exact_form(value: f64) -> Option<ExactForm> {
     let size = value.abs();
     if !(1e-4..1e4).contains(&size) || (value * 1000.0).round() / 1000.0 == value {
@@ -89,13 +88,11 @@ fn gcd(a: i64, b: i64) -> i64 {
 
 impl ExactForm {
     /// As text: `−3√38/19`, `1/√3`.
-    #[must_use]
     pub fn text(self) -> String {
         self.written("−", |n| format!("√{n}"), |above, below| format!("{above}/{below}"))
     }
 
     /// In LaTeX: `-\frac{3\sqrt{38}}{19}`.
-    #[must_use]
     pub fn latex(self) -> String {
         self.written("-", |n| format!(r"\sqrt{{{n}}}"), |above, below| format!(r"\frac{{{above}}}{{{below}}}"))
     }

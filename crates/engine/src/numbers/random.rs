@@ -9,7 +9,6 @@ pub struct Random(u64);
 
 impl Random {
     /// The sequence of a seed; `stream` tells sequences of the same seed apart.
-    #[must_use]
     pub const fn new(seed: u64, stream: u64) -> Self {
         Self(seed ^ stream.wrapping_mul(0xd134_2543_de82_ef95))
     }

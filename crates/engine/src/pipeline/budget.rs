@@ -89,7 +89,6 @@ impl OverBudget {
 const MOST_NAMES: usize = 3;
 
 /// The names of a few objects, in quotes; `rest` replaces the others.
-#[must_use]
 pub fn names(objects: &[String], rest: &str) -> String {
     let mut named: Vec<String> = objects.iter().take(MOST_NAMES).map(|name| format!("{:?}", escaped(name))).collect();
     if objects.len() > MOST_NAMES {

@@ -84,7 +84,6 @@ pub struct Target {
 
 /// Draws `scene` as `camera` sees it. The view window fills the whole target: without distortion only if the target has
 /// the window's aspect.
-#[must_use]
 pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
@@ -126,7 +125,6 @@ impl Pipeline {
 
     /// Draws as [`draw`] does, and reports what each stage did. `scenes`: a scene, or a scene with the gear of a
     /// picture next to it.
-    #[must_use]
     pub fn frame<'a>(
         &mut self,
         scenes: impl Into<Scenes<'a>>,

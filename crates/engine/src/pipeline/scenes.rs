@@ -27,7 +27,6 @@ impl<'a> From<&'a Scene> for Scenes<'a> {
 
 impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
-    #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
         Self { scene, gear, occluders: scene, occluders_revision: None, lights: &scene.lights, fineness: 1.0 }
     }

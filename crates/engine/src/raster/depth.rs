@@ -103,20 +103,17 @@ impl DepthBuffer {
     }
 
     /// True if no surface was drawn.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bands.iter().all(|band| band.columns.is_empty())
     }
 
     /// The point of its pixel at which a depth was taken, relative to the pixel's centre, in pixels: (0, 0) without
     /// antialiasing.
-    #[must_use]
     pub fn offset(&self) -> [f32; 2] {
         self.offset
     }
 
     /// Depth of the surface at a pixel, as in the drawing. `None` if no surface was drawn, or outside.
-    #[must_use]
     pub fn at(&self, x: u32, y: u32) -> Option<f32> {
         let (x, y) = (x as usize, y as usize);
         (y < self.height).then(|| self.value(x, y))?.map(|(depth, _)| depth)

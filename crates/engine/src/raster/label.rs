@@ -43,7 +43,6 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
 }
 
 /// The left end of the baseline of a label.
-#[must_use]
 pub fn baseline(label: &Label) -> [f32; 2] {
     let width = text::measure(&label.text, label.size, label.mathematical).width;
     let left = match label.anchor {
@@ -56,7 +55,6 @@ pub fn baseline(label: &Label) -> [f32; 2] {
 }
 
 /// A path; `None` if there is nothing to fill.
-#[must_use]
 pub fn path_of(elements: &[Element]) -> Option<Path> {
     let mut builder = PathBuilder::new();
     for element in elements {
@@ -146,7 +144,6 @@ fn mark_line(radius: f32) -> f32 {
 }
 
 /// The paints of a mark, the lower one first.
-#[must_use]
 pub fn mark_layers(mark: &Mark) -> [MarkLayer; 2] {
     let line = mark_line(mark.radius);
     let (outer, inner) = match mark.shape {
@@ -157,7 +154,6 @@ pub fn mark_layers(mark: &Mark) -> [MarkLayer; 2] {
 }
 
 /// The outline of a mark. Empty if it has none that can be drawn.
-#[must_use]
 pub fn mark_outline(mark: &Mark) -> Vec<Element> {
     let [x, y, _] = mark.position;
     let path = finite(mark.position, mark.radius).then(|| mark_path(mark.shape, x, y, mark.radius)).flatten();
@@ -165,7 +161,6 @@ pub fn mark_outline(mark: &Mark) -> Vec<Element> {
 }
 
 /// The outline of an area. Empty if it has none that can be drawn.
-#[must_use]
 pub fn area_outline(area: &Area) -> Vec<Element> {
     let Area { corner: [x, y], size: [width, height], radius, .. } = *area;
     rounded([x, y, x + width, y + height], radius).map(|path| elements(&path)).unwrap_or_default()

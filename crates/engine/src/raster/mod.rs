@@ -97,13 +97,11 @@ impl Rasterizer {
     }
 
     /// Statistics of the last picture. The counts don't depend on the number of threads.
-    #[must_use]
     pub fn work(&self) -> Work {
         self.work
     }
 
     /// The depth buffer of the last picture.
-    #[must_use]
     pub fn depth(&self) -> &DepthBuffer {
         &self.depth
     }

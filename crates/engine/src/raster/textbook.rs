@@ -64,7 +64,6 @@ struct Sample {
 
 /// Paints the surfaces of `drawing`, and the shadow maps that they need. Returns `None` if a side is 0 or the picture
 /// is too large.
-#[must_use]
 pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let mut image = new_pixmap(drawing)?;
     paint_shadow_maps(drawing);

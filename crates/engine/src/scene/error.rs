@@ -87,7 +87,6 @@ pub enum SceneError {
 }
 
 /// The names of a chain of objects, of a long one those at its ends.
-#[must_use]
 pub fn chain_text(chain: &[String]) -> String {
     const ENDS: usize = 3;
     let names = |part: &[String]| part.iter().map(|name| escaped(name)).collect::<Vec<_>>().join(" → ");
@@ -99,7 +98,6 @@ pub fn chain_text(chain: &[String]) -> String {
 
 impl SceneError {
     /// The name of the object that is at fault, where it is one.
-    #[must_use]
     pub fn object(&self) -> Option<&str> {
         match self {
             Self::DuplicateName { name }
@@ -114,7 +112,6 @@ impl SceneError {
     }
 
     /// The key that is at fault.
-    #[must_use]
     pub const fn key(&self) -> &'static str {
         match self {
             Self::DuplicateName { .. } => "name",

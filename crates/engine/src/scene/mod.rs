@@ -57,7 +57,6 @@ pub struct Scene {
 
 impl Scene {
     /// The box around all objects, lines and marks; `None` for an empty scene.
-    #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         let objects = self.objects.iter().filter_map(Object::bounds);
         let lines = self.lines.iter().filter_map(|l| Aabb::around(l.points.iter().copied()));
@@ -66,7 +65,6 @@ impl Scene {
     }
 
     /// The place of the object of this name. One of the figure comes before a part of another that is called alike.
-    #[must_use]
     pub fn place_of(&self, name: &str) -> Option<usize> {
         let own = |object: &Object| object.name == name && object.part_of.is_none();
         let any = || self.objects.iter().position(|object| object.name == name);
@@ -147,13 +145,11 @@ pub struct InWorld {
 impl Object {
     /// True if both sides of its faces may be seen, and have to be lit. It's two-sided, or a solid whose inside shows
     /// because it's translucent or the front plane cuts it open (`is_cut_open`).
-    #[must_use]
     pub fn shows_both_sides(&self, is_cut_open: bool) -> bool {
         self.two_sided || (self.mesh.closed && (is_cut_open || self.paint.is_translucent()))
     }
 
     /// A lit closed solid without lines.
-    #[must_use]
     pub fn new(name: impl Into<String>, mesh: Arc<Mesh>, world_from_object: DMat4, paint: ObjectPaint) -> Self {
         Self {
             name: name.into(),
@@ -171,14 +167,12 @@ impl Object {
     }
 
     /// The name of the object of the figure that it is, or is a part of.
-    #[must_use]
     pub fn owner(&self) -> &str {
         self.part_of.as_deref().unwrap_or(&self.name)
     }
 
     /// The box around the object in the world (around its vertices, not around its turned box); `None` without
     /// vertices.
-    #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         Aabb::around(self.mesh.positions.iter().map(|&p| self.world_from_object.transform_point3(p)))
     }
@@ -214,14 +208,12 @@ pub struct Pictured {
 
 impl Pictured {
     /// The one colour that it has everywhere, opaque; `None` if it has several, or something shows through.
-    #[must_use]
     pub fn one_color(&self) -> Option<Rgba> {
         let is_plain = !self.translucent && self.sampler.reveal.is_none();
         is_plain.then(|| self.image.one_color_times(self.tint)).flatten()
     }
 
     /// A picture that is shown once, as it is.
-    #[must_use]
     pub fn plain(image: Arc<Texture>, uv: Vec<[f32; 2]>, opacity: u8) -> Self {
         Self {
             image,
@@ -247,7 +239,6 @@ pub enum FoundLight {
 
 impl ObjectPaint {
     /// True if something shows through.
-    #[must_use]
     pub fn is_translucent(&self) -> bool {
         match self {
             Self::Solid(color) => !color.is_opaque(),

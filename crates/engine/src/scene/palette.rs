@@ -18,7 +18,6 @@ pub const PALETTE: [Rgba; 8] = [
 ];
 
 /// The colour of [`PALETTE`] that fewest objects of a scene have; of several the first.
-#[must_use]
 pub fn least_used(scene: &Scene) -> Rgba {
     let has =
         |object: &&Object, color: Rgba| matches!(object.paint, ObjectPaint::Solid(c) if c.with_alpha(255) == color);
@@ -62,7 +61,6 @@ pub struct SceneColors {
 
 impl SceneColors {
     /// The colours of a theme.
-    #[must_use]
     pub const fn of(theme: Theme) -> Self {
         Self {
             ink: theme.color([0x1c_22_2b, 0xe8_ec_f1, 0x00_00_00]),
@@ -75,19 +73,16 @@ impl SceneColors {
     }
 
     /// Style of the edges of a faceted object.
-    #[must_use]
     pub const fn edge_style(&self) -> LineStyle {
         LineStyle::solid(self.edge, 1.0, HiddenLines::OfStyle)
     }
 
     /// Style of free segments.
-    #[must_use]
     pub const fn segment_style(&self, color: Rgba) -> LineStyle {
         LineStyle::solid(color, 1.75, HiddenLines::OfStyle)
     }
 
     /// Style of a grid.
-    #[must_use]
     pub const fn grid_style(&self, color: Rgba) -> LineStyle {
         LineStyle::solid(color, 0.75, HiddenLines::Hidden)
     }

@@ -73,7 +73,6 @@ pub enum ReadProblem {
 
 impl ReadError {
     /// Whether the file lies outside the folder that the figure may read from. The user can allow it.
-    #[must_use]
     pub const fn is_outside(&self) -> bool {
         matches!(self.problem, ReadProblem::Outside { .. } | ReadProblem::NoFolder)
     }
@@ -81,7 +80,6 @@ impl ReadError {
 
 impl ReadProblem {
     /// The error of the system.
-    #[must_use]
     pub fn system(error: &io::Error) -> Self {
         Self::System { kind: error.kind(), code: error.raw_os_error() }
     }
@@ -102,7 +100,6 @@ pub enum NamedBy {
 }
 
 /// An error of the system in plain English. An unusual one by its number. Its own sentence may be in any language.
-#[must_use]
 pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
     let words = match system_kind(kind, code) {
         io::ErrorKind::NotFound => "there is no such file or directory",
@@ -137,13 +134,11 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
 
 /// The kind of an error of the system, also where the standard library knows none: Windows' files that another program
 /// keeps to itself (its errors 32 and 33).
-#[must_use]
 pub fn system_kind(kind: io::ErrorKind, code: Option<i32>) -> io::ErrorKind {
     if cfg!(windows) && matches!(code, Some(32 | 33)) { io::ErrorKind::ResourceBusy } else { kind }
 }
 
 /// True for links that lead to one another, for which the standard library has no kind.
-#[must_use]
 pub fn is_loop(code: Option<i32>) -> bool {
     const LOOP: i32 = if cfg!(any(target_os = "linux", target_os = "android")) { 40 } else { 62 };
     cfg!(unix) && code == Some(LOOP)

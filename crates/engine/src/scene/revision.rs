@@ -8,7 +8,6 @@ pub struct SceneRevision(u64);
 
 impl SceneRevision {
     /// One that no other scene has.
-    #[must_use]
     pub fn next() -> Self {
         static LAST: AtomicU64 = AtomicU64::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed))

@@ -19,7 +19,6 @@ macro_rules! named {
             pub const NAMED: &'static [(&'static str, Self)] = &[$(($name, $value)),*];
 
             /// Its name in a figure file.
-            #[must_use]
             pub const fn name(&self) -> &'static str {
                 match self {
                     $($pattern => $name,)*
@@ -141,13 +140,11 @@ pub enum ShapeData<'a> {
 
 impl Shape {
     /// The default of `segments`, for a shape or for a group.
-    #[must_use]
     pub fn usual_segments(shape: Option<&Self>) -> u32 {
         shape.map_or(DEFAULT_SEGMENTS, Self::default_segments)
     }
 
     /// The default of `segments`: 6 sides of a prism, 10 cells of a grid, 32 segments of curved shapes.
-    #[must_use]
     pub const fn default_segments(&self) -> u32 {
         match self {
             Self::Prism => 6,
@@ -157,7 +154,6 @@ impl Shape {
     }
 
     /// The data of the shape in a figure besides its name.
-    #[must_use]
     pub fn data(&self) -> ShapeData<'_> {
         match self {
             Self::Points(points) => ShapeData::Points(points),
@@ -168,13 +164,11 @@ impl Shape {
     }
 
     /// The file that it comes from, relative to the figure file.
-    #[must_use]
     pub fn mesh_file(&self) -> Option<&str> {
         if let Self::Mesh { path } = self { Some(path) } else { None }
     }
 
     /// False if `segments` has no meaning.
-    #[must_use]
     pub const fn has_segments(&self) -> bool {
         use Shape::{Cone, Cylinder, Ellipsoid, Grid, Prism, Sphere, Torus};
         matches!(self, Prism | Sphere | Ellipsoid | Cylinder | Cone | Torus | Grid)
@@ -202,14 +196,12 @@ impl TextureSource {
         [("none", Self::None), ("chequer", Self::Chequer), ("letters", Self::Letters), ("uv", Self::Uv)];
 
     /// The source with this name, or the file.
-    #[must_use]
     pub fn of(text: &str) -> Self {
         let named = Self::NAMED.into_iter().find(|(name, _)| *name == text);
         named.map_or_else(|| Self::File(text.to_owned()), |(_, source)| source)
     }
 
     /// The file that it comes from, relative to the figure file.
-    #[must_use]
     pub fn file(&self) -> Option<&str> {
         if let Self::File(path) = self { Some(path) } else { None }
     }
@@ -255,14 +247,12 @@ pub struct ObjectSpec {
 
 impl ObjectSpec {
     /// A shape at the origin, without parent or colour.
-    #[must_use]
     pub fn new(name: impl Into<String>, shape: Shape) -> Self {
         let segments = shape.default_segments();
         Self { segments, shape: Some(shape), ..Self::group(name) }
     }
 
     /// A group: a transform for others, without a shape.
-    #[must_use]
     pub fn group(name: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -344,7 +334,6 @@ named! { LightKind {
 
 impl LightKind {
     /// The key of a light's vector in a figure file, and the vector of one without.
-    #[must_use]
     pub const fn vector(self) -> (&'static str, DVec3) {
         match self {
             Self::Directional => ("direction", DVec3::new(-1.0, -2.0, -1.0)),
@@ -355,13 +344,11 @@ impl LightKind {
 
 impl Light {
     /// Parallel light that travels along this vector.
-    #[must_use]
     pub const fn directional(direction: DVec3) -> Self {
         Self { kind: LightKind::Directional, vector: direction, shadows: Shadows::NONE }
     }
 
     /// A lamp at this point.
-    #[must_use]
     pub const fn point(position: DVec3) -> Self {
         Self { kind: LightKind::Point, vector: position, shadows: Shadows::NONE }
     }

@@ -15,7 +15,6 @@ pub struct Definition {
 
 /// The definition of a symbol of the camera; `None` for a parameter, which is chosen, and for the coordinates of a
 /// point.
-#[must_use]
 pub fn definition(symbol: Symbol, setting: &Setting<'_>) -> Option<Definition> {
     let camera = setting.space().camera();
     let given = camera.parameters();
@@ -58,7 +57,6 @@ pub fn definition(symbol: Symbol, setting: &Setting<'_>) -> Option<Definition> {
 }
 
 /// The parameters on which a formula depends, through all definitions, each once.
-#[must_use]
 pub fn leaves(formula: &Formula, setting: &Setting<'_>) -> Vec<Symbol> {
     let mut open = formula.symbols();
     let (mut seen, mut leaves) = (Vec::new(), Vec::new());

@@ -10,7 +10,6 @@ use crate::camera::Step;
 /// *Guarantees*: each entry's [`Formula::value`] is that of the step's matrix
 /// ([`decomposed`](crate::camera::Camera::decomposed)) up to the rounding of plain `f64`. The setting is in the
 /// convention of NDC in which the steps end.
-#[must_use]
 pub fn factor_entries(step: Step, setting: &Setting<'_>) -> EntryFormula {
     let (near, far) = (|| symbol(Symbol::Near), || symbol(Symbol::Far));
     let sizes = || [Symbol::Width, Symbol::Height].map(|size| over(2.0, size));

@@ -77,25 +77,21 @@ impl From<f64> for Formula {
 }
 
 /// a / b.
-#[must_use]
 pub fn over(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Quotient(Box::new(a.into()), Box::new(b.into()))
 }
 
 /// a − b.
-#[must_use]
 pub fn minus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Sum(vec![a.into(), -b.into()])
 }
 
 /// a + b.
-#[must_use]
 pub fn plus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Sum(vec![a.into(), b.into()])
 }
 
 /// A product. It is 0 where a factor is, and factors that are 1 are left out.
-#[must_use]
 pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
     let mut negative = false;
     let mut kept = Vec::new();
@@ -123,7 +119,6 @@ pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 /// A sum. Zeros are left out.
-#[must_use]
 pub fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
     let mut kept: Vec<Formula> = Vec::new();
     for term in terms {
@@ -181,7 +176,6 @@ impl std::ops::Neg for Formula {
 
 impl Formula {
     /// Its number in a setting, in plain `f64`; NaN where the setting lacks a symbol (a point that was not given).
-    #[must_use]
     pub fn value(&self, setting: &Setting<'_>) -> f64 {
         match self {
             Self::Number(number) => *number,
@@ -221,7 +215,6 @@ impl Formula {
 
     /// The greatest number that is added or subtracted in computing its value: the scale for rounding errors of the
     /// value.
-    #[must_use]
     pub fn magnitude(&self, setting: &Setting<'_>) -> f64 {
         match self {
             Self::Number(_) | Self::Symbol(_) | Self::Named(_) | Self::Norm(_) => self.value(setting).abs(),
@@ -255,7 +248,6 @@ impl Formula {
     }
 
     /// Its symbols, each once, in reading order. Those of vectors as their components.
-    #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
         let mut found = Vec::new();
         self.collect(&mut found);

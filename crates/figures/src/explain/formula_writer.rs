@@ -46,13 +46,11 @@ enum Strength {
 
 impl Writer<'_> {
     /// The formula, as it is written.
-    #[must_use]
     pub fn write(&self, formula: &Formula) -> String {
         self.at(formula, Strength::Sum)
     }
 
     /// A number, as this writer writes them. The minus is a true one in text.
-    #[must_use]
     pub fn number(&self, value: f64) -> String {
         let mark = self.mark;
         let (digits, exact) = self.numbers.map_or((6, false), |numbers| (numbers.digits, numbers.exact));

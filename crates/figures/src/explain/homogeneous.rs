@@ -16,7 +16,6 @@ use crate::camera::Camera;
 /// assert_eq!(projected_share(0.5, 1.0, 3.0), 0.75);
 /// assert_eq!(projected_share(0.5, 2.0, 2.0), 0.5);
 /// ```
-#[must_use]
 pub fn projected_share(share: f64, w_a: f64, w_b: f64) -> f64 {
     share * w_b / ((1.0 - share) * w_a + share * w_b)
 }
@@ -37,7 +36,6 @@ pub struct Floor {
 
 impl Floor {
     /// The floor of a camera.
-    #[must_use]
     pub fn new(camera: &Camera) -> Self {
         let basis = camera.basis();
         let up = camera.view_up().normalize_or(basis.v);
@@ -57,7 +55,6 @@ impl Floor {
 
     /// The floor at a window point: the colour of a square, or `None` beside the floor. `with_w`: interpolated as
     /// rasterizers do, u/w, v/w and 1/w; else u and v alone, which is wrong where w differs.
-    #[must_use]
     pub fn is_dark(&self, point: DVec2, with_w: bool) -> Option<bool> {
         const UV: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         let inside = |[a, b, c]: [usize; 3]| {

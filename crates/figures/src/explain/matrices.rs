@@ -27,7 +27,6 @@ impl MatrixFormula {
     ///
     /// *Guarantees*: each entry's [`Formula::value`] is the program's number ([`Setting::matrix`]) up to the rounding
     /// of plain `f64`.
-    #[must_use]
     pub fn new(matrix: Matrix, setting: &Setting<'_>) -> Self {
         let entries = match matrix {
             Matrix::Model => with_parent(local_model(), setting),
@@ -47,14 +46,12 @@ impl MatrixFormula {
     }
 
     /// One entry. Rows and columns from 0.
-    #[must_use]
     pub fn entry(&self, row: usize, column: usize) -> &Formula {
         &self.entries[row.min(3)][column.min(3)]
     }
 }
 
 /// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
-#[must_use]
 pub fn projection_equation(camera: &Camera) -> &'static str {
     match (camera.projection() == Projection::Perspective, camera.has_symmetric_window()) {
         (true, false) => "(5.13)",
@@ -95,7 +92,6 @@ pub(super) fn last_row() -> [Formula; 4] {
 }
 
 /// a b, each entry a sum of products without those that are 0.
-#[must_use]
 pub fn entry_product(a: &EntryFormula, b: &EntryFormula) -> EntryFormula {
     std::array::from_fn(|i| std::array::from_fn(|j| sum((0..4).map(|k| times([a[i][k].clone(), b[k][j].clone()])))))
 }

@@ -60,7 +60,6 @@ pub struct Stage {
 
 impl Call {
     /// The matrix that the call multiplies with; `None` means it acts on the stack.
-    #[must_use]
     pub fn matrix(self) -> Option<DMat4> {
         let turned = |axis: usize, degrees: f64| {
             let (sin, cos) = Angle::from_degrees(degrees).sin_cos();
@@ -82,7 +81,6 @@ impl Call {
     /// The formulas of its matrix, by rows; `None` means it acts on the stack.
     ///
     /// *Guarantees*: each gives the entry of [`matrix`](Self::matrix).
-    #[must_use]
     pub fn entries(self) -> Option<EntryFormula> {
         let cell = |i: usize, j: usize| Formula::Number(if i == j { 1.0 } else { 0.0 });
         let mut rows: EntryFormula = std::array::from_fn(|i| std::array::from_fn(|j| cell(i, j)));
@@ -110,7 +108,6 @@ impl Call {
     }
 
     /// The axis of a rotation, in the space that it acts in.
-    #[must_use]
     pub fn axis(self) -> Option<DVec3> {
         match self {
             Self::RotateX(_) => Some(DVec3::X),
@@ -121,7 +118,6 @@ impl Call {
     }
 
     /// Its symbol, with an underscore before a subscript.
-    #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Translate(_) => "T",
@@ -148,7 +144,6 @@ impl Call {
 }
 
 /// The calls of an object's own transform, T Rz Ry Rx S.
-#[must_use]
 pub fn calls_of(trs: &Trs) -> Vec<Call> {
     let Trs { translate, rotate, scale } = *trs;
     let [x, y, z] = rotate.to_array();
@@ -223,7 +218,6 @@ pub fn product(calls: &[Call]) -> Result<DMat4, Unbalanced> {
 }
 
 /// The list with two of its calls exchanged; as it is where there are no such calls.
-#[must_use]
 pub fn exchanged(calls: &[Call], [a, b]: [usize; 2]) -> Vec<Call> {
     let mut calls = calls.to_vec();
     if a < calls.len() && b < calls.len() {
@@ -233,7 +227,6 @@ pub fn exchanged(calls: &[Call], [a, b]: [usize; 2]) -> Vec<Call> {
 }
 
 /// True if two matrices are the same but for rounding.
-#[must_use]
 pub fn same(a: &DMat4, b: &DMat4) -> bool {
     let (a, b) = (a.to_cols_array(), b.to_cols_array());
     let greatest = |values: &[f64]| values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));

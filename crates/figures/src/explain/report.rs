@@ -51,7 +51,6 @@ impl DepthPixelReport {
 
 /// The report as JSON, as [`Report::to_json`], with the `trace` of each of its points where that is wanted, and with
 /// `depth_pixels` where there are such.
-#[must_use]
 pub fn json(report: &Report, setting: &Setting<'_>, traced: bool, depth_pixels: &[DepthPixelReport]) -> String {
     // Neither a report nor a trace has anything that could fail to become a JSON value.
     let mut value = serde_json::to_value(report).unwrap_or_default();

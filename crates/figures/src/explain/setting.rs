@@ -34,7 +34,6 @@ pub struct Setting<'a> {
 
 impl<'a> Setting<'a> {
     /// A camera without an object and without a point. Without a viewport it is the whole image, depth 0 … 1.
-    #[must_use]
     pub fn new(space: ClipSpace<'a>, image: ImageSize, viewport: Option<Viewport>) -> Self {
         let viewport = viewport.unwrap_or_else(|| Viewport::whole(image));
         Self { space, image, viewport, placement: None, point: None, local: None }
@@ -92,43 +91,36 @@ impl<'a> Setting<'a> {
     }
 
     /// The camera, in its convention.
-    #[must_use]
     pub fn space(&self) -> &ClipSpace<'a> {
         &self.space
     }
 
     /// m × n.
-    #[must_use]
     pub fn image(&self) -> ImageSize {
         self.image
     }
 
     /// The rectangle and the range of depths that `M_vp` maps to.
-    #[must_use]
     pub fn viewport(&self) -> Viewport {
         self.viewport
     }
 
     /// The object whose `M_m` is explained.
-    #[must_use]
     pub fn placement(&self) -> Option<Placement> {
         self.placement
     }
 
     /// The point in every space.
-    #[must_use]
     pub fn point(&self) -> Option<&Stations> {
         self.point.as_ref()
     }
 
     /// The point in the space of its object.
-    #[must_use]
     pub fn local(&self) -> Option<DVec3> {
         self.local
     }
 
     /// A matrix with the program's own numbers. The unit matrix where it needs an object and there is none.
-    #[must_use]
     pub fn matrix(&self, matrix: Matrix) -> DMat4 {
         let camera = self.space.camera();
         let model = || self.placement.map_or(DMat4::IDENTITY, |p| p.world_from_object);
@@ -167,7 +159,6 @@ impl<'a> Setting<'a> {
     }
 
     /// The number of a symbol; NaN where there is no such object or point, or where it has no image.
-    #[must_use]
     pub fn value(&self, symbol: Symbol) -> f64 {
         let camera = self.space.camera();
         let (basis, window) = (camera.basis(), camera.window());
@@ -221,7 +212,6 @@ impl<'a> Setting<'a> {
     }
 
     /// The angle that a symbol is, if it is one. Those are written with a degree sign.
-    #[must_use]
     pub fn angle(&self, symbol: Symbol) -> Option<Angle> {
         matches!(symbol, Symbol::ViewAngle | Symbol::Rotate(_)).then(|| Angle::from_degrees(self.value(symbol)))
     }

@@ -29,7 +29,6 @@ pub struct Line {
 
 impl Step {
     /// The rows of the step; `setting` is the one that was followed.
-    #[must_use]
     pub fn lines(&self, setting: &Setting<'_>, style: Style) -> Vec<Line> {
         let setting = &self.setting(setting);
         let Style { notation, mark, digits } = style;
@@ -47,7 +46,6 @@ impl Step {
 }
 
 /// A way as text or as LaTeX (`aligned`), a block for each step; `name` names the spaces.
-#[must_use]
 pub fn written(steps: &[Step], setting: &Setting<'_>, style: Style, name: impl Fn(&str) -> String) -> String {
     let blocks = steps.iter().map(|step| {
         let (from, to, equation) = (name(step.from), name(step.to), &step.equation);
@@ -69,7 +67,6 @@ pub fn written(steps: &[Step], setting: &Setting<'_>, style: Style, name: impl F
 }
 
 /// Rows in LaTeX, their signs of equality below one another.
-#[must_use]
 pub fn aligned(lines: &[Line]) -> String {
     let rows: Vec<String> = lines
         .iter()

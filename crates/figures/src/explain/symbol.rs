@@ -20,13 +20,11 @@ impl Component {
     pub const FOUR: [Self; 4] = [Self::X, Self::Y, Self::Z, Self::W];
 
     /// Its place in a row.
-    #[must_use]
     pub const fn index(self) -> usize {
         self as usize
     }
 
     /// `x`, `y` or `z`.
-    #[must_use]
     pub const fn letter(self) -> char {
         ['x', 'y', 'z', 'w'][self.index()]
     }
@@ -120,7 +118,6 @@ impl Matrix {
     }
 
     /// Its symbol in LaTeX.
-    #[must_use]
     pub const fn latex(self) -> &'static str {
         self.row().1
     }
@@ -260,7 +257,6 @@ impl Symbol {
     }
 
     /// As text: `u_x`, `F`, `p_11`.
-    #[must_use]
     pub fn text(self) -> String {
         match (self, self.parts()) {
             (Self::Entry(_, row, column), (letter, _)) => format!("{letter}_{}{}", row + 1, column + 1),
@@ -270,7 +266,6 @@ impl Symbol {
     }
 
     /// In LaTeX: `u_x`, `\mathrm{PF}_x`, `\theta`.
-    #[must_use]
     pub fn latex(self) -> String {
         let (letters, below) = match (self, self.parts()) {
             (Self::Entry(_, row, column), (letter, _)) => (letter, format!("{}{}", row + 1, column + 1)),
@@ -300,13 +295,11 @@ impl Vector {
     }
 
     /// As text.
-    #[must_use]
     pub const fn text(self) -> &'static str {
         self.row().0
     }
 
     /// In LaTeX.
-    #[must_use]
     pub const fn latex(self) -> &'static str {
         self.row().1
     }

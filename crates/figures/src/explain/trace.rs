@@ -42,13 +42,11 @@ pub struct Step {
 
 impl Step {
     /// The difference of the sum of the terms of each row from the output: the cost of rounding the factors to `f64`.
-    #[must_use]
     pub fn rests(&self) -> Vec<f64> {
         self.terms.iter().zip(&self.output).map(|(terms, out)| terms.iter().sum::<f64>() - out).collect()
     }
 
     /// The setting of its formulas, derived from the setting of the trace.
-    #[must_use]
     pub fn setting<'a>(&self, setting: &Setting<'a>) -> Setting<'a> {
         if self.with_far_plane { setting.with_far_plane() } else { setting.clone() }
     }
@@ -145,7 +143,6 @@ fn matrix_step(
 
 /// The way of the setting's point, from its object (where it was given there) or from the world to pixel and viewport.
 /// It ends with clip coordinates where w = 0. Empty without a point.
-#[must_use]
 pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     let Some(point) = setting.point() else { return Vec::new() };
     let mut steps = Vec::new();
@@ -257,7 +254,6 @@ fn to_viewport(setting: &Setting<'_>) -> Step {
 ///
 /// The formulas have their numbers in [`Step::setting`] of the setting [with the way](Setting::with_way_back). Without
 /// a far plane the convention with one is used, as Z of (5.25) has one.
-#[must_use]
 pub fn back(setting: &Setting<'_>, way: &Unprojected) -> Vec<Step> {
     if setting.space().ndc().infinite {
         let finite = setting.with_far_plane();

@@ -136,7 +136,6 @@ impl Vocabulary {
     }
 
     /// Its differences to `[0]`, and its gaps.
-    #[must_use]
     pub fn limitations(self) -> &'static [Limitation] {
         match self {
             Self::OpenGl => &[],
@@ -164,7 +163,6 @@ impl Vocabulary {
 
     /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera,
     /// [`Camera::new`] says. [`CameraNumber::Fixed`] changes nothing.
-    #[must_use]
     pub fn set(self, camera: &Camera, image: ImageSize, quantity: CameraNumber, value: f64) -> Parameters {
         let mut p = *camera.parameters();
         let component = |vector: &mut DVec3, c: Component| vector[c.index().min(2)] = value;

@@ -19,7 +19,6 @@ crate::listed! {
 
 impl AnimationFormat {
     /// The extension of its files.
-    #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Gif => "gif",
@@ -28,7 +27,6 @@ impl AnimationFormat {
     }
 
     /// The format of a name with this ending.
-    #[must_use]
     pub fn of_ending(ending: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.ending().eq_ignore_ascii_case(ending))
     }

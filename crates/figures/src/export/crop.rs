@@ -4,7 +4,6 @@ use tiny_skia::{IntRect, Pixmap};
 
 /// The part of a picture that differs from its ground, the pixel at the top left, with `margin` pixels around it. All
 /// of it where nothing differs.
-#[must_use]
 pub fn cropped(pixmap: Pixmap, margin: u32) -> Pixmap {
     let Some(rect) = content(&pixmap, margin) else { return pixmap };
     match pixmap.clone_rect(rect) {
@@ -14,7 +13,6 @@ pub fn cropped(pixmap: Pixmap, margin: u32) -> Pixmap {
 }
 
 /// The left, top, width and height of the part that [`cropped`] keeps.
-#[must_use]
 pub fn part(pixmap: &Pixmap, margin: u32) -> [u32; 4] {
     let whole = [0, 0, pixmap.width(), pixmap.height()];
     let kept = content(pixmap, margin).and_then(|rect| {

@@ -25,7 +25,6 @@ crate::listed! {
 
 impl PictureFormat {
     /// The extensions of its files, after the dot. The first is the usual one.
-    #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Png => &["png"],
@@ -38,7 +37,6 @@ impl PictureFormat {
     }
 
     /// True if a picture may be without ground.
-    #[must_use]
     pub const fn has_transparency(self) -> bool {
         match self {
             Self::Png | Self::WebP | Self::Svg | Self::Pdf | Self::Tex => true,
@@ -47,7 +45,6 @@ impl PictureFormat {
     }
 
     /// True for vectors, whose size on paper does not follow from their pixels.
-    #[must_use]
     pub const fn is_vector(self) -> bool {
         match self {
             Self::Svg | Self::Pdf | Self::Tex => true,
@@ -56,7 +53,6 @@ impl PictureFormat {
     }
 
     /// True for formats whose pictures are made for paper: a choice of one is a choice of centimetres.
-    #[must_use]
     pub const fn is_for_paper(self) -> bool {
         match self {
             Self::Pdf | Self::Tex => true,
@@ -65,13 +61,11 @@ impl PictureFormat {
     }
 
     /// The usual one of [`endings`](Self::endings).
-    #[must_use]
     pub const fn ending(self) -> &'static str {
         self.endings()[0]
     }
 
     /// The format of a file's extension.
-    #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?;
         Self::ALL.into_iter().find(|format| format.endings().iter().any(|own| ending.eq_ignore_ascii_case(own)))

@@ -19,7 +19,6 @@ crate::listed! {
 
 impl PaperPreset {
     /// Width in centimetres, and height where it does not follow from the picture.
-    #[must_use]
     pub const fn size(self) -> (f64, Option<f64>) {
         match self {
             Self::Column => (8.8, None),
@@ -30,7 +29,6 @@ impl PaperPreset {
     }
 
     /// The height of letters that go with its text, in points.
-    #[must_use]
     pub const fn letters(self) -> f64 {
         match self {
             Self::Column | Self::Square => 8.0,

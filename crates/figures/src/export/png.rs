@@ -169,7 +169,6 @@ fn find(info: &png::Info<'_>, limit: usize) -> Result<Option<String>, PngError> 
 }
 
 /// Whether the bytes begin as every PNG does.
-#[must_use]
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(SIGNATURE)
 }

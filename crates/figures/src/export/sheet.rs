@@ -16,7 +16,6 @@ pub struct Layout {
 impl Layout {
     /// Pictures of these sizes from left to right, their middles at one height, with `gap` pixels between them. `None`
     /// where there are none, or too many pixels.
-    #[must_use]
     pub fn row(sizes: &[[u32; 2]], gap: u32) -> Option<Self> {
         let height = sizes.iter().map(|size| size[1]).max()?;
         let (mut corners, mut left) = (Vec::with_capacity(sizes.len()), 0_u32);
@@ -28,7 +27,6 @@ impl Layout {
     }
 
     /// Pictures from top to bottom, otherwise as in a [`row`](Self::row).
-    #[must_use]
     pub fn column(sizes: &[[u32; 2]], gap: u32) -> Option<Self> {
         let turned: Vec<[u32; 2]> = sizes.iter().map(|[width, height]| [*height, *width]).collect();
         let Self { corners, size: [height, width] } = Self::row(&turned, gap)?;
@@ -37,7 +35,6 @@ impl Layout {
 
     /// Pictures in rows of `columns`, each in the middle of its place, with `gap` pixels between them and `below` free
     /// pixels under each; on a sheet that is at least as large as `least`, in its middle.
-    #[must_use]
     pub fn grid(sizes: &[[u32; 2]], columns: usize, [gap, below]: [u32; 2], least: [u32; 2]) -> Option<Self> {
         let columns = columns.clamp(1, sizes.len().max(1));
         let rows: Vec<&[[u32; 2]]> = sizes.chunks(columns).collect();
@@ -76,7 +73,6 @@ impl Layout {
 }
 
 /// The pictures at their places on a ground. `None` if the sheet would be empty or too large for memory.
-#[must_use]
 pub fn sheet(pictures: &[Pixmap], layout: &Layout, ground: Rgba) -> Option<Pixmap> {
     let mut sheet = filled(layout.size[0], layout.size[1], ground)?;
     for (picture, corner) in pictures.iter().zip(&layout.corners) {

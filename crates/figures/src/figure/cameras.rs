@@ -30,7 +30,6 @@ pub struct NamedCamera {
 
 impl NamedCamera {
     /// The form in which θ was given, unless the angle has changed since, or the aspect from which it followed.
-    #[must_use]
     pub fn lens_in_force(&self) -> Option<LensForm> {
         self.lens.filter(|lens| lens.view_angle(self.parameters.aspect) == self.parameters.view_angle)
     }
@@ -39,7 +38,6 @@ impl NamedCamera {
 impl Figure {
     /// True if a camera of the figure may have a name. It is one line, and no other camera has it. `own` is the
     /// place in the list of the camera that is renamed, if it is there.
-    #[must_use]
     pub fn may_name_camera(&self, name: &str, own: Option<usize>) -> bool {
         let is_line = !name.trim().is_empty() && !name.contains(is_obeyed) && name.chars().count() <= MAX_CAMERA_NAME;
         let mut others = self.cameras.iter().enumerate().filter(|(i, _)| Some(*i) != own);
@@ -47,7 +45,6 @@ impl Figure {
     }
 
     /// The first of the names C1, C2, C3 … that is free.
-    #[must_use]
     pub fn free_camera_name(&self) -> String {
         (1..).map(|i| format!("C{i}")).find(|name| self.may_name_camera(name, None)).unwrap_or_default()
     }
@@ -60,7 +57,6 @@ impl Figure {
     }
 
     /// The current camera as one of the list, under its name or under one that is free.
-    #[must_use]
     pub fn current_camera(&self) -> NamedCamera {
         NamedCamera {
             name: self.tag.name.clone().unwrap_or_else(|| self.free_camera_name()),

@@ -27,13 +27,11 @@ impl Default for Comparison {
 
 impl Comparison {
     /// The image of another camera of the figure, beside its own.
-    #[must_use]
     pub fn of_camera(name: &str) -> Self {
         Self { camera: Some(name.to_owned()), beside: true, ..Self::default() }
     }
 
     /// A comparison of one key.
-    #[must_use]
     pub fn of_key(key: &str, value: &str) -> Self {
         Self { with: vec![(key.to_owned(), value.to_owned())], ..Self::default() }
     }

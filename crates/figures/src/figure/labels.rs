@@ -149,7 +149,6 @@ pub struct LabelChange<'a> {
 
 impl LabelChange<'_> {
     /// True if the label is as the pictures make it.
-    #[must_use]
     pub fn is_automatic(&self) -> bool {
         *self == Self::default()
     }
@@ -157,7 +156,6 @@ impl LabelChange<'_> {
 
 impl Labels {
     /// The changes of a label in a picture. A place for one picture counts more than one for all.
-    #[must_use]
     pub fn change(&self, name: &str, view: View) -> LabelChange<'_> {
         if let Some(note) = note_index(name).and_then(|i| self.notes.get(i)) {
             // A text at a place of the picture stands there.
@@ -289,7 +287,6 @@ impl Labels {
     }
 
     /// The names that none of `known` is and that are not `allowed`, each once, with the one that was probably meant.
-    #[must_use]
     pub fn unknown(&self, known: &[&str], allowed: impl Fn(&str) -> bool) -> Vec<(String, Option<String>)> {
         let mut unknown: Vec<(String, Option<String>)> = Vec::new();
         for name in self.names().filter(|name| !known.contains(name) && !allowed(name)) {
@@ -320,13 +317,11 @@ impl Labels {
 const NOTE: &str = "note:";
 
 /// The name of the label of a note, by its place in the list.
-#[must_use]
 pub fn note_name(index: usize) -> String {
     format!("{NOTE}{}", index + 1)
 }
 
 /// The place in the list of the note whose label has a name; `None` for other labels.
-#[must_use]
 pub fn note_index(name: &str) -> Option<usize> {
     name.strip_prefix(NOTE)?.parse::<usize>().ok()?.checked_sub(1)
 }
@@ -335,7 +330,6 @@ pub fn note_index(name: &str) -> Option<usize> {
 pub const LEGEND: &str = "legend";
 
 /// True for the name of a line of a legend: `legend:depth`.
-#[must_use]
 pub fn is_in_legend(name: &str) -> bool {
     name.strip_prefix(LEGEND).is_some_and(|rest| rest.starts_with(':'))
 }

@@ -98,14 +98,12 @@ pub struct Figure {
 
 impl Figure {
     /// A named scene, from where it and its view volume are worth seeing.
-    #[must_use]
     pub fn of_preset(preset: Preset) -> Self {
         let scene = SceneSpec { preset, ..SceneSpec::default() };
         Self { camera: recommended_camera(preset), scene, ..Self::default() }
     }
 
     /// The form in which θ was given, unless the angle has changed since, or the aspect from which it followed.
-    #[must_use]
     pub fn lens_in_force(&self) -> Option<LensForm> {
         self.lens.filter(|lens| lens.view_angle(self.camera.aspect) == self.camera.view_angle)
     }

@@ -11,7 +11,6 @@ pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(14.0);
 
 /// The tangents of half the view angles, across and up, of a picture of this aspect. The smaller side has the angle of
 /// the observer. So an upright view has all of a square one, and nothing is cut off at its sides.
-#[must_use]
 pub fn half_tangents(aspect: f64) -> DVec2 {
     HALF_VIEW_ANGLE.tan() * DVec2::new(aspect.max(1.0), (1.0 / aspect).max(1.0))
 }
@@ -71,7 +70,6 @@ impl Observer {
     }
 
     /// Right, up and towards the eye: unit vectors in the space of the picture.
-    #[must_use]
     pub fn axes(&self) -> [DVec3; 3] {
         let (sa, ca) = Angle::from_degrees(self.azimuth).sin_cos();
         let (se, ce) = Angle::from_degrees(self.elevation).sin_cos();

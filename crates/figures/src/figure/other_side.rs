@@ -26,7 +26,6 @@ pub struct OtherSide {
 impl Comparison {
     /// A figure that is compared as this says in one key: where it has the first of two values, with the second; else
     /// with the first.
-    #[must_use]
     pub fn of_pair(self, figure: &Figure, key: &str, pair: [&str; 2]) -> Figure {
         let has_first = own_value(figure, key).as_deref() == Some(pair[0]);
         let other = quoted(if has_first { pair[1] } else { pair[0] }).to_string();
@@ -61,7 +60,6 @@ impl Comparison {
     }
 
     /// True if all of the camera is another one, and no single key.
-    #[must_use]
     pub fn is_of_camera(&self) -> bool {
         ["position", "focal_point", "view_up"]
             .into_iter()
@@ -69,7 +67,6 @@ impl Comparison {
     }
 
     /// The values of the first key on both sides, as they are written without quotes.
-    #[must_use]
     pub fn values(&self, figure: &Figure) -> Vec<String> {
         let Some((key, other)) = self.with.first() else { return Vec::new() };
         let other = other.trim_matches('"').to_owned();
@@ -116,7 +113,6 @@ impl Comparison {
 
     /// The same comparison with its sides exchanged, and the figure that belongs to it. `None` if there is no other
     /// side, or the figure has no written value of one of its keys.
-    #[must_use]
     pub fn swapped(&self, figure: &Figure) -> Option<Figure> {
         if let Some(name) = &self.camera {
             let index = figure.cameras.iter().position(|camera| camera.name == *name)?;

@@ -12,13 +12,11 @@ pub struct NamedPoint {
 }
 
 /// True if a point may have a name. It is not empty, and none of the `others` has it.
-#[must_use]
 pub fn may_be_named<'a>(name: &str, mut others: impl Iterator<Item = &'a NamedPoint>) -> bool {
     !name.is_empty() && others.all(|other| other.name != name)
 }
 
 /// The first of the names P, Q, R … P2, Q2 … that is free.
-#[must_use]
 pub fn free_name(points: &[NamedPoint]) -> String {
     const LETTERS: [&str; 4] = ["P", "Q", "R", "S"];
     let round = |k: usize| LETTERS.map(|letter| if k == 0 { letter.to_owned() } else { format!("{letter}{}", k + 1) });

@@ -7,7 +7,6 @@ use crate::scene::Preset;
 
 /// A camera that shows the scene well, with clipping planes close around it, so that its view volume can be seen in the
 /// world as well. For an exercise it is the camera of the exercise.
-#[must_use]
 pub fn recommended_camera(preset: Preset) -> Parameters {
     let perspective = |position: [f64; 3], focal_point: [f64; 3], view_angle, near, far| Parameters {
         position: DVec3::from(position),

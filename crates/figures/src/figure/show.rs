@@ -128,7 +128,6 @@ crate::listed! {
 
 impl TriangleStep {
     /// Whether it is about the pixels that the triangle covers.
-    #[must_use]
     pub const fn needs_pixels(self) -> bool {
         matches!(self, Self::Pixels | Self::Depth)
     }
@@ -174,7 +173,6 @@ crate::listed! {
 
 impl Measure {
     /// True if its line is one of those of `[world] dimensions`. The others are there for an author.
-    #[must_use]
     pub const fn is_among_dimensions(self) -> bool {
         !matches!(self, Self::HalfWidth | Self::HalfHeight | Self::Angle)
     }
@@ -208,7 +206,6 @@ pub enum Measured {
 
 impl Measured {
     /// Whether an object is measured, and not the camera.
-    #[must_use]
     pub const fn is_of_object(self) -> bool {
         matches!(self, Self::Translate(_) | Self::Rotate(_) | Self::Scale(_))
     }

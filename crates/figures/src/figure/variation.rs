@@ -116,7 +116,6 @@ impl Variation {
     }
 
     /// True if it is an operation.
-    #[must_use]
     pub fn is_operation(&self) -> bool {
         Operation::names().contains(&&*self.key)
     }

@@ -20,7 +20,6 @@ impl View {
     pub const COUNT: usize = Self::ALL.len();
 
     /// Its place in [`View::ALL`].
-    #[must_use]
     pub const fn index(self) -> usize {
         self as usize
     }
@@ -50,7 +49,6 @@ impl Views {
     ];
 
     /// The word for it on the command line, in names of files and in data that programs read.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::One(view) => view.name(),
@@ -62,7 +60,6 @@ impl Views {
     }
 
     /// Whether a picture is among them.
-    #[must_use]
     pub fn contains(self, view: View) -> bool {
         match self {
             Self::One(one) => one == view,

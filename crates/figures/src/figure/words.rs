@@ -184,13 +184,11 @@ pub const MEASURE_TEXTS: Words<MeasureText> =
     &[("symbol", MeasureText::Symbol), ("value", MeasureText::Value), ("both", MeasureText::Both)];
 
 /// The value called `name`.
-#[must_use]
 pub fn value<T: Clone>(words: Words<T>, name: &str) -> Option<T> {
     words.iter().find(|(word, _)| *word == name).map(|(_, value)| value.clone())
 }
 
 /// The word for `value`. Empty if the list lacks it, which a test excludes.
-#[must_use]
 pub fn name<T: Copy + PartialEq>(words: Words<T>, value: T) -> &'static str {
     words.iter().find(|(_, v)| *v == value).map_or("", |(word, _)| word)
 }

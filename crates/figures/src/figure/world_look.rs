@@ -71,7 +71,6 @@ pub struct WorldParts {
 
 impl WorldParts {
     /// True for a part that is drawn.
-    #[must_use]
     pub fn has(&self, part: WorldPart) -> bool {
         !self.left_out[part as usize]
     }

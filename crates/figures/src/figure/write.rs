@@ -25,7 +25,6 @@ use crate::scene::{Light, ObjectSpec, SceneSpec, Shadows, Shape, ShapeData};
 ///
 /// # Guarantees
 /// Reading the text gives the same figure back, every number to the last bit, for each figure that a file can hold.
-#[must_use]
 pub fn to_toml(figure: &Figure) -> String {
     document(figure).to_string()
 }

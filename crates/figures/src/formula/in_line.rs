@@ -77,7 +77,6 @@ pub(super) fn raised_by(c: char) -> Option<char> {
 }
 
 /// The bold letter of mathematics for a letter or digit of ASCII. Others as they are.
-#[must_use]
 pub fn bold(c: char) -> char {
     let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
     match c {
@@ -89,7 +88,6 @@ pub fn bold(c: char) -> char {
 }
 
 /// The italic letter of mathematics for a letter of ASCII. Others as they are.
-#[must_use]
 pub fn italic(c: char) -> char {
     let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
     match c {
@@ -102,7 +100,6 @@ pub fn italic(c: char) -> char {
 }
 
 /// A text of the pictures in the letters of mathematics: single letters are symbols, **u**, **v** and **n** vectors.
-#[must_use]
 pub fn symbols(text: &str) -> String {
     let mut set = String::with_capacity(2 * text.len());
     let letters: Vec<char> = text.chars().collect();

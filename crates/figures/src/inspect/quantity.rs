@@ -49,7 +49,6 @@ macro_rules! named {
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
             /// Its key in the JSON of `inspect`.
-            #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $word),* }
             }
@@ -202,7 +201,6 @@ fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
 
 impl Quantity {
     /// Its numbers in a report; `None` if the report has none. A point behind the eye has no NDC.
-    #[must_use]
     pub fn of(self, report: &Report) -> Option<Numbers> {
         match self {
             Self::Camera(key) => in_part(&report.camera, key.name()),
@@ -302,7 +300,6 @@ impl From<Quantity> for QuantityPath {
 impl QuantityPath {
     /// Reads a path, such as `basis.u`, `points.0.ndc` or `view_matrix.2.3`; `None` if there are no numbers under it
     /// in any report.
-    #[must_use]
     pub fn of(path: &str) -> Option<Self> {
         let parts: Vec<&str> = path.split('.').collect();
         let (quantity, rest) = Quantity::of_path(&parts)?;
@@ -317,7 +314,6 @@ impl QuantityPath {
     }
 
     /// Its numbers in a report, if it has them.
-    #[must_use]
     pub fn numbers(self, report: &Report) -> Option<Numbers> {
         let all = self.quantity.of(report)?;
         match (self.entry, all.columns) {

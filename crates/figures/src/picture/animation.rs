@@ -30,7 +30,6 @@ pub enum FilmFormat {
 
 impl FilmFormat {
     /// The format of a file's extension.
-    #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         AnimationFormat::of_ending(ending).map(Self::Animation).or_else(|| PictureFormat::of(path).map(Self::Strip))
@@ -44,21 +43,18 @@ const REST: f64 = 1.2;
 
 impl Animation {
     /// Number of steps; 0 where the camera has no such steps.
-    #[must_use]
     pub fn steps(&self) -> u32 {
         let factors = self.request.camera.decomposed(self.decomposition).unwrap_or_default();
         u32::try_from(factors.len()).unwrap_or(0)
     }
 
     /// The picture after a number of steps, of which the last may be under way.
-    #[must_use]
     pub fn at(&self, time: f64) -> Request {
         let step = ShownStep { way: self.decomposition, at: Some(time) };
         self.request.clone().with_shot(|shot| shot.show.step = Some(step))
     }
 
     /// The world and the result of each step, side by side.
-    #[must_use]
     pub fn stills(&self) -> Composite {
         row((0..=self.steps()).map(|step| self.at(f64::from(step))).collect(), &self.request)
     }

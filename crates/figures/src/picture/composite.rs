@@ -36,13 +36,11 @@ pub struct OnPaper {
 
 impl OnPaper {
     /// Points in pixels.
-    #[must_use]
     pub fn pixels(&self, points: f64) -> f64 {
         points / 72.0 * self.dpi
     }
 
     /// Centimetres in pixels, not rounded.
-    #[must_use]
     pub fn pixels_across(&self, centimetres: f64) -> f64 {
         centimetres / 2.54 * self.dpi
     }
@@ -176,7 +174,6 @@ impl Composite {
 impl Composite {
     /// The height in points of the smallest letters, where they are too small to be read on paper with so many pixels
     /// per inch, and no [`crowded`](Self::crowded) sheet is the reason.
-    #[must_use]
     pub fn tiny_letters(&self, dpi: f64) -> Option<f64> {
         let heights = self.requests.iter().map(|request| f64::from(request.size.letters()) * 72.0 / dpi);
         let least = heights.fold(f64::INFINITY, f64::min);
@@ -203,7 +200,6 @@ impl Composite {
     }
 
     /// Width and height in pixels, where they are possible.
-    #[must_use]
     pub fn size(&self) -> Option<[u32; 2]> {
         let sizes: Vec<[u32; 2]> = self.requests.iter().map(|own| [own.size.width, own.size.height]).collect();
         Some(self.layout(&sizes, false)?.size)
@@ -315,7 +311,6 @@ fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u3
 }
 
 /// Room between two pictures on a sheet, in pixels.
-#[must_use]
 pub fn gap(scale: f32) -> u32 {
     #[expect(clippy::cast_possible_truncation, reason = "a small positive number")]
     let gap = (GAP * scale).round().clamp(1.0, 100.0) as u32;

@@ -26,7 +26,6 @@ pub struct ExportSpec {
 
 impl ExportSpec {
     /// Width and height in pixels, as far as they are known before the pictures are arranged.
-    #[must_use]
     pub fn pixels(&self) -> [u32; 2] {
         match self.size {
             SheetSize::Whole(size) | SheetSize::Pictures(size) => size,

@@ -51,7 +51,6 @@ impl Metadata {
 }
 
 /// The file that a picture at `path` is written with, beside it: the PDF of a LaTeX file.
-#[must_use]
 pub fn file_beside(path: &Path) -> Option<PathBuf> {
     let is_latex = PictureFormat::of(path) == Some(PictureFormat::Tex);
     is_latex.then(|| path.with_file_name(format!("{}.pdf", vector::art_of(&vector::stem(path)))))
@@ -75,7 +74,6 @@ pub struct FileOptions {
 
 impl FileOptions {
     /// The usual ones of a format: all of the picture, for no paper.
-    #[must_use]
     pub fn of(format: PictureFormat) -> Self {
         Self { format, crop: false, dpi: None, faces: Faces::default(), letters: Letters::default() }
     }

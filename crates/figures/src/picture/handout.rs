@@ -68,7 +68,6 @@ pub struct Handout {
 
 impl Handout {
     /// The width of a picture in points.
-    #[must_use]
     pub fn picture_width(columns: usize) -> f32 {
         let columns = columns.max(1) as f32;
         (PAPER[0] - 2.0 * BORDER - (columns - 1.0) * GUTTER) / columns

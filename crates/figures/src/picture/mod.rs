@@ -53,19 +53,16 @@ pub struct Pixels {
 
 impl Pixels {
     /// Pixels.
-    #[must_use]
     pub fn width(&self) -> u32 {
         self.width
     }
 
     /// Pixels.
-    #[must_use]
     pub fn height(&self) -> u32 {
         self.height
     }
 
     /// Premultiplied RGBA, rows from the top.
-    #[must_use]
     pub fn rgba(&self) -> &[u8] {
         &self.rgba
     }

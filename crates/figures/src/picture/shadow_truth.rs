@@ -41,14 +41,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// True if the map is wrong.
-    #[must_use]
     pub const fn is_wrong(self) -> bool {
         matches!(self, Self::WronglyDark | Self::WronglyLit)
     }
 }
 
 /// The scene as shadows are judged in it: its opaque faces, under one light.
-#[must_use]
 pub fn under(scene: &Scene, light: Light) -> Scene {
     let plain = |object: &Object| Object { edges: None, outline: None, ..object.clone() };
     let opaque = scene.objects.iter().filter(|object| object.faces && !object.paint.is_translucent());
@@ -57,7 +55,6 @@ pub fn under(scene: &Scene, light: Light) -> Scene {
 
 /// A drawing of a scene [`under`] one light whose pixels are the share of it that arrives, by the shadow map: black to
 /// white, one sample a pixel.
-#[must_use]
 pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: ImageSize) -> Drawing {
     let (white, black) = (Rgba::rgb(255, 255, 255), Rgba::rgb(0, 0, 0));
     let style = Style {
@@ -160,7 +157,6 @@ pub async fn by_rows<T: Send>(
 }
 
 /// The middle of a pixel, along one axis.
-#[must_use]
 pub fn center(pixel: u32) -> f64 {
     f64::from(pixel) + 0.5
 }

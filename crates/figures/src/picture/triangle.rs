@@ -69,26 +69,22 @@ impl TrianglePixels {
     }
 
     /// True if it covers a pixel, (0, 0) at the top left.
-    #[must_use]
     pub fn covers(&self, [x, y]: [u32; 2]) -> bool {
         self.rows.iter().any(|[row, first, after]| *row == y && (*first..*after).contains(&x))
     }
 
     /// Number of pixels that it covers.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.rows.iter().map(|[_, first, after]| (after - first) as usize).sum()
     }
 
     /// The pixel of the depth test: the one in `asked`, else one in the middle.
-    #[must_use]
     pub fn tested(&self, asked: Option<[u32; 2]>) -> Option<[u32; 2]> {
         let [y, first, after] = *self.rows.get(self.rows.len() / 2)?;
         Some(asked.unwrap_or([u32::midpoint(first, after.saturating_sub(1)), y]))
     }
 
     /// The depth test at a pixel, (0, 0) at the top left; `None` if it does not cover it.
-    #[must_use]
     pub fn test(&self, [x, y]: [u32; 2]) -> Option<Tested> {
         let (own, before) = (self.alone.at(x, y)?, self.before.at(x, y));
         let z = |depth| self.test.z(depth);

@@ -5,7 +5,6 @@ use crate::camera::ImageSize;
 pub use crate::figure::Arrangement;
 
 /// The default share of the first of three pictures. The two others have the same.
-#[must_use]
 pub const fn share_of_first(arrangement: Arrangement) -> f32 {
     match arrangement {
         Arrangement::Row | Arrangement::Column => 1.0 / 3.0,
@@ -16,7 +15,6 @@ pub const fn share_of_first(arrangement: Arrangement) -> f32 {
 
 /// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one.
 /// `used`: the area that they use, in any unit.
-#[must_use]
 pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arrangement {
     let candidates: &[Arrangement] = if count < 3 {
         &[Arrangement::Column]
@@ -28,7 +26,6 @@ pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arra
 }
 
 /// Width by height of a picture's content. Very long images count as less so, because their place cannot follow them.
-#[must_use]
 pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
     match view {
         View::World => 4.0 / 3.0,
@@ -39,7 +36,6 @@ pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
 }
 
 /// The area of the largest picture of a shape (width by height) in a room.
-#[must_use]
 pub fn used_area(width: f32, height: f32, aspect: f32) -> f32 {
     let width = width.min(height * aspect);
     width * width / aspect

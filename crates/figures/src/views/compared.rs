@@ -51,7 +51,6 @@ pub struct Side {
 impl Request {
     /// The sides of a picture: the figure as it is, and in the other way, seen by one observer. `None` if nothing is
     /// compared.
-    #[must_use]
     pub fn sides(&self) -> Option<[Side; 2]> {
         let compared = self.shot.compared.as_ref()?;
         let requests = self.each_side();
@@ -71,7 +70,6 @@ impl Request {
     }
 
     /// The side of a compared picture at a column; `None` if nothing is compared.
-    #[must_use]
     pub fn side_at(&self, x: f64) -> Option<Side> {
         let [own, other] = self.sides()?;
         Some(if x < f64::from(other.columns.start) { own } else { other })
@@ -114,7 +112,6 @@ fn half(size: Size) -> Size {
 }
 
 /// The line between the sides, a heading on each, and how many pixels differ, on a clear ground.
-#[must_use]
 pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>) -> Option<Drawing> {
     let compared = request.shot.compared.as_ref()?;
     let Size { width, height, scale } = request.size;

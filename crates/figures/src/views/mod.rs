@@ -72,7 +72,6 @@ pub use words::values::caption;
 
 /// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
-#[must_use]
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let mut frame = match request.view {
         View::World => world::frame_of(request, on_window, pipeline),
@@ -104,7 +103,6 @@ pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progre
 
 /// Pictures of one kind and one size, seen by one observer, so that what differs between them is what has moved: that
 /// of another figure, or else those of their figures, where these have some, or one who has all in the picture.
-#[must_use]
 pub fn with_observer(requests: Vec<Request>, other: Option<&ObserverOf>) -> Vec<Request> {
     if let Some(other) = other {
         let seen = |own: Request| {
@@ -127,7 +125,6 @@ pub fn with_observer(requests: Vec<Request>, other: Option<&ObserverOf>) -> Vec<
 
 impl Request {
     /// The observer of the picture; `None` for the image.
-    #[must_use]
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {
             View::World => Some(world::world_framing::seen_from(self)),
@@ -137,7 +134,6 @@ impl Request {
     }
 
     /// The observer that looks from a side and has everything of interest in the picture; `None` for the image.
-    #[must_use]
     pub fn observer_from(&self, viewpoint: Viewpoint) -> Option<Observer> {
         match self.view {
             View::World => Some(world::world_framing::observer(self, viewpoint)),
@@ -147,7 +143,6 @@ impl Request {
     }
 
     /// Whether an observer has everything of interest in its picture. The image has none.
-    #[must_use]
     pub fn holds(&self, observer: &Observer) -> bool {
         match self.view {
             View::World => world::world_framing::holds(self, observer),
@@ -178,7 +173,6 @@ impl Request {
 
     /// The observer that looks in the same direction as `observer` and has everything of interest in the picture;
     /// `None` for the image.
-    #[must_use]
     pub fn fitted(&self, observer: &Observer) -> Option<Observer> {
         match self.view {
             View::World => Some(world::world_framing::framing(self, *observer)),

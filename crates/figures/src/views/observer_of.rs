@@ -17,7 +17,6 @@ pub struct ObserverOf {
 
 impl ObserverOf {
     /// The observer of its picture of the kind and the size of another one; `None` for an image.
-    #[must_use]
     pub fn observer(&self, like: &Request) -> Option<Observer> {
         let own = Request::new(&self.shot, like.view, &self.camera, &self.scene, like.labels, like.size);
         own.seen_from()

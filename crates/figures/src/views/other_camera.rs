@@ -18,7 +18,6 @@ pub struct OtherCamera {
 
 impl OtherCamera {
     /// The `[[cameras]]` of a figure.
-    #[must_use]
     pub fn of_figure(figure: &Figure) -> Vec<Self> {
         let one = |camera: &Camera| camera.rounded();
         let others = figure.cameras.iter().filter_map(|named| {
@@ -29,20 +28,17 @@ impl OtherCamera {
     }
 
     /// The name of its label, by which an author changes it.
-    #[must_use]
     pub fn label_name(&self) -> String {
         format!("camera:{}", self.name)
     }
 
     /// The names of all of its labels.
-    #[must_use]
     pub fn label_names(&self) -> [String; 4] {
         let own = self.label_name();
         ["", ":u", ":v", ":n"].map(|axis| format!("{own}{axis}"))
     }
 
     /// The color of a camera at a place of the list: the given one, or that of its place.
-    #[must_use]
     pub fn color_at(given: Option<Rgba>, place: usize, palette: Palette) -> Rgba {
         let [x, y, z] = palette.axes;
         let usual = [z, palette.view_up, y, x];

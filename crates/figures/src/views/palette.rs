@@ -53,7 +53,6 @@ pub struct Palette {
 
 impl Palette {
     /// The colours of a theme.
-    #[must_use]
     pub fn of(theme: Theme) -> Self {
         let pick = |colors| theme.color(colors);
         Self {

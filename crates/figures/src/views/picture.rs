@@ -21,19 +21,16 @@ pub struct Picture {
 
 impl Picture {
     /// A picture of the figure's camera.
-    #[must_use]
     pub const fn new(kind: View, observer: Option<Observer>) -> Self {
         Self { kind, observer, camera: None }
     }
 
     /// The three pictures of a figure, in the order of [`View::ALL`].
-    #[must_use]
     pub fn of_figure(observers: &Observers) -> Vec<Self> {
         View::ALL.into_iter().map(|kind| Self::new(kind, observer_in(observers, kind))).collect()
     }
 
     /// From where the first picture of each kind is seen.
-    #[must_use]
     pub fn observers(pictures: &[Self]) -> Observers {
         let of = |kind| pictures.iter().find(|picture| picture.kind == kind).and_then(|picture| picture.observer);
         Observers { world: of(View::World), canonical: of(View::Canonical) }
@@ -41,7 +38,6 @@ impl Picture {
 }
 
 /// The observer of a picture in a figure.
-#[must_use]
 pub fn observer_in(observers: &Observers, kind: View) -> Option<Observer> {
     match kind {
         View::World => observers.world,

@@ -33,14 +33,12 @@ impl Size {
 
     /// Letters and strokes as on a screen of 1920 × 1080: a picture that is larger in both directions has them larger
     /// by the same factor.
-    #[must_use]
     pub fn as_on_a_screen(width: u32, height: u32) -> Self {
         let [x, y] = [width as f32 / SCREEN[0], height as f32 / SCREEN[1]];
         Self { width, height, scale: x.min(y).max(1.0) }
     }
 
     /// Names in letters of this number of pixels (the height of the type), and strokes in proportion.
-    #[must_use]
     pub fn with_letters(width: u32, height: u32, letters: f32) -> Self {
         let wanted = letters / LETTERS;
         let of = |scale: f32| Self { width, height, scale };
@@ -54,13 +52,11 @@ impl Size {
     }
 
     /// The height of the type of names, in pixels.
-    #[must_use]
     pub fn letters(self) -> f32 {
         LETTERS * self.type_scale()
     }
 
     /// The factor of stroke widths that makes the edges of solids this number of pixels wide.
-    #[must_use]
     pub fn stroke_factor(self, edges: f32) -> f32 {
         edges / self.type_scale()
     }
@@ -72,13 +68,11 @@ impl Size {
     }
 
     /// Width / height; 1 for an empty picture.
-    #[must_use]
     pub fn aspect(&self) -> f64 {
         if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
     }
 
     /// The smaller one of width and height, in pixels: across it an observer has its view angle.
-    #[must_use]
     pub fn smaller_side(&self) -> f64 {
         f64::from(self.width.min(self.height))
     }
@@ -113,7 +107,6 @@ impl PixelRect {
 /// The place of the image in a picture of this size: the largest rectangle with its aspect (to the nearest pixel;
 /// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. All of the picture where that is m × n pixels
 /// large.
-#[must_use]
 pub fn image_frame(size: Size, aspect: f64) -> PixelRect {
     let width = rounded(f64::from(size.height) * aspect, size.width);
     let height = rounded(f64::from(size.width) / aspect, size.height);

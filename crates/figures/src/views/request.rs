@@ -66,7 +66,6 @@ pub struct Finish {
 impl Request {
     /// A picture of a figure, without hover. The camera is the figure's, or that after operations, as in
     /// [`of_picture`](Self::of_picture). The scene is [`scene_of`](super::scene_of) the figure.
-    #[must_use]
     pub fn of(
         figure: &Figure,
         view: View,
@@ -79,7 +78,6 @@ impl Request {
     }
 
     /// The first picture of a kind of a shot, with nothing pointed at. The camera is the figure's.
-    #[must_use]
     pub fn new(
         shot: &Shot,
         view: View,
@@ -93,7 +91,6 @@ impl Request {
 
     /// A picture of a shot, with nothing pointed at. The camera is the figure's. The picture may have one of its own.
     /// It is [rounded](Camera::rounded), so that a picture is the same before its figure is saved and after.
-    #[must_use]
     pub fn of_picture(
         shot: &Shot,
         picture: &Picture,
@@ -121,7 +118,6 @@ impl Request {
     }
 
     /// The operations that the figure shows, each with the camera before it and the one after it.
-    #[must_use]
     pub fn operations(&self) -> Vec<(Ghost, Camera)> {
         Ghost::leading_to(&self.camera, &self.shot.show.operations)
     }
@@ -151,7 +147,6 @@ impl Request {
 
     /// The canonical picture on its way from the world, step by step; `None` means there is no way that the camera can
     /// go, or none is shown.
-    #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         Normalizing::of(self.shot.show.step?, &self.camera)
     }
@@ -162,7 +157,6 @@ impl Request {
     }
 
     /// The probe marked in all three pictures: the pinned one, or that of the pointer.
-    #[must_use]
     pub fn probe(&self) -> Option<Probe> {
         let pinned = self.shot.show.probe.map(|probe| Probe::of(probe, &self.camera, self.shot.look.image));
         pinned.or(self.hover.probe)
@@ -176,7 +170,6 @@ impl Request {
     }
 
     /// The object of which parts are measured.
-    #[must_use]
     pub fn measured_object(&self) -> Option<ObjectTransform> {
         self.hover.object.or(self.shot.measured_object)
     }
@@ -217,7 +210,6 @@ pub struct Normalizing {
 
 impl Normalizing {
     /// The progress of a camera; `None` if it has no steps of this source.
-    #[must_use]
     pub fn of(step: ShownStep, camera: &Camera) -> Option<Self> {
         let ShownStep { way, at } = step;
         let end = camera.decomposed(way)?.len() as f64;
@@ -241,7 +233,6 @@ struct SceneWithBounds {
 
 impl SharedScene {
     /// Shares a scene.
-    #[must_use]
     pub fn new(scene: Scene) -> Self {
         Self(Arc::new(SceneWithBounds { scene, ..SceneWithBounds::default() }))
     }
@@ -253,13 +244,11 @@ impl SharedScene {
     }
 
     /// The scene with the gear of a picture. As it is the same one, its objects are not looked at again.
-    #[must_use]
     pub fn with<'a>(&'a self, gear: &'a Scene) -> Scenes<'a> {
         Scenes::new(self, gear).of_revision(self.revision())
     }
 
     /// The scene alone.
-    #[must_use]
     pub fn alone(&self) -> Scenes<'_> {
         Scenes::from(&**self).of_revision(self.revision())
     }
@@ -269,7 +258,6 @@ impl SharedScene {
     }
 
     /// The box around the scene; `None` for an empty one.
-    #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         *self.0.bounds.get_or_init(|| self.0.scene.bounds())
     }

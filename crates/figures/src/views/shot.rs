@@ -58,7 +58,6 @@ pub struct Compared {
 
 impl Compared {
     /// The other side of a figure; `None` if nothing is compared, or the other side is impossible.
-    #[must_use]
     pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
         let comparison = figure.compare.clone()?;
         let OtherSide { figure: other, camera, mut values } = comparison.other_side(figure).ok()?;
@@ -101,14 +100,12 @@ impl Default for Shot {
 
 impl Shot {
     /// The shot of a figure.
-    #[must_use]
     pub fn of(figure: &Figure) -> Self {
         let compared = Compared::of(figure, &figure.scene).map(Arc::new);
         Self { compared, ..Self::of_one(figure, &figure.scene) }
     }
 
     /// The shot of a figure, whose scene may be elsewhere, in one way.
-    #[must_use]
     pub fn of_one(figure: &Figure, scene: &SceneSpec) -> Self {
         let show = figure.show.clone();
         let measures_object = show.measure.iter().any(|measured| measured.is_of_object());
@@ -129,14 +126,12 @@ impl Shot {
     }
 
     /// The first picture of a kind; where there is none, one of the figure's camera.
-    #[must_use]
     pub fn picture(&self, kind: View) -> Picture {
         let there = self.pictures.iter().find(|picture| picture.kind == kind);
         there.cloned().unwrap_or_else(|| Picture::new(kind, None))
     }
 
     /// Whether an image shows names or explanations over the scene.
-    #[must_use]
     pub fn has_names(&self) -> bool {
         !self.points.is_empty() || self.show != Show::default() || self.look.reveal != Reveal::default()
     }
@@ -239,7 +234,6 @@ impl Default for Look {
 
 impl Look {
     /// As a figure wants it.
-    #[must_use]
     pub fn of(figure: &Figure) -> Self {
         let Figure { image, undistorted, viewport, style, reveal, world, ref photograph, .. } = *figure;
         Self {
@@ -254,7 +248,6 @@ impl Look {
     }
 
     /// Width / height of the image as it is shown: m / n, whatever the window, or that of the window.
-    #[must_use]
     pub fn image_aspect(&self, camera: &Camera) -> f64 {
         if self.undistorted { camera.window().aspect() } else { self.image.aspect() }
     }

@@ -24,7 +24,6 @@ pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
 
 impl Ask {
     /// How far an answer is from the right place in the image: pixels to the right, and down. `None` for other answers.
-    #[must_use]
     pub fn off(&self, answer: &Answer) -> Option<[f64; 2]> {
         let Answer::Numbers { entries, .. } = answer else { return None };
         let right = self.expected().table().filter(|_| self.places)?;
@@ -35,7 +34,6 @@ impl Ask {
     }
 
     /// Whether a number is right where `right` is.
-    #[must_use]
     pub fn accepts(&self, given: Option<f64>, right: f64) -> bool {
         let Some(given) = given else { return false };
         if self.whole {
@@ -62,7 +60,6 @@ impl Ask {
 
 impl Worked {
     /// Whether a number is the value of its last row, or that value rounded to three digits or more.
-    #[must_use]
     pub fn ends_with(&self, number: f64) -> bool {
         let is_it = |value: f64| {
             let rest = 1e-9 * value.abs().max(1.0);

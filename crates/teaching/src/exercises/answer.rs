@@ -99,7 +99,6 @@ pub fn read_answer(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answe
 }
 
 /// Whether an answer uses a name that has a number only in its exercise.
-#[must_use]
 pub fn uses_names(text: &str, ask: &Ask, names: &[(&str, f64)]) -> bool {
     let unknown = |error: &AnswerError| {
         matches!(

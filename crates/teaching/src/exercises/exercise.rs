@@ -42,7 +42,6 @@ pub struct Exercise {
 
 impl Exercise {
     /// The figure with the right camera, where its picture is part of the statement.
-    #[must_use]
     pub fn figure_to_match(&self) -> Option<Figure> {
         let shows = self.id == "match-picture";
         let wanted = self.asks.iter().filter(|_| shows).find_map(|ask| match ask.expected() {
@@ -53,14 +52,12 @@ impl Exercise {
     }
 
     /// True if any picture of the figure answers a question: whether a point is inside.
-    #[must_use]
     pub fn is_told_by_figure(&self) -> bool {
         let inside = |path: QuantityPath| matches!(path.quantity, Quantity::Point(_, PointNumber::Inside));
         self.asks.iter().any(|ask| ask.quantity.is_some_and(inside))
     }
 
     /// The steps of each ask that did not occur in an ask before it.
-    #[must_use]
     pub fn new_steps(&self) -> Vec<Vec<Worked>> {
         let mut told = Vec::new();
         let new = |ask: &Ask| {
@@ -173,7 +170,6 @@ pub enum Unit {
 
 impl Unit {
     /// As the contract writes it. Empty for plain numbers.
-    #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::None => "",
@@ -225,7 +221,6 @@ impl fmt::Debug for Expected {
 
 impl Expected {
     /// The numbers that are right; `None` for choices and cameras.
-    #[must_use]
     pub fn table(&self) -> Option<Table> {
         match self {
             Self::Quantity(subject, path) => subject.value(*path),
@@ -235,7 +230,6 @@ impl Expected {
     }
 
     /// The numbers that come out when slips are made.
-    #[must_use]
     pub fn slipped(&self, slips: Slips) -> Option<Table> {
         match self {
             Self::Quantity(subject, path) => textbook::value(subject, *path, slips),
@@ -278,14 +272,12 @@ impl Ask {
     ///
     /// # Panics
     /// Never: a path without numbers gives a number that no answer equals.
-    #[must_use]
     pub fn quantity(name: &str, subject: &Subject, path: impl Into<QuantityPath>) -> Self {
         let path = path.into();
         Self { quantity: Some(path), ..Self::of_subject(name, subject, path) }
     }
 
     /// An ask for the value of `inspect` at a path of another subject: the same camera after an operation of its own.
-    #[must_use]
     pub fn of_subject(name: &str, subject: &Subject, path: impl Into<QuantityPath>) -> Self {
         let path = path.into();
         let [rows, columns] = subject.value(path).map_or([1, 1], |table| table.shape());
@@ -329,7 +321,6 @@ impl Ask {
     }
 
     /// An ask for a value that a family computes, with its worked steps.
-    #[must_use]
     pub fn computed(
         name: &str,
         kind: Kind,
@@ -340,7 +331,6 @@ impl Ask {
     }
 
     /// A choice.
-    #[must_use]
     pub fn choice(
         name: &str,
         choices: &[&str],
@@ -353,7 +343,6 @@ impl Ask {
     }
 
     /// A camera that fulfils conditions, and one that does, with the way to it.
-    #[must_use]
     pub fn camera(
         name: &str,
         (model, steps): (Parameters, Vec<Worked>),
@@ -377,7 +366,6 @@ impl Ask {
     }
 
     /// The same ask with a way to it from other answers, by their names.
-    #[must_use]
     pub fn following(
         mut self,
         from: &'static [&'static str],
@@ -413,7 +401,6 @@ impl Ask {
     }
 
     /// Rows and columns of an answer; 1 × 1 for choices and cameras.
-    #[must_use]
     pub const fn shape(&self) -> [usize; 2] {
         match self.kind {
             Kind::Vector(rows) => [rows, 1],
@@ -426,13 +413,11 @@ impl Ask {
     ///
     /// # Panics
     /// Never: every ask has a first reading.
-    #[must_use]
     pub fn expected(&self) -> &Expected {
         &self.readings[0].expected
     }
 
     /// The steps to the right answer.
-    #[must_use]
     pub fn steps(&self) -> Vec<Worked> {
         if let Some(way) = &self.way {
             return way.clone();

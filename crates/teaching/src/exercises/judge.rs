@@ -41,7 +41,6 @@ pub struct Judged {
 }
 
 /// Judges an answer that has been read, by itself.
-#[must_use]
 pub fn judge_answer(ask: &Ask, answer: Answer) -> Judged {
     judge_in_context(ask, answer, None)
 }

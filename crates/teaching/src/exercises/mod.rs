@@ -77,7 +77,6 @@ impl Entry {
     }
 
     /// Its texts, in a lecturer's own exercise.
-    #[must_use]
     pub fn texts(&self) -> Option<&OwnTexts> {
         match &self.make {
             Make::Shipped(_) => None,
@@ -86,7 +85,6 @@ impl Entry {
     }
 
     /// The exercise with the numbers of a seed; `free` chooses those that the notes leave open.
-    #[must_use]
     pub fn exercise(&self, seed: u64, free: &Free) -> Exercise {
         let exercise = match &self.make {
             Make::Shipped(make) => make(seed, free),
@@ -148,7 +146,6 @@ pub fn with_own(own: &[Entry]) -> impl Iterator<Item = &Entry> {
 }
 
 /// The exercise or family with an identifier.
-#[must_use]
 pub fn entry(id: &str) -> Option<&'static Entry> {
     entries().find(|entry| entry.id == id)
 }

@@ -91,7 +91,6 @@ fn entry(exercise: Exercise) -> Entry {
 }
 
 /// The identifier in the bytes of a file that may be at fault elsewhere.
-#[must_use]
 pub fn id_in(bytes: &[u8]) -> Option<String> {
     let text = read::text_of(bytes, MAX_EXERCISE_BYTES).ok()?;
     // By its line, since the file need not be TOML; keys of sections come later.
@@ -106,7 +105,6 @@ pub fn id_in(bytes: &[u8]) -> Option<String> {
 }
 
 /// The fault of an exercise whose identifier another one has.
-#[must_use]
 pub fn taken(text: &str, id: &str) -> FigureError {
     let refuse = |mut section: Section<'_>, faults: &mut Vec<Fault>| {
         section.refuse("id", Allowed::FreeName);

@@ -137,13 +137,11 @@ pub enum ProgressError {
 
 impl Progress {
     /// The progress in an exercise, if any.
-    #[must_use]
     pub fn tried(&self, id: &str) -> Option<&Tried> {
         self.exercises.get(id)
     }
 
     /// The stage of an exercise.
-    #[must_use]
     pub fn stage(&self, id: &str) -> Stage {
         match self.tried(id) {
             Some(tried) if tried.alone > 0 => Stage::Alone,
@@ -155,7 +153,6 @@ impl Progress {
 
     /// The steps of a solution that are shown as they are: all of them at first, one fewer at the end each time that
     /// the exercise has been solved. The others are to be done.
-    #[must_use]
     pub fn given_steps(&self, id: &str, steps: usize) -> usize {
         let solved = self.tried(id).map_or(0, |tried| tried.solved);
         steps.saturating_sub(usize::try_from(solved).unwrap_or(usize::MAX))
@@ -177,7 +174,6 @@ impl Progress {
     }
 
     /// Whether there is no progress at all.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.exercises.is_empty() && self.mistakes.is_empty() && self.guesses.is_empty()
     }
@@ -264,7 +260,6 @@ impl Progress {
     /// was begun last; else the family that has waited longest beyond its day to come back; else the first unsolved one
     /// in the order of `entries`; else the one that was tried least recently before `now`. A later time comes from a
     /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are none.
-    #[must_use]
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
         let mut open: Vec<(Mistake, &Made)> =
@@ -323,7 +318,6 @@ impl Progress {
     }
 
     /// A table for spreadsheets: a row for each exercise and one for each known mistake.
-    #[must_use]
     pub fn to_csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let mut row = |cells: [String; 8]| {
@@ -359,7 +353,6 @@ impl Progress {
 
 impl Mistake {
     /// Not a slip of the pen, of the calculator or of the eye: practice can mend it.
-    #[must_use]
     pub const fn is_misconception(self) -> bool {
         !matches!(self, Self::ArithmeticSlip | Self::RoundedTooEarly | Self::WrongShape)
     }
@@ -367,7 +360,6 @@ impl Mistake {
 
 impl Exercise {
     /// Whether a known mistake, made in it, gives another answer than the right one.
-    #[must_use]
     pub fn shows(&self, mistake: Mistake) -> bool {
         self.asks.iter().any(|ask| match ask.expected() {
             Expected::Choice(_, mistakes, _) => mistakes.iter().any(|(_, known)| *known == mistake),

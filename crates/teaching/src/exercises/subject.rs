@@ -22,7 +22,6 @@ pub struct Subject {
 }
 
 /// The place of a point of the world in the image, as [`Subject::place`] says it.
-#[must_use]
 pub fn place_of(camera: &Camera, image: ImageSize, point: DVec3) -> Option<[f64; 2]> {
     let stations = camera.stations(point, image, &Viewport::whole(image));
     let projected = stations.projected.filter(|_| stations.view.z < 0.0)?;
@@ -49,13 +48,11 @@ impl Subject {
 
     /// The place of a point of the world in the image, in pixels from its left edge and from its upper one, (5.22)
     /// without the floor. `None` if the point has no image.
-    #[must_use]
     pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
         place_of(&self.camera().ok()?, self.figure.image, point)
     }
 
     /// A quantity of that report. A boolean is 1 or 0. `None` means the report does not have it.
-    #[must_use]
     pub fn value(&self, path: impl Into<QuantityPath>) -> Option<Table> {
         let Numbers { columns, entries } = path.into().numbers(&self.report().ok()?)?;
         Some(Table { rows: entries.len() / columns.max(1), columns, entries })

@@ -12,7 +12,6 @@ use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix, WindowNumber};
 
 /// A quantity of the report when `slips` are made; `None` if it is not a number, or the report does not have it.
-#[must_use]
 pub(super) fn value(subject: &Subject, path: impl Into<QuantityPath>, slips: Slips) -> Option<Table> {
     let QuantityPath { quantity, entry } = path.into();
     let camera = operated(subject, slips).ok()?;

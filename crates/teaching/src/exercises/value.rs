@@ -15,37 +15,31 @@ pub struct Table {
 
 impl Table {
     /// A table of one row and one column.
-    #[must_use]
     pub fn number(value: f64) -> Self {
         Self::column(&[value])
     }
 
     /// A table of one column.
-    #[must_use]
     pub fn column(values: &[f64]) -> Self {
         Self { rows: values.len(), columns: 1, entries: values.to_vec() }
     }
 
     /// A matrix, from its rows, which are of the same length.
-    #[must_use]
     pub fn from_rows<const N: usize>(rows: &[[f64; N]]) -> Self {
         Self { rows: rows.len(), columns: N, entries: rows.concat() }
     }
 
     /// A matrix whose columns are points.
-    #[must_use]
     pub fn from_columns<const N: usize>(columns: &[[f64; N]]) -> Self {
         Self { rows: columns.len(), columns: N, entries: columns.concat() }.transposed()
     }
 
     /// Its shape: rows and columns.
-    #[must_use]
     pub fn shape(&self) -> [usize; 2] {
         [self.rows, self.columns]
     }
 
     /// The number in a row and a column, from 0.
-    #[must_use]
     pub fn get(&self, row: usize, column: usize) -> f64 {
         self.entries[row * self.columns + column]
     }
@@ -82,20 +76,17 @@ impl Table {
     }
 
     /// The size of its greatest entry.
-    #[must_use]
     pub fn size(&self) -> f64 {
         self.entries.iter().fold(0.0, |size, entry| size.max(entry.abs()))
     }
 
     /// The vector of three entries; `None` if it is none.
-    #[must_use]
     pub fn vector(&self) -> Option<DVec3> {
         let [x, y, z] = self.entries[..] else { return None };
         Some(DVec3::new(x, y, z))
     }
 
     /// The matrix of four rows and columns; `None` if it is none.
-    #[must_use]
     pub fn matrix(&self) -> Option<DMat4> {
         let entries: [f64; 16] = self.entries[..].try_into().ok()?;
         Some(DMat4::from_cols_array(&entries).transpose())
@@ -108,7 +99,6 @@ impl Table {
     }
 
     /// True if nothing is infinite or NaN.
-    #[must_use]
     pub fn is_finite(&self) -> bool {
         self.entries.iter().all(|entry| entry.is_finite())
     }

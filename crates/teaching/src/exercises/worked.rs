@@ -38,20 +38,17 @@ struct FormulaRow {
 }
 
 /// A number that has a name of its own in a solution.
-#[must_use]
 pub(super) const fn named(text: &'static str, latex: &'static str, value: f64) -> Named {
     Named { text, latex, value, is_angle: false }
 }
 
 /// An angle in degrees that has a name of its own in a solution.
-#[must_use]
 pub(super) const fn angle(text: &'static str, latex: &'static str, degrees: f64) -> Named {
     Named { text, latex, value: degrees, is_angle: true }
 }
 
 impl Worked {
     /// A step whose formulas have only numbers with names of their own.
-    #[must_use]
     pub fn new(heading: &'static str, equation: &str) -> Self {
         let subject = Arc::new(Subject::default());
         Self { heading, equation: equation.to_owned(), subject, point: None, rows: Vec::new() }
@@ -74,7 +71,6 @@ impl Worked {
     }
 
     /// All that it says, by which it is compared with others: steps of different cameras may well say the same.
-    #[must_use]
     pub fn said(&self) -> (&'static str, String, Vec<Line>) {
         let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
         (self.heading, self.equation.clone(), self.lines(style, true))
@@ -86,7 +82,6 @@ impl Worked {
     }
 
     /// The rows as they are written.
-    #[must_use]
     pub fn lines(&self, style: Style, exact: bool) -> Vec<Line> {
         let Ok(camera) = self.subject.camera() else { return Vec::new() };
         let setting = setting(&camera, &self.subject);
@@ -113,7 +108,6 @@ fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
 }
 
 /// The steps to a quantity of `inspect`. None to an entry of it.
-#[must_use]
 pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Worked> {
     let QuantityPath { quantity, entry } = path.into();
     let (mut steps, after) = operated(subject, |operation| matters(quantity, operation));

@@ -88,7 +88,6 @@ pub struct Seen(Counter);
 
 impl Goal {
     /// True if all conditions hold. An object that is not in the scene is not seen.
-    #[must_use]
     pub fn is_reached(&self, subject: Subject<'_>, seen: &mut Seen) -> bool {
         self.until.iter().all(|condition| condition.holds(subject, seen))
     }
@@ -109,7 +108,6 @@ impl Goal {
 impl Condition {
     /// Whether no figure can meet both conditions: an object seen and hidden, two values of a key, or ranges of the
     /// same number that have none in common.
-    #[must_use]
     pub fn excludes(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Seen(a), Self::Hidden(b)) | (Self::Hidden(a), Self::Seen(b)) => a == b,
@@ -126,7 +124,6 @@ impl Condition {
     }
 
     /// The name of the object that it is about.
-    #[must_use]
     pub fn object(&self) -> Option<&str> {
         match self {
             Self::Seen(name) | Self::Hidden(name) => Some(name),
@@ -154,13 +151,11 @@ impl Condition {
 
 impl Range {
     /// True if it is every number.
-    #[must_use]
     pub fn is_everything(self) -> bool {
         self == Self::default()
     }
 
     /// True if no number is in it.
-    #[must_use]
     pub fn is_empty(self) -> bool {
         self.least.zip(self.most).is_some_and(|(least, most)| least > most)
     }

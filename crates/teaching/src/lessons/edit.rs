@@ -170,7 +170,6 @@ fn parts(text: &str) -> (&str, Vec<&str>) {
 }
 
 /// The part of a lesson file that holds a step, counted from 0.
-#[must_use]
 pub fn text_of_step(text: &str, step: usize) -> Option<&str> {
     parts(text).1.get(step).copied()
 }

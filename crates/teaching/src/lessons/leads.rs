@@ -17,7 +17,6 @@ pub struct Way {
 
 /// The identifiers of the exercises of the program that a lesson leads to, each once. Those its steps ask, those they
 /// link to, and the questions before and after it.
-#[must_use]
 pub fn exercises_of(lesson: &Lesson) -> Vec<&str> {
     let around = lesson.pretest.iter().chain(&lesson.posttest).map(|question| question.id.as_str());
     let asked = lesson.steps.iter().filter_map(asked);
@@ -32,7 +31,6 @@ pub fn exercises_of(lesson: &Lesson) -> Vec<&str> {
 }
 
 /// The families among [`exercises_of`].
-#[must_use]
 pub fn families_of(lesson: &Lesson) -> Vec<&str> {
     let is_family = |id: &&str| exercises::entry(id).is_some_and(|entry| entry.is_family);
     exercises_of(lesson).into_iter().filter(is_family).collect()
@@ -40,7 +38,6 @@ pub fn families_of(lesson: &Lesson) -> Vec<&str> {
 
 /// The first lesson of the program that asks an exercise; if none does, the first that links to it, or has it among the
 /// questions around it. `None` for an exercise of a lecturer's own.
-#[must_use]
 pub fn lesson_of(exercise: &str) -> Option<Way> {
     let asks = |step: &Step| asked(step) == Some(exercise);
     let links = |step: &Step| linked(step).any(|id| id == exercise);
@@ -57,7 +54,6 @@ pub fn lesson_of(exercise: &str) -> Option<Way> {
 }
 
 /// Exercises in the order in which the lessons of the program come to them. Those that none of them has come last.
-#[must_use]
 pub fn in_order_of_lessons<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Vec<&'a Entry> {
     let asked = shipped().iter().flat_map(|shipped| shipped.lesson.steps.iter().filter_map(asked));
     let named = shipped().iter().flat_map(|shipped| exercises_of(&shipped.lesson));

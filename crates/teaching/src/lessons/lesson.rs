@@ -95,7 +95,6 @@ pub enum See {
 
 impl Lesson {
     /// The figure that shows what the question of a step asks, once it's guessed.
-    #[must_use]
     pub fn seen_after(&self, step: usize) -> Option<&Arc<Figure>> {
         match &self.steps.get(step)?.see {
             See::Nothing => None,

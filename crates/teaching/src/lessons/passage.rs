@@ -16,7 +16,6 @@ pub struct Passage {
 
 impl Passage {
     /// The way between two figures. Where no camera lies between theirs, that of the second is there at once.
-    #[must_use]
     pub fn new(from: Arc<Figure>, to: Arc<Figure>) -> Self {
         let cameras = [&from, &to].map(|figure| Camera::new(&figure.camera));
         let camera = match &cameras {
@@ -27,7 +26,6 @@ impl Passage {
     }
 
     /// True if nothing moves on the way.
-    #[must_use]
     pub fn is_at_once(&self) -> bool {
         self.camera.is_none() && self.shown_at(0.0) == *self.to
     }
@@ -35,7 +33,6 @@ impl Passage {
     /// The figure after a share of the way, 0 … 1. Each can be drawn.
     ///
     /// *Guarantees*: at 1 it is the second figure.
-    #[must_use]
     pub fn at(&self, share: f64) -> Figure {
         if share >= 1.0 {
             return (*self.to).clone();

@@ -22,7 +22,6 @@ pub enum Part {
 }
 
 /// The line of a part in the text of a lesson, from 1, and its key as it is written; `None` if it is not there.
-#[must_use]
 pub fn place(text: &str, part: Part) -> Option<(usize, String)> {
     let found = parse_with(text, |root, _| within(root, part)).ok().flatten();
     found.map(|(at, key)| (line_of(text, at), key))

@@ -43,7 +43,6 @@ const TEXTS: [&str; 18] = lessons![
 ];
 
 /// All of them, in the order in which they are taken.
-#[must_use]
 pub fn shipped() -> &'static [ShippedLesson] {
     // Read when the first is asked for; a test reads every one.
     static LESSONS: LazyLock<Vec<ShippedLesson>> = LazyLock::new(|| {

@@ -94,7 +94,6 @@ pub struct ConditionText {
 
 impl TaskText {
     /// True while its author has still to fill in the question, a choice or the number.
-    #[must_use]
     pub fn is_unfinished(&self) -> bool {
         let is_blank = |text: &Bilingual| text.en.trim().is_empty() && text.pt_br.trim().is_empty();
         match self.kind {
@@ -106,7 +105,6 @@ impl TaskText {
     }
 
     /// The task in the text of a step, as the file has it.
-    #[must_use]
     pub fn of_step(step: &str) -> Self {
         let Ok(document) = step.parse::<DocumentMut>() else { return Self::default() };
         let step = document.get("step").and_then(Item::as_array_of_tables).and_then(|steps| steps.get(0));
@@ -121,7 +119,6 @@ impl TaskText {
     }
 
     /// The same as the text of a step that has nothing but this task.
-    #[must_use]
     pub fn to_toml(&self) -> String {
         let mut step = Table::new();
         self.put(&mut step);

@@ -45,19 +45,16 @@ fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 
 impl Findings {
     /// The cases, in their order.
-    #[must_use]
     pub fn cases(&self) -> Vec<&str> {
         unique(self.rows.iter().map(|row| row.case.as_str()))
     }
 
     /// The methods, in their order. The place of each is its colour.
-    #[must_use]
     pub fn methods(&self) -> Vec<&'static str> {
         unique(self.rows.iter().map(|row| row.method))
     }
 
     /// The charts of one case. An error of 0 is drawn a decade below the least that is not.
-    #[must_use]
     pub fn charts(&self, case: &str, words: &Words) -> Pair {
         let rows: Vec<&Row> = self.rows.iter().filter(|row| row.case == case).collect();
         let least = rows.iter().map(|row| row.error).filter(|&e| e > 0.0).fold(f64::INFINITY, f64::min);

@@ -214,7 +214,6 @@ impl TwoPlanes {
     }
 
     /// The share, of the area that both planes cover, in which the farther one is seen.
-    #[must_use]
     pub fn share_through(&self) -> f64 {
         let (mut both, mut through) = (0_u32, 0_u32);
         let columns = (0..Self::WIDTH).cycle();
@@ -240,7 +239,6 @@ pub struct Resolution {
 
 /// Each format of graphics cards in a convention, at a depth from the eye, F … B, and its picture of two planes that
 /// are `gap` apart there. The reversed ones are included even where the convention is not reversed.
-#[must_use]
 pub fn resolutions(space: &ClipSpace<'_>, depth: f64, gap: f64) -> Vec<Resolution> {
     let (range, unit, z) = Range::with_unit(space, depth);
     let gap = gap / unit;

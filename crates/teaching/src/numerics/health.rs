@@ -22,7 +22,6 @@ pub enum Level {
 
 impl Level {
     /// Its name in JSON.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Good => "good",
@@ -105,7 +104,6 @@ pub struct Health {
 }
 
 /// Judges a camera. `format`: the figure's format of depths; `bounds`: the box around the scene it looks at.
-#[must_use]
 pub fn health(camera: &Camera, format: DepthFormat, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
     let warnings: Vec<Warning> = camera.warnings().into_iter().chain(camera.aspect_warning(image)).collect();
     let line = |quantity| {
@@ -165,7 +163,6 @@ fn judged(quantity: HealthQuantity, camera: &Camera, format: DepthFormat) -> (f6
 }
 
 /// How many times as long a step of a depth format is as one of 24 bits.
-#[must_use]
 pub fn coarseness(format: DepthFormat) -> f64 {
     match format {
         DepthFormat::Fixed16 => 256.0,
@@ -191,7 +188,6 @@ fn digits_left(ratio: f64) -> f64 {
 }
 
 /// Width and height of the volume at half its depth, and its depth.
-#[must_use]
 pub fn volume_sides(camera: &Camera) -> [f64; 3] {
     let (near, far) = (camera.near(), camera.far());
     let scale = match camera.projection() {
@@ -204,7 +200,6 @@ pub fn volume_sides(camera: &Camera) -> [f64; 3] {
 }
 
 /// F and B that hold a scene closely; where it reaches behind the eye, F is a thousandth of B.
-#[must_use]
 pub fn suggested_planes(camera: &Camera, bounds: Aabb) -> Option<[f64; 2]> {
     let depths = bounds.corners().map(|corner| -camera.view_point(corner).z);
     let (least, most) = (depths.into_iter().fold(f64::INFINITY, f64::min), depths.into_iter().fold(0.0, f64::max));
@@ -214,7 +209,6 @@ pub fn suggested_planes(camera: &Camera, bounds: Aabb) -> Option<[f64; 2]> {
 }
 
 /// The parameters with other planes. A window that is given keeps its angles.
-#[must_use]
 pub fn with_planes(p: &Parameters, [near, far]: [f64; 2]) -> Parameters {
     let scale = if p.projection == Projection::Perspective { near / p.near } else { 1.0 };
     Parameters { near, far, window: p.window.map(|window| window.map(|x| x * scale)), ..*p }

@@ -39,7 +39,6 @@ pub struct Price {
 
 /// Measures for about the number of seconds of the effort. `None` if it was cancelled, or no such scene could be
 /// built.
-#[must_use]
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
     let lab = Lab { effort: *effort, progress: progress.clone() };
     let watch = lab.watch(2);

@@ -28,7 +28,6 @@ const USUAL_DEGREES: f64 = 45.0;
 
 /// Lists the repairs of `draft`, the best first. `good` is a camera to fall back on: the last one that was possible.
 /// Each repair gives parameters that [`Camera::new`] accepts.
-#[must_use]
 pub fn camera_repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(CameraRepair, Parameters)> {
     let mut list = Vec::new();
     match error {

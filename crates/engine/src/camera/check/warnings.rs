@@ -63,7 +63,6 @@ pub enum Warning {
 
 impl Warning {
     /// A name that does not change, for programs.
-    #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
             Self::ViewUpNearlyCollinear { .. } => "view-up-nearly-collinear",
@@ -95,7 +94,6 @@ const STEPS: f64 = 16_777_216.0;
 
 impl Camera {
     /// Warnings about a camera that is possible, but probably not meant. Empty when there are none.
-    #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let degrees = self.view_up_angle();
@@ -127,7 +125,6 @@ impl Camera {
     }
 
     /// The warning that the picture would be stretched by a pixel or more.
-    #[must_use]
     pub fn aspect_warning(&self, image: ImageSize) -> Option<Warning> {
         let window = self.window_aspect();
         let (m, n) = (f64::from(image.width), f64::from(image.height));
@@ -138,7 +135,6 @@ impl Camera {
     /// The smallest difference of depth that a depth buffer of 24 bits keeps at a depth in front of the eye, in scene
     /// units: one step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection.
     /// Infinite where an `f64` has no such number.
-    #[must_use]
     pub fn depth_step(&self, depth: f64) -> f64 {
         let (near, far) = (self.near(), self.far());
         match self.projection() {
@@ -155,13 +151,11 @@ impl Camera {
 
     /// The greatest coordinate of C or PF over D: how many times farther from the origin a camera is than from its
     /// focal point.
-    #[must_use]
     pub fn origin_ratio(&self) -> f64 {
         self.position().abs().max(self.focal_point().abs()).max_element() / self.distance()
     }
 
     /// The angle between VUP and the line of DOP, in degrees, 0 … 90.
-    #[must_use]
     pub fn view_up_angle(&self) -> f64 {
         let up = self.pose.up;
         let across = self.frame.v.dot(up).value().abs();

@@ -132,7 +132,6 @@ impl Axes {
     ];
 
     /// A vector of our world in the world of these axes: z is up there, or the other way if it's left-handed.
-    #[must_use]
     pub fn foreign_from_world(self, p: DVec3) -> DVec3 {
         match (self.up, self.left_handed) {
             (WorldUp::Z, true) => DVec3::new(p.x, p.z, p.y),
@@ -165,14 +164,12 @@ impl Axes {
     /// assert_eq!(Axes::OPENCV.view_from_world(&camera).row(2), DVec4::new(0.0, 0.0, -1.0, 5.0));
     /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
-    #[must_use]
     pub fn view_from_world(self, camera: &Camera) -> DMat4 {
         let [x, y, z] = self.view_rows(camera).map(|row| self.foreign_from_world(row.truncate()).extend(row.w));
         DMat4::from_cols(x, y, z, DVec4::W).transpose()
     }
 
     /// The inverse of M_v in these axes. Its columns are the axes of the camera and C.
-    #[must_use]
     pub fn world_from_view(self, camera: &Camera) -> DMat4 {
         let [x, y, z] = self.view_rows(camera).map(|row| self.foreign_from_world(row.truncate()).extend(0.0));
         DMat4::from_cols(x, y, z, self.foreign_from_world(camera.position()).extend(1.0))

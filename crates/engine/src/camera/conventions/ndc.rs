@@ -45,7 +45,6 @@ impl Api {
     pub const ALL: [Self; 5] = [Self::OpenGl, Self::Direct3d, Self::Vulkan, Self::Metal, Self::WebGpu];
 
     /// The name as its makers write it.
-    #[must_use]
     pub const fn title(self) -> &'static str {
         self.row().0
     }
@@ -81,26 +80,22 @@ impl Ndc {
     };
 
     /// The name on the command line.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         self.api.row().1[self.reversed as usize + 2 * self.infinite as usize]
     }
 
     /// z_n at F and at B (at infinity, where there is no far plane).
-    #[must_use]
     pub const fn depths(self) -> [f64; 2] {
         if self.reversed { [1.0, 0.0] } else { [self.api.row().2, 1.0] }
     }
 
     /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not. Turning y or z
     /// round changes it.
-    #[must_use]
     pub const fn is_right_handed(self) -> bool {
         self.y_points_down() != self.reversed
     }
 
     /// Does y_n grow downwards?
-    #[must_use]
     pub const fn y_points_down(self) -> bool {
         self.api.row().3
     }

@@ -103,7 +103,6 @@ impl Program {
     }
 
     /// True if it has the axes and the NDC of `[0]`.
-    #[must_use]
     pub fn is_of_the_notes(&self) -> bool {
         self.axes == Axes::OPENGL && self.ndc == Some(Ndc::default())
     }

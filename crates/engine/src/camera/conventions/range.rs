@@ -49,7 +49,6 @@ impl NdcRange {
     }
 
     /// The name of its library, and the differences there.
-    #[must_use]
     pub fn name(self) -> String {
         let ending = if self.infinite { "-infinite" } else { "" };
         format!("{}{ending}", self.row().1[usize::from(self.y_down)])

@@ -47,7 +47,6 @@ impl Camera {
     }
 
     /// The clip space of this camera in a convention, or, where that has no matrices without a far plane, with one.
-    #[must_use]
     pub fn possible_clip_space(&self, ndc: Ndc) -> ClipSpace<'_> {
         self.clip_space(ndc)
             .or_else(|_| self.clip_space(Ndc { infinite: false, ..ndc }))
@@ -55,7 +54,6 @@ impl Camera {
     }
 
     /// The clip space of the notes, `[0]` §5.3.
-    #[must_use]
     pub fn notes_clip_space(&self) -> ClipSpace<'_> {
         ClipSpace { camera: self, ndc: Ndc::default(), lens: self.lens }
     }
@@ -63,19 +61,16 @@ impl Camera {
 
 impl<'a> ClipSpace<'a> {
     /// Whose clip space it is.
-    #[must_use]
     pub fn camera(&self) -> &'a Camera {
         self.camera
     }
 
     /// The convention.
-    #[must_use]
     pub fn ndc(&self) -> Ndc {
         self.ndc
     }
 
     /// M_p: in the convention of the notes [`Camera::clip_from_view`].
-    #[must_use]
     pub fn clip_from_view(&self) -> DMat4 {
         let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
         let [x, y, skew_x, skew_y, z, depth] = [x, y, skew_x, skew_y, z, depth].map(Dd::value);
@@ -96,7 +91,6 @@ impl<'a> ClipSpace<'a> {
     }
 
     /// The inverse of M_p, in closed form.
-    #[must_use]
     pub fn view_from_clip(&self) -> DMat4 {
         let w = &self.camera.wide_window;
         let near = Dd::new(self.camera.near());
@@ -161,7 +155,6 @@ impl<'a> ClipSpace<'a> {
     }
 
     /// M_p M_v, composed in double-double, not from the rounded factors.
-    #[must_use]
     pub fn clip_from_world(&self) -> DMat4 {
         let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
         let [u, v, n] = self.camera.view_rows();
@@ -180,7 +173,6 @@ impl<'a> ClipSpace<'a> {
     }
 
     /// z_n at this distance from the plane of the eye, −z_c, which is not 0 in perspective.
-    #[must_use]
     pub fn ndc_depth(&self, distance: f64) -> f64 {
         let distance = Dd::new(distance);
         let clip = self.lens.depth - self.lens.z * distance;

@@ -78,7 +78,6 @@ pub enum Step {
 
 impl Decomposition {
     /// The convention of NDC in which it ends.
-    #[must_use]
     pub fn ndc(self) -> Ndc {
         match self {
             Self::Notes | Self::Box | Self::Scale => Ndc::default(),
@@ -87,7 +86,6 @@ impl Decomposition {
     }
 
     /// The most steps that it has, in perspective or parallel projection.
-    #[must_use]
     pub const fn most_steps(self) -> u32 {
         match self {
             Self::Notes | Self::Scale => 4,
@@ -96,7 +94,6 @@ impl Decomposition {
     }
 
     /// Its number in the list of sources: `[0]` … `[3]`.
-    #[must_use]
     pub fn source(self) -> &'static str {
         match self {
             Self::Notes => "[0]",
@@ -113,7 +110,6 @@ impl Camera {
     ///
     /// *Guarantees*: their product, last to first, is M_p M_v in [`Decomposition::ndc`], up to the rounding of plain
     /// `f64` (in perspective up to a positive factor, which the division takes out).
-    #[must_use]
     pub fn decomposed(&self, decomposition: Decomposition) -> Option<Vec<Factor>> {
         let symmetric = self.has_symmetric_window();
         let perspective = self.projection() == Projection::Perspective;
@@ -230,14 +226,12 @@ impl Step {
 impl Factor {
     /// The step where z points towards the viewer before and after it: how a right-handed picture shows it. `before`:
     /// whether the space before it is left-handed.
-    #[must_use]
     pub fn displayed(&self, before: bool) -> DMat4 {
         let side = |left_handed: bool| if left_handed { mirror() } else { DMat4::IDENTITY };
         side(self.left_handed) * self.matrix * side(before)
     }
 
     /// A part of a displayed step, 0 … 1. A rotation turns evenly, all others go straight.
-    #[must_use]
     pub fn part(&self, before: bool, share: f64) -> DMat4 {
         let whole = self.displayed(before);
         if matches!(self.step, Step::Turn | Step::TurnLeftHanded) {

@@ -37,14 +37,12 @@ impl Camera {
     /// assert_eq!(camera.view_from_world().row(2), DVec4::new(0.6, 0.8, 0.0, -5.0));
     /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
-    #[must_use]
     pub fn view_from_world(&self) -> DMat4 {
         let [u, v, n] = self.view_rows().map(rounded);
         from_rows([u, v, n, DVec4::W])
     }
 
     /// The inverse of M_v: its columns are **u**, **v**, **n** and C.
-    #[must_use]
     pub fn world_from_view(&self) -> DMat4 {
         let basis = self.basis();
         DMat4::from_cols(basis.u.extend(0.0), basis.v.extend(0.0), basis.n.extend(0.0), self.position().extend(1.0))
@@ -63,19 +61,16 @@ impl Camera {
     /// assert_eq!(m.row(2), DVec4::new(0.0, 0.0, -2.0, -6.0)); // 0  0  −(B+F)/(B−F)  −2BF/(B−F)
     /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
-    #[must_use]
     pub fn clip_from_view(&self) -> DMat4 {
         self.notes_clip_space().clip_from_view()
     }
 
     /// The inverse of M_p, in closed form.
-    #[must_use]
     pub fn view_from_clip(&self) -> DMat4 {
         self.notes_clip_space().view_from_clip()
     }
 
     /// M_p M_v, composed in double-double, not from the rounded factors.
-    #[must_use]
     pub fn clip_from_world(&self) -> DMat4 {
         self.notes_clip_space().clip_from_world()
     }
@@ -84,7 +79,6 @@ impl Camera {
     ///
     /// *Guarantees*: an error of a few ε ‖p − C‖, however far the world lies from the origin. In plain `f64`, for the
     /// pipeline; [`Camera::stations`] gives every digit.
-    #[must_use]
     pub fn view_point(&self, p_world: DVec3) -> DVec3 {
         let d = p_world - self.position() - self.pose.position_rest();
         let basis = self.basis();
@@ -92,7 +86,6 @@ impl Camera {
     }
 
     /// A world point in clip coordinates, in plain `f64`. See [`Camera::view_point`].
-    #[must_use]
     pub fn clip_point(&self, p_world: DVec3) -> DVec4 {
         self.clip_from_view() * self.view_point(p_world).extend(1.0)
     }

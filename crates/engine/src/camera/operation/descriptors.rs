@@ -77,13 +77,11 @@ pub const OPERATIONS: [Descriptor; 9] = {
 
 impl Freedom {
     /// Its word, the meaning of its number, and its step.
-    #[must_use]
     pub const fn descriptor(self) -> &'static Descriptor {
         &OPERATIONS[self as usize]
     }
 
     /// The operation that moves it by `amount`.
-    #[must_use]
     pub const fn by(self, amount: f64) -> Operation {
         let angle = Angle::from_degrees(amount);
         match self {
@@ -102,7 +100,6 @@ impl Freedom {
 
 impl Amount {
     /// The amount that undoes this one: the opposite angle or length, the inverse factor.
-    #[must_use]
     pub fn inverse(self, amount: f64) -> f64 {
         match self {
             Self::Angle | Self::Length => -amount,
@@ -120,7 +117,6 @@ impl Operation {
     }
 
     /// The degree of freedom of which it is a movement; of `pan` the first.
-    #[must_use]
     pub const fn freedom(&self) -> Freedom {
         match self {
             Self::Elevation(_) => Freedom::Elevation,
@@ -135,7 +131,6 @@ impl Operation {
     }
 
     /// Its name, as it is written on the command line.
-    #[must_use]
     pub const fn name(&self) -> &'static str {
         self.freedom().descriptor().word
     }

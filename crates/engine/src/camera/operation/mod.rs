@@ -68,7 +68,6 @@ pub struct Changes {
 
 impl Operation {
     /// Which parameters change.
-    #[must_use]
     pub const fn changes(&self) -> Changes {
         let (position, focal_point, view_up, window) = match self {
             Self::Elevation(_) | Self::Azimuth(_) => (true, false, true, false),
@@ -82,7 +81,6 @@ impl Operation {
     }
 
     /// The angle of a rotation, as it is given.
-    #[must_use]
     pub const fn angle(&self) -> Option<Angle> {
         match *self {
             Self::Elevation(angle)
@@ -95,14 +93,12 @@ impl Operation {
     }
 
     /// The angle by which a rotation turns about [`Operation::axis`], counter-clockwise seen from its tip.
-    #[must_use]
     pub fn right_hand_angle(&self, convention: Convention) -> Option<Angle> {
         let turned = convention == Convention::Vtk && matches!(self, Self::Elevation(_) | Self::Roll(_));
         self.angle().map(|angle| if turned { -angle } else { angle })
     }
 
     /// The axis of a rotation. Its origin is the pivot, through which it goes.
-    #[must_use]
     pub fn axis(&self, camera: &Camera) -> Option<Ray> {
         let basis = camera.basis();
         let (origin, direction) = match self {

@@ -54,7 +54,6 @@ pub enum Untold {
 
 impl Untold {
     /// Its name in output for programs.
-    #[must_use]
     pub const fn code(self) -> &'static str {
         match self {
             Self::ViewAngle => "view-angle",
@@ -109,14 +108,12 @@ pub struct PhotographCamera {
 
 impl PhotographCamera {
     /// **u**, **v** and **n** in the world, the rows of R.
-    #[must_use]
     pub fn axes(&self) -> [DVec3; 3] {
         let (v, n) = (self.parameters.view_up, (self.parameters.position - self.parameters.focal_point).normalize());
         [v.cross(n), v, n]
     }
 
     /// The angle by which the camera is rolled about **n**: that of the horizon with the rows of the image. Degrees.
-    #[must_use]
     pub fn roll(&self) -> f64 {
         let [u, v, _] = self.axes();
         u.y.atan2(v.y).to_degrees()

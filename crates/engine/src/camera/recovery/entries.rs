@@ -33,13 +33,11 @@ impl MatrixEntries {
     }
 
     /// Three, or four.
-    #[must_use]
     pub fn rows(&self) -> usize {
         if self.numbers.len() == 16 { 4 } else { 3 }
     }
 
     /// The count of numbers: 7, 9, 12 or 16.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.numbers.len()
     }
@@ -83,7 +81,6 @@ impl MatrixEntries {
 
     /// The matrix, which acts on column vectors. Three rows are followed by 0 0 0 1. By columns the numbers go down
     /// first, as OpenGL, glTF and three.js have them, so does a matrix that is written for row vectors.
-    #[must_use]
     pub fn matrix(&self, by_columns: bool) -> DMat4 {
         self.in_order(if by_columns { Order::Columns } else { Order::Rows })
     }

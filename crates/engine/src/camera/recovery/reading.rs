@@ -27,25 +27,21 @@ crate::listed! {
 
 impl MatrixKind {
     /// Whether it is written in axes of the camera that programs choose differently.
-    #[must_use]
     pub const fn has_camera_axes(self) -> bool {
         matches!(self, Self::View | Self::CameraToWorld)
     }
 
     /// Whether it holds C and the axes of the camera, and so is written in axes of a world.
-    #[must_use]
     pub const fn has_pose(self) -> bool {
         !matches!(self, Self::Projection | Self::Intrinsics)
     }
 
     /// Whether it leads to normalised device coordinates.
-    #[must_use]
     pub const fn has_ndc(self) -> bool {
         matches!(self, Self::Projection | Self::ViewProjection)
     }
 
     /// Whether it holds pixels.
-    #[must_use]
     pub const fn has_pixels(self) -> bool {
         matches!(self, Self::Pinhole | Self::Intrinsics)
     }
@@ -66,13 +62,11 @@ pub struct Reading {
 
 impl Reading {
     /// A kind in the axes and the NDC of `[0]`.
-    #[must_use]
     pub fn of(kind: MatrixKind) -> Self {
         Self { kind, axes: Axes::default(), ndc: NdcRange::default(), image: ImageSize::default() }
     }
 
     /// The hand of the axes in which it is written: of the world, or of the camera in M_p.
-    #[must_use]
     pub fn is_left_handed(&self) -> bool {
         if self.kind == MatrixKind::Projection {
             let [down, forward] = self.axes.signs();

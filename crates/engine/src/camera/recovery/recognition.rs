@@ -87,7 +87,6 @@ pub struct Recognised {
 
 impl Recognised {
     /// The best reading.
-    #[must_use]
     pub fn best(&self) -> &Candidate {
         // `recognise` refuses an empty list.
         &self.readings[0]

@@ -249,7 +249,6 @@ impl Remake {
 
 /// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices,
 /// ascending; `outlined`: the edges of the mesh's adjacency that may still be on its outline.
-#[must_use]
 pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, outlined: Vec<SharedEdge>) -> Object {
     let old = &object.mesh;
     let all = triangles.len() == old.triangles.len();

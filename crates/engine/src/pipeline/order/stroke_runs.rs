@@ -34,7 +34,6 @@ pub struct Run {
 
 impl Run {
     /// Its painted style; `None` means not painted.
-    #[must_use]
     pub fn style(&self, drawing: &Drawing) -> Option<LineStyle> {
         drawing.strokes.get(self.set)?.style.behind(self.behind)
     }

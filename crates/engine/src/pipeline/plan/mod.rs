@@ -90,14 +90,12 @@ impl Plan {
     }
 
     /// The plan of one stage.
-    #[must_use]
     pub fn stage(&self, stage: Stage) -> StagePlan {
         // `stages` holds all of them in the order of the enumeration.
         self.stages[stage as usize]
     }
 
     /// True if `stage` runs.
-    #[must_use]
     pub fn runs(&self, stage: Stage) -> bool {
         self.stage(stage).runs
     }

@@ -21,7 +21,6 @@ pub struct Elements {
 }
 
 /// The operations of a stage with these elements.
-#[must_use]
 pub fn operations(stage: Stage, elements: Elements) -> Operations {
     let Elements { entering, leaving, lamps, lit_pixels, in_order } = elements;
     let each = |entered: Operations, left: Operations| entered.times(entering).and(left.times(leaving));

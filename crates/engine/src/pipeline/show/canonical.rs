@@ -30,7 +30,6 @@ use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPai
 /// The result takes no light, so the meshes have no normals. No face is culled. The observer of the result is elsewhere
 /// than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays closed, and
 /// convex if it was.
-#[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     clipped_by(scene, &Projector::new(camera), shading).0
 }
@@ -38,7 +37,6 @@ pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene 
 /// [`clipped_scene`], unless all of it together is thinner along z_n than a picture of the volume can show: with an F
 /// or a B that is far from the scene, NDC make it a sheet, in which nothing is in front of anything else. It is shown a
 /// pixel or two thick then.
-#[must_use]
 pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     let mut projector = Projector::new(camera);
     let (clipped, in_view) = clipped_by(scene, &projector, shading);
@@ -89,7 +87,6 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
 }
 
 /// The point at which `p_world` is shown; `None` if it cannot be projected (w ≤ 0).
-#[must_use]
 pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
     let projector = Projector::new(camera);
     let p = clip_from_world(&projector, WorldPoint(p_world));

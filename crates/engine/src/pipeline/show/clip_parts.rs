@@ -25,7 +25,6 @@ use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
 /// The bits of an outcode, `true` if a point is outside: left, right, bottom, top, near, far. `None` for a point
 /// with a coordinate that is not a number.
-#[must_use]
 pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     let projector = Projector::new(camera);
     let code = outcode(&projector, clip_from_world(&projector, WorldPoint(p_world)));
@@ -38,7 +37,6 @@ pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
 ///
 /// *Guarantees*: each has the sign that the outcode goes by, even if `z_clip` would round it away. (Without a far
 /// plane the last is positive.)
-#[must_use]
 pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64; 6] {
     let projector = Projector::new(camera);
     let [left, right, bottom, top, near, far] = distances(&projector, clip_from_world(&projector, WorldPoint(p_world)));
@@ -70,7 +68,6 @@ pub struct Parts {
 
 /// Cuts `scene` into two at the planes of the volume of `camera`. With `edges_only` the new vertices are those of
 /// edges, else those of triangles if an object has faces.
-#[must_use]
 pub fn clip_parts(scene: &Scene, camera: &Camera, edges_only: bool) -> Parts {
     let mut splitter = Splitter { projector: Projector::new(camera), parts: Parts::default(), known: HashSet::new() };
     splitter.parts.inside.lights.clone_from(&scene.lights);

@@ -25,7 +25,6 @@ pub enum CullResult {
 }
 
 /// The result of culling `object` when `camera` draws it.
-#[must_use]
 pub fn cull_result(object: &Object, camera: &Camera) -> CullResult {
     let projector = Projector::new(camera);
     let view_from_object = projector.view_from_object(object.world_from_object);

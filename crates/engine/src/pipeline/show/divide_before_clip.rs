@@ -33,7 +33,6 @@ pub struct DividedFirst {
 
 impl DividedFirst {
     /// True if nothing of the scene is wrong.
-    #[must_use]
     pub fn is_right(&self) -> bool {
         let Scene { objects, lines, marks, .. } = &self.wrong;
         objects.is_empty() && lines.is_empty() && marks.is_empty()
@@ -42,7 +41,6 @@ impl DividedFirst {
 
 /// Divides each point of `scene` by its own w, and clips the result to the cube of `reach` times the size of the
 /// canonical volume. A point with w = 0 removes the face or stroke it belongs to.
-#[must_use]
 pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> DividedFirst {
     let divide = Divide { projector: Projector::new(camera), reach };
     let mut result = DividedFirst::default();

@@ -100,7 +100,6 @@ pub struct CornerLeft {
 }
 
 /// Steps a triangle of an object. `target` is the image. `None` if there is no such triangle.
-#[must_use]
 pub fn one_triangle(object: &Object, triangle: usize, camera: &Camera, target: Target) -> Option<TriangleSteps> {
     let (projector, screen) = (Projector::new(camera), Screen::new(target));
     let view_from_object = projector.view_from_object(object.world_from_object);

@@ -43,13 +43,11 @@ pub struct SeenPoint {
 
 impl Solids {
     /// Number of triangles of a scene that [`Solids::of`] puts into a tree.
-    #[must_use]
     pub fn count(scene: &Scene) -> usize {
         Scenes::from(scene).occluders().map(|object| object.mesh.triangles.len()).sum()
     }
 
     /// Those of a scene.
-    #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let (mut triangles, mut facts) = (Vec::new(), Vec::new());
         for object in Scenes::from(scene).occluders() {
@@ -67,7 +65,6 @@ impl Solids {
     }
 
     /// Whether a light sees a point of a triangle.
-    #[must_use]
     pub fn is_lit(&self, p: DVec3, triangle: usize, light: &Light) -> bool {
         let touching = TOUCHING * (1.0 + p.length());
         let (ray, until) = to_light(p, light);
@@ -75,7 +72,6 @@ impl Solids {
     }
 
     /// The point that a camera sees at a place of its image, in pixels from the top left; `None` if there is none.
-    #[must_use]
     pub fn seen(&self, camera: &Camera, image: ImageSize, place: [f64; 2]) -> Option<SeenPoint> {
         let (origin, ray, within) = ray_of(camera, image, place);
         let is_drawn = |triangle: usize, is_front: bool| {
@@ -90,7 +86,6 @@ impl Solids {
 }
 
 /// The unit vector from a point to a light, and how far it is.
-#[must_use]
 pub fn to_light(p: DVec3, light: &Light) -> (DVec3, f64) {
     match light.kind {
         LightKind::Directional => (-light.vector.normalize_or_zero(), f64::INFINITY),

@@ -49,7 +49,6 @@ impl InView {
     pub const NOTHING: Self = Self { nearest: f64::INFINITY, farthest: f64::NEG_INFINITY, magnitude: 0.0 };
 
     /// The range of depths from `nearest` to `farthest`.
-    #[must_use]
     pub const fn between(nearest: f64, farthest: f64) -> Self {
         // In parallel projection depths may be negative, and then the nearest is the larger number.
         Self { nearest, farthest, magnitude: nearest.abs().max(farthest.abs()) }
@@ -74,7 +73,6 @@ impl InView {
 
 impl DepthScale {
     /// 1 at F and 0 at B.
-    #[must_use]
     pub const fn of_volume(perspective: bool, near: f64, far: f64) -> Self {
         Self { perspective, near, far, unit: near }
     }
@@ -108,7 +106,6 @@ impl DepthScale {
 
     /// The depth of a distance from the plane of the eye: no difference of nearly equal numbers.
     #[inline(always)]
-    #[must_use]
     pub fn depth(&self, distance: f64) -> f64 {
         let share = (self.far - distance) / (self.far - self.near);
         if self.perspective { share * (self.unit / distance) } else { share }
@@ -128,26 +125,22 @@ impl DepthScale {
     }
 
     /// The depth of the nearest.
-    #[must_use]
     pub fn greatest(&self) -> f64 {
         if self.perspective { (self.unit / self.near).min(GREATEST) } else { 1.0 }
     }
 
     /// The distance that has a depth.
-    #[must_use]
     pub fn distance(&self, depth: f64) -> f64 {
         let across = self.far - self.near;
         if self.perspective { self.far / (1.0 + depth * across / self.unit) } else { self.far - depth * across }
     }
 
     /// Converts a depth of this scale to another scale.
-    #[must_use]
     pub fn in_scale(&self, other: &Self, depth: f64) -> f64 {
         if self == other { depth } else { other.depth(self.distance(depth)) }
     }
 
     /// By how much a distance may differ from this one, and still count as the same, in scene units.
-    #[must_use]
     pub fn same(&self, distance: f64) -> f64 {
         let across = self.far - self.near;
         let by_depth = if self.perspective { distance * distance * across / (self.far * self.unit) } else { across };

@@ -66,7 +66,6 @@ impl Occluder {
 
 impl ShadowMaps {
     /// The maps of a scene that pictures of it will ask for, painted or not.
-    #[must_use]
     pub fn of_scene(&self, scenes: Scenes) -> Vec<Arc<ShadowMap>> {
         self.of(scenes).into_iter().map(|light| light.map).collect()
     }
@@ -153,7 +152,6 @@ impl Kept {
 
 /// The cameras of a light in a scene, whose pictures are its shadow map: one for parallel light, six around a lamp;
 /// `None` if nothing hides its light.
-#[must_use]
 pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     let scenes = Scenes::from(scene);
     scenes.occluders().next()?;

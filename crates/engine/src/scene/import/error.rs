@@ -64,7 +64,6 @@ impl MeshError {
     }
 
     /// Whether a file lies outside the folder that the figure may read from. The user can allow it.
-    #[must_use]
     pub fn is_outside(&self) -> bool {
         match self {
             Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),

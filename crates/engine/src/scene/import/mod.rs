@@ -81,7 +81,6 @@ impl MeshFiles {
     }
 
     /// True for a file that has been read as a texture of a figure, whatever came of it.
-    #[must_use]
     pub fn knows_texture(&self, path: &str) -> bool {
         self.textures.knows(path)
     }
@@ -97,13 +96,11 @@ impl MeshFiles {
     }
 
     /// None yet; `progress` follows the reading.
-    #[must_use]
     pub fn watched(progress: &Progress) -> Self {
         Self { progress: progress.clone(), ..Self::default() }
     }
 
     /// True for a file that has been read.
-    #[must_use]
     pub fn knows(&self, path: &str) -> bool {
         self.known.contains_key(path)
     }

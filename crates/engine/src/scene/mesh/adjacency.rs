@@ -36,7 +36,6 @@ struct Side {
 
 impl Adjacency {
     /// Of the triangles of a mesh. Vertices are at one place where their coordinates are equal.
-    #[must_use]
     pub fn of(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let places = places(positions);
         let mut sides: Vec<Side> = Vec::with_capacity(3 * triangles.len());

@@ -39,7 +39,6 @@ impl Mesh {
     /// A polyhedron with flat faces. `faces` lists the corners of each planar face (convex or not), counter-clockwise
     /// seen from outside. Each corner becomes one vertex per face, with the face's normal. Every side of a face is an
     /// edge, once. A face without area gets the normal +y. An index out of range leaves its face out.
-    #[must_use]
     pub fn polyhedron(corners: &[DVec3], faces: &[&[usize]]) -> Self {
         let mut mesh = Self::default();
         let mut known_edges = BTreeSet::new();
@@ -65,7 +64,6 @@ impl Mesh {
     }
 
     /// Points without faces or edges.
-    #[must_use]
     pub fn point_cloud(points: impl IntoIterator<Item = DVec3>) -> Self {
         let mut mesh = Self::default();
         for p in points {
@@ -75,7 +73,6 @@ impl Mesh {
     }
 
     /// Segments without faces.
-    #[must_use]
     pub fn segments(segments: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
         let mut mesh = Self::default();
         for [p, q] in segments {
@@ -86,7 +83,6 @@ impl Mesh {
     }
 
     /// The box around all vertices; `None` for an empty mesh.
-    #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         Aabb::around(self.positions.iter().copied())
     }

@@ -38,13 +38,11 @@ fn is_drawn(k: u32, n: u32, lines: u32) -> bool {
 }
 
 /// The cube \[−1, 1\]³.
-#[must_use]
 pub fn cube() -> Mesh {
     cuboid(DVec3::NEG_ONE, DVec3::ONE)
 }
 
 /// The box between two corners. Faces in the order −x, +x, −y, +y, −z, +z, two triangles each.
-#[must_use]
 pub fn cuboid(min: DVec3, max: DVec3) -> Mesh {
     let corners: [DVec3; 8] = std::array::from_fn(|i| {
         DVec3::new(
@@ -60,7 +58,6 @@ pub fn cuboid(min: DVec3, max: DVec3) -> Mesh {
 
 /// A regular prism with `sides` sides, circumradius 1, from y = 0 to y = 2. One vertex of the base on −z, so that for
 /// an odd number of sides a face looks to +z.
-#[must_use]
 pub fn prism(sides: u32) -> Mesh {
     let n = allowed(sides) as usize;
     let mut corners = Vec::with_capacity(2 * n);
@@ -81,7 +78,6 @@ pub fn prism(sides: u32) -> Mesh {
 
 /// A plate with a polygonal outline in x and y, counter-clockwise seen from +z, convex or not, from z = −`half_depth`
 /// to z = `half_depth`.
-#[must_use]
 pub fn plate(outline: &[DVec2], half_depth: f64) -> Mesh {
     let n = outline.len();
     let at = |z: f64| outline.iter().map(move |p| p.extend(z));
@@ -95,7 +91,6 @@ pub fn plate(outline: &[DVec2], half_depth: f64) -> Mesh {
 }
 
 /// A pyramid on the square \[−1, 1\]² of y = 0, with its apex at (0, 2, 0).
-#[must_use]
 pub fn pyramid() -> Mesh {
     let corners = [
         DVec3::new(-1.0, 0.0, -1.0),
@@ -109,13 +104,11 @@ pub fn pyramid() -> Mesh {
 }
 
 /// The unit sphere: `segments` meridians, half as many bands.
-#[must_use]
 pub fn sphere(segments: u32) -> Mesh {
     ellipsoid(DVec3::ONE, segments)
 }
 
 /// An ellipsoid with the given half axes (> 0): `segments` meridians, half as many bands.
-#[must_use]
 pub fn ellipsoid(half_axes: DVec3, segments: u32) -> Mesh {
     let n = allowed(segments);
     let bands = (n / 2).max(2);
@@ -159,7 +152,6 @@ fn latitude(band: u32, bands: u32) -> (f64, f64) {
 }
 
 /// A cylinder of radius 1 from y = 0 to y = 2.
-#[must_use]
 pub fn cylinder(segments: u32) -> Mesh {
     let n = allowed(segments);
     let mut mesh = Mesh { closed: true, convex: true, ..Mesh::default() };
@@ -182,7 +174,6 @@ pub fn cylinder(segments: u32) -> Mesh {
 }
 
 /// A cone of radius 1 on y = 0, with its apex at (0, 2, 0).
-#[must_use]
 pub fn cone(segments: u32) -> Mesh {
     const HEIGHT: f64 = 2.0;
     let n = allowed(segments);
@@ -219,7 +210,6 @@ fn add_cap(mesh: &mut Mesh, rim: impl Iterator<Item = DVec3>, normal: DVec3) {
 
 /// A torus about y, centre at the origin, radii [`TORUS_RADIUS`] and [`TORUS_TUBE`]: `segments` around, half as many
 /// about the tube.
-#[must_use]
 pub fn torus(segments: u32) -> Mesh {
     let n = allowed(segments);
     let m = (n / 2).max(MIN_SEGMENTS);
@@ -251,7 +241,6 @@ pub fn torus(segments: u32) -> Mesh {
 }
 
 /// The lines of a grid of `cells` × `cells` on the square \[−1, 1\]² of y = 0, each from end to end.
-#[must_use]
 pub fn grid_lines(cells: u32) -> Vec<[DVec3; 2]> {
     let n = cells.clamp(1, MAX_SEGMENTS);
     let mut lines = Vec::with_capacity(2 * (n as usize + 1));
@@ -265,7 +254,6 @@ pub fn grid_lines(cells: u32) -> Vec<[DVec3; 2]> {
 
 /// A tiled square on y = 0, seen from above: `nx` × `nz` tiles between two corners, two triangles a tile, row by row
 /// along x. Not closed: from below it is not there unless it is drawn on two sides.
-#[must_use]
 pub fn tiles(min: [f64; 2], max: [f64; 2], nx: u32, nz: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let at = |t: u32, n: u32, a: f64, b: f64| a + (b - a) * f64::from(t) / f64::from(n.max(1));

@@ -24,7 +24,6 @@ pub struct TextureError {
 
 impl TextureError {
     /// Whether the file lies outside the folder that the figure may read from. The user can allow it.
-    #[must_use]
     pub const fn is_outside(&self) -> bool {
         matches!(&self.fault, TextureFault::Unreadable(error) if error.is_outside())
     }

@@ -38,7 +38,6 @@ pub fn placements(spec: &SceneSpec) -> Result<BTreeMap<String, DMat4>, SceneErro
 }
 
 /// The object of a scene with this name, the figure's before the preset's.
-#[must_use]
 pub fn object_named(spec: &SceneSpec, name: &str) -> Option<ObjectSpec> {
     let own = spec.objects.iter().find(|object| object.name == name).cloned();
     let of_preset = || presets::objects(spec.preset, &SceneColors::of(Theme::Light)).into_iter();
@@ -69,7 +68,6 @@ pub fn placement(spec: &SceneSpec, name: &str) -> Result<Option<DMat4>, SceneErr
 }
 
 /// The name that is wanted if no object has it, else with the first number that makes it free.
-#[must_use]
 pub fn free_name(spec: &SceneSpec, wanted: &str) -> String {
     let taken = names(spec);
     let numbered = (2..).map(|k| format!("{wanted} {k}"));
@@ -86,7 +84,6 @@ fn preset_names(spec: &SceneSpec) -> impl Iterator<Item = String> {
 }
 
 /// The names of the figure's objects below the one called `name`, at any depth. Not itself.
-#[must_use]
 pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     let mut above = vec![name.to_owned()];

@@ -31,7 +31,6 @@ pub enum LostFeature {
 
 impl Preset {
     /// The features lost when the objects of this preset are expanded into a list.
-    #[must_use]
     pub const fn beyond_objects(self) -> &'static [LostFeature] {
         match self {
             Self::Cube => &[LostFeature::NumberedFaces],
@@ -46,7 +45,6 @@ impl Preset {
 }
 
 /// The objects of a preset, as a figure file would list them.
-#[must_use]
 pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
     match preset {
         Preset::Empty => Vec::new(),

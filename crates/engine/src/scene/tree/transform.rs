@@ -10,7 +10,6 @@ use crate::geometry::{Angle, try_unit};
 use crate::scene::{ObjectSpec, SceneError, SceneSpec};
 
 /// Number of descendants of these objects that are not among them.
-#[must_use]
 pub fn below(spec: &SceneSpec, names: &BTreeSet<String>) -> usize {
     names
         .iter()
@@ -83,7 +82,6 @@ pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str
 }
 
 /// Those of `names` without an ancestor among them: a transform of these transforms all.
-#[must_use]
 pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
     let below: BTreeSet<String> = names.iter().flat_map(|name| descendants(spec, name)).collect();
     let own = spec.objects.iter().map(|o| &o.name);
@@ -125,7 +123,6 @@ pub fn transform(spec: &mut SceneSpec, names: &BTreeSet<String>, transform: Tran
 }
 
 /// The direction of parallel light after a turn.
-#[must_use]
 pub fn turned(direction: DVec3, axis: DVec3, angle: Angle) -> DVec3 {
     tidy(DQuat::from_axis_angle(axis, angle.radians()) * direction)
 }
@@ -163,7 +160,6 @@ fn stem(name: &str) -> &str {
 }
 
 /// The unit vectors along an object's own axes in the world, and where it is; `None` if one has no length.
-#[must_use]
 pub fn frame(world_from_object: &DMat4) -> Option<(DVec3, [DVec3; 3])> {
     let axis = |v: DVec3| try_unit(world_from_object.transform_vector3(v));
     let origin = world_from_object.w_axis.truncate();

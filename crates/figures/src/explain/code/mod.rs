@@ -81,25 +81,21 @@ static PROGRAMS: [Program; CodeTarget::ALL.len()] = Program::ALL;
 
 impl CodeTarget {
     /// Its row of the table of programs.
-    #[must_use]
     pub const fn program(self) -> &'static Program {
         &PROGRAMS[self as usize]
     }
 
     /// Its common name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         self.program().name
     }
 
     /// Its word on the command line.
-    #[must_use]
     pub const fn word(self) -> &'static str {
         self.program().word
     }
 
     /// The beginning of a comment line; `None` for JSON, which has no comments.
-    #[must_use]
     pub const fn comment(self) -> Option<&'static str> {
         match self {
             Self::Vtk | Self::NumPy | Self::Blender | Self::OpenCv | Self::Colmap | Self::PyTorch3d | Self::Godot => {
@@ -112,7 +108,6 @@ impl CodeTarget {
     }
 
     /// The reason for which it can't express a camera.
-    #[must_use]
     pub fn limitation(self, camera: &Camera) -> Option<Limitation> {
         let parallel = camera.projection() == Projection::Parallel;
         let symmetric = camera.has_symmetric_window();
@@ -128,7 +123,6 @@ impl CodeTarget {
     }
 
     /// The conventions stated in its code.
-    #[must_use]
     pub fn conventions(self, camera: &Camera) -> Vec<CodeConvention> {
         let program = self.program();
         let axes = CodeConvention::Axes(program.axes);
@@ -152,7 +146,6 @@ impl CodeTarget {
 
     /// The code, behind lines of comment. Of a camera that it can't express, see [`Self::limitation`], it's that of
     /// another one.
-    #[must_use]
     pub fn code(self, setting: &Setting<'_>, comments: &[String]) -> String {
         let mut text = String::new();
         if let Some(mark) = self.comment() {

@@ -30,7 +30,6 @@ fn is_svg(bytes: &[u8]) -> bool {
 }
 
 /// The figure file in an SVG file or a PDF, where the bytes are one of these; `Some(None)`: none that can be read.
-#[must_use]
 pub fn figure_in(bytes: &[u8]) -> Option<Option<Vec<u8>>> {
     if bytes.starts_with(b"%PDF-") { Some(figure_in_pdf(bytes)) } else { is_svg(bytes).then(|| figure_in_svg(bytes)) }
 }

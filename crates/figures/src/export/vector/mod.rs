@@ -116,19 +116,16 @@ impl PageText {
 
 impl Item {
     /// Others in the scale of the page.
-    #[must_use]
     pub fn group(corner: [f32; 2], clip: [f32; 4], items: Vec<Self>) -> Self {
         Self::Group { corner, scale: 1.0, clip, items }
     }
 
     /// A stroke without dashes.
-    #[must_use]
     pub fn stroke(path: Vec<Element>, color: Rgba, width: f32, round: bool) -> Self {
         Self::Stroke { path, color, width, dashes: Vec::new(), phase: 0.0, round }
     }
 
     /// A text without a halo, whose anchor is at a place.
-    #[must_use]
     pub fn text(text: String, [x, y]: [f32; 2], size: f32, color: Rgba, anchor: Anchor) -> Self {
         let left = match anchor {
             Anchor::Left => 0.0,
@@ -162,7 +159,6 @@ pub struct Beside {
 /// `None` if the font can't be cut, or the format is one of pixels.
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
-#[must_use]
 pub fn file(
     page: &Page,
     format: PictureFormat,
@@ -184,14 +180,12 @@ pub fn file(
 }
 
 /// The name of a file without its ending, as LaTeX can name the file beside it: other signs have meanings there.
-#[must_use]
 pub fn stem(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' }).collect()
 }
 
 /// The name, without its ending, of the PDF beside a LaTeX file.
-#[must_use]
 pub fn art_of(stem: &str) -> String {
     format!("{stem}-art")
 }

@@ -29,7 +29,6 @@ const PICTURES: i32 = FONTS + 5 * 4;
 /// none. The file has title and language of the first page. `None` if the font can't be cut.
 ///
 /// *Guarantees*: the same pages and figure give the same bytes.
-#[must_use]
 pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>> {
     let first = pages.first()?;
     let mut writer = Writer {

@@ -8,7 +8,6 @@ use crate::raster::path_of;
 use crate::text::Element;
 
 /// The pixels of a page, `zoom` per unit; `None` if there would be too many.
-#[must_use]
 pub fn pixels(page: &Page, zoom: f32) -> Option<Pixmap> {
     paint(&page.items, [0.0, 0.0, page.size[0], page.size[1]], zoom)
 }

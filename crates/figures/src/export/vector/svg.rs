@@ -13,7 +13,6 @@ use crate::text::{self, Element, Face};
 /// The page as an SVG file, with a figure file in it. An empty one is none.
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
-#[must_use]
 pub(super) fn svg(page: &Page, letters: Letters, figure: &str) -> String {
     let options = Options { use_single_quote: false, indent: Indent::Spaces(1), attributes_indent: Indent::None };
     let mut writer = Writer { xml: XmlWriter::new(options), letters, clips: 0, glyphs: Face::ALL.map(Glyphs::of) };

@@ -11,7 +11,6 @@ use crate::text;
 /// page as large as the picture.
 ///
 /// Each label is set in the document's font, at the height that it has on the page. Its symbols are mathematics.
-#[must_use]
 pub(super) fn tex(page: &Page, art: &str) -> String {
     let [width, height] = page.size.map(|side| number(side * page.points));
     // In the body of a document, LaTeX has no message left for what comes before it.
@@ -33,7 +32,6 @@ pub(super) fn tex(page: &Page, art: &str) -> String {
 }
 
 /// The page without its texts.
-#[must_use]
 pub(super) fn without_texts(page: &Page) -> Page {
     fn kept(items: &[Item]) -> Vec<Item> {
         let keep = |item: &Item| match item {

@@ -19,7 +19,6 @@ pub struct Difference {
 /// The difference of `now` from `before`; `None` means all of it. Title and caption are no part of it.
 ///
 /// *Guarantees*: sections of `before` without the keys in `without`, with those in `changed` put over them, are `now`.
-#[must_use]
 pub fn difference(before: Option<&Figure>, now: &Figure) -> Difference {
     let own = |figure: &Figure| document(&Figure { title: None, caption: None, ..figure.clone() });
     let (old, new) = (before.map(own).unwrap_or_default(), own(now));

@@ -20,7 +20,6 @@ pub use vary::{has, number_at, show_with, varied, varied_together};
 ///
 /// # Guarantees
 /// Reading the text gives `figure` back, as with [`to_toml`].
-#[must_use]
 pub fn update(text: &str, figure: &Figure) -> String {
     edit(text, figure).unwrap_or_else(|| to_toml(figure))
 }

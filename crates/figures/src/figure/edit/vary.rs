@@ -31,7 +31,6 @@ pub fn varied_together(figure: &Figure, keys: &[(&str, &str)]) -> Result<Figure,
 }
 
 /// True if a key of the figure has a value, as [`varied`] takes it: where setting it changes nothing.
-#[must_use]
 pub fn has(figure: &Figure, key: &str, value: &str) -> bool {
     let own = without_other_scene(figure, key);
     varied_whole(&own, [(key, value)]).is_ok_and(|varied| varied == own)
@@ -39,7 +38,6 @@ pub fn has(figure: &Figure, key: &str, value: &str) -> bool {
 
 /// The number of a key of the figure; `None` if there is none. A way of `show.step` without a place has gone to its
 /// end: ∞.
-#[must_use]
 pub fn number_at(figure: &Figure, key: &str) -> Option<f64> {
     let document = document(&without_other_scene(figure, key));
     let at_end = || (key == "show.step.at" && figure.show.step.is_some()).then_some(f64::INFINITY);

@@ -177,7 +177,6 @@ fn read_shadows(section: &mut Section<'_>) -> Shadows {
 
 /// The line of a key of the object called `name` (of the object itself, where the key is missing), counted from 1;
 /// `None` if the text lists no such object.
-#[must_use]
 pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
     let document = Document::parse(text.strip_prefix('\u{feff}').unwrap_or(text)).ok()?;
     let mut root = Section::new(text, Some(document.as_table()), "", 0);

@@ -28,7 +28,6 @@ pub struct DepthReading {
 
 /// The content of the depth buffer on the ray through a point (x_p, y_p) of the view window; `None` if no opaque
 /// face is drawn.
-#[must_use]
 pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let camera = &request.camera;
     let ray = camera.ray_through_window(point);
@@ -56,7 +55,6 @@ pub struct DepthTest {
 
 impl DepthTest {
     /// Of a triangle (object of the scene, index in its mesh) in the image; `None` if its object is not drawn.
-    #[must_use]
     pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let plain = request.clone().with_shot(|shot| shot.look.reveal.depth = Depth::Stored);
         let mut scene = Scene::clone(&request.scene);
@@ -94,7 +92,6 @@ impl DepthTest {
     }
 
     /// Z (5.25) of a depth of these drawings.
-    #[must_use]
     pub fn z(&self, depth: f32) -> f64 {
         self.greys.level(self.scale.in_scale(&self.greys.volume, f64::from(depth)))
     }

@@ -143,14 +143,12 @@ pub struct ShadowAt {
 
 impl ShadowAt {
     /// True if the light sees something nearer.
-    #[must_use]
     pub fn is_hidden(&self) -> bool {
         self.nearest.is_some_and(|nearest| self.own > nearest + self.allowed)
     }
 }
 
 /// The depths that each light with shadows compares at a point (world).
-#[must_use]
 pub fn shadows_at(scene: &Scene, p: DVec3) -> Vec<ShadowAt> {
     let casting = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.cast);
     casting.filter_map(|(index, light)| at(scene, index, light, p)).collect()

@@ -7,7 +7,6 @@ use crate::views::world::world_framing;
 use crate::views::{OtherCamera, Request};
 
 /// The camera of the list whose body is at `pointer` (pixels), or within `reach` pixels of it.
-#[must_use]
 pub fn camera_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> {
     /// Half the height of a body, and where it is along **n**, in its units.
     const HALF: f64 = 0.5;

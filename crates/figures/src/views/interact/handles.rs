@@ -14,7 +14,6 @@ use crate::views::world::world_framing;
 use crate::views::{Handle, Request};
 
 /// The handles that lie in the picture, with their places in pixels.
-#[must_use]
 pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
     let Some(screen) = world_framing::screen(request) else { return Vec::new() };
     let volume = Content::of(request).volume;
@@ -23,7 +22,6 @@ pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
 
 /// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place the one that comes first in
 /// [`Handle`].
-#[must_use]
 pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle> {
     handles(request)
         .into_iter()
@@ -83,7 +81,6 @@ pub(in crate::views) fn on_axis(
 ///
 /// # Guarantees
 /// A drag that cannot be read (an axis seen end-on, an observer that is not a camera) changes nothing.
-#[must_use]
 pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical: bool) -> Parameters {
     let mut parameters = *request.camera.parameters();
     let Some(screen) = world_framing::screen(request) else { return parameters };

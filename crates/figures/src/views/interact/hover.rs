@@ -77,7 +77,6 @@ pub enum ShadowTruth {
 
 impl ShadowTruth {
     /// Number of wrong pixels.
-    #[must_use]
     pub fn wrong(&self) -> usize {
         match self {
             Self::Found { rows, .. } => rows.iter().map(|[_, first, after]| (after - first) as usize).sum(),
@@ -106,7 +105,6 @@ pub enum Probe {
 
 impl Probe {
     /// The probe of a figure for a camera with an image of this size.
-    #[must_use]
     pub fn of(shown: ShownProbe, camera: &Camera, image: ImageSize) -> Self {
         match shown {
             ShownProbe::World(p) => Self::Point(p),
@@ -133,7 +131,6 @@ pub struct Ghost {
 impl Ghost {
     /// The operations that led to a camera, in order, each with the camera before it and the one after it. The signs
     /// are those of the notes. None from the first on that no camera can come before.
-    #[must_use]
     pub fn leading_to(camera: &Camera, operations: &[Operation]) -> Vec<(Self, Camera)> {
         let convention = Convention::RightHand;
         let mut after = camera.clone();

@@ -9,7 +9,6 @@ use crate::views::{Request, View, image};
 
 /// The figure's point whose mark is within `reach` of a place (pixels) of the world or of the image, by its place in
 /// the list.
-#[must_use]
 pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> {
     if request.view == View::Canonical {
         return None;
@@ -25,7 +24,6 @@ pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
 /// The new place of a point of the world that is dragged from one place to another (pixels): in the plane through it
 /// that is parallel to the view window, so that its distance from the eye stays. In the world, where this plane is seen
 /// from its edge, in the plane of the picture. `None` if there is no such point.
-#[must_use]
 pub fn dragged(request: &Request, p: DVec3, from: DVec2, to: DVec2) -> Option<DVec3> {
     /// The sine of the angle at which a plane is seen from its edge.
     const EDGE: f64 = 0.2;

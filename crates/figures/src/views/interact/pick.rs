@@ -18,7 +18,6 @@ use crate::views::{Probe, Request, View, canonical, image};
 /// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is
 /// taken only where no other is within reach; in the canonical volume and in the image only vertices inside the view
 /// volume are.
-#[must_use]
 pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     let points = vertices(&request.scene).filter_map(|p| Some((shown_at(request, p)?, p)));
     nearest(points, &faces(request), &screen(request)?, pointer, reach)
@@ -26,7 +25,6 @@ pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
 
 /// The name of the figure's object whose face is at a place (pixels) of a picture; `None` if there is none, and in
 /// the canonical volume, where faces have been clipped and projected.
-#[must_use]
 pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
     match request.view {
         View::World => object_in_world(request, pointer),
@@ -36,7 +34,6 @@ pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
 }
 
 /// The triangle (object of the scene, index in its mesh) that the image shows at a place (pixels).
-#[must_use]
 pub fn triangle_in_image(request: &Request, pointer: DVec2) -> Option<(usize, u32)> {
     let point = window_point_in_image(request, pointer)?;
     let camera = &request.camera;
@@ -48,7 +45,6 @@ pub fn triangle_in_image(request: &Request, pointer: DVec2) -> Option<(usize, u3
 }
 
 /// The pixel of the figure's image, m × n, at a place (pixels) of the image picture, (0, 0) at the top left.
-#[must_use]
 pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
     let frame = image::screen(request);
     let share = frame.holds(pointer).then(|| frame.window_point(pointer))?;
@@ -63,7 +59,6 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
 
 /// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one
 /// nearest to the middle. Only vertices that can be seen. `None` if there is none.
-#[must_use]
 pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
     let (screen, faces) = (screen(request)?, faces(request));
     let of_shown = |p: DVec3| screen.place_inside(shown_at(request, p)?);
@@ -88,7 +83,6 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
 
 /// The point (world) that a probe is at: the point itself, or of a ray its first point of the scene, else that of the
 /// window.
-#[must_use]
 pub fn point_of(request: &Request, probe: Probe) -> DVec3 {
     match probe {
         Probe::Point(p) => p,
@@ -100,14 +94,12 @@ pub fn point_of(request: &Request, probe: Probe) -> DVec3 {
 }
 
 /// The first point of the scene (world) behind a point of the view window.
-#[must_use]
 pub fn hit_of(request: &Request, point: DVec2) -> Option<DVec3> {
     Pixel::new(request, point).hit
 }
 
 /// Where a picture shows points of the world (pixels), or that it does not; `None` for an observer that is not a
 /// camera. Nothing of the scene is looked at.
-#[must_use]
 pub fn places(request: &Request) -> Option<impl Fn(DVec3) -> Option<DVec2>> {
     let screen = screen(request)?;
     Some(move |p_world| screen.place_inside(shown_at(request, p_world)?))
@@ -131,7 +123,6 @@ fn faces(request: &Request) -> Cow<'_, Scene> {
 }
 
 /// The point (x_p, y_p) of the view window at a place (pixels) of the image picture; `None` outside the frame.
-#[must_use]
 pub fn window_point_in_image(request: &Request, pointer: DVec2) -> Option<DVec2> {
     let screen = image::screen(request);
     screen.holds(pointer).then(|| screen.window_point(pointer))
@@ -186,7 +177,6 @@ fn nearest(
 }
 
 /// Whether no face hides a point (world) behind the camera's front plane.
-#[must_use]
 pub fn can_be_seen_by(camera: &Camera, faces: &Scene, p: DVec3) -> bool {
     can_be_seen(p, faces, camera)
 }

@@ -62,7 +62,6 @@ fn ring(gizmo: &TransformGizmo, screen: &Screen, axis: usize) -> Vec<DVec3> {
 
 /// The part at `pointer` (pixels), within `reach` pixels: an arrow or bar near its tip or on its outer half (not where
 /// it is seen end-on and cannot be dragged), a ring, or the middle of the bars.
-#[must_use]
 pub fn part_at(request: &Request, pointer: DVec2, reach: f64) -> Option<GizmoPart> {
     let gizmo = request.hover.gizmo?;
     let screen = world_framing::screen(request)?;
@@ -98,7 +97,6 @@ fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
 
 /// The pull at a part of `gizmo` when the pointer went from `from` to `to` (pixels). `None` if that cannot be read:
 /// an axis seen end-on, a bar pulled through the middle.
-#[must_use]
 pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DVec2, to: DVec2) -> Option<Pull> {
     let screen = world_framing::screen(request)?;
     let observer = world_framing::seen_from(request);

@@ -24,7 +24,6 @@ pub struct TexelAt {
 }
 
 /// The texture at a point (world), where it is on a surface that has one.
-#[must_use]
 pub fn texel_at(scene: &Scene, camera: &Camera, p: DVec3) -> Option<TexelAt> {
     // A segment through the point, along the line from C.
     let reach = (p - camera.position()) * NEAR;

@@ -66,7 +66,6 @@ pub struct LabelPlace {
 
 impl LabelPlace {
     /// The labels of a drawing that have names, as they are laid out.
-    #[must_use]
     pub fn all(drawing: &Drawing) -> Vec<Self> {
         let named = drawing.labels.iter().filter(|label| !label.name.is_empty());
         named.map(Self::of).collect()
@@ -97,14 +96,12 @@ impl LabelPlace {
     }
 
     /// True if a place (pixels) is on its text.
-    #[must_use]
     pub fn holds(&self, place: DVec2) -> bool {
         (place - self.center).abs().cmple(self.half).all()
     }
 
     /// The wish that puts the middle of its text at a place (pixels), as
     /// [`MovedLabel::by`](crate::figure::MovedLabel::by).
-    #[must_use]
     pub fn moved_to(&self, center: DVec2) -> DVec2 {
         let by = (center - self.point) / self.em.max(1e-9) * DVec2::new(1.0, -1.0);
         // Hundredths are fine enough for the eye, and short in a file.

@@ -31,7 +31,6 @@ pub struct Captions {
 impl Captions {
     /// The captions of a family: its values, or texts of one's own in their place; with letters before them, (a), (b)
     /// …, where `parts` are wanted.
-    #[must_use]
     pub fn of(
         values: &[&[VariedValue]],
         own: &[String],
@@ -49,7 +48,6 @@ impl Captions {
 
     /// The strip under a row of pictures: `cells` are the place of each in [`texts`](Self::texts), its left side and
     /// its width.
-    #[must_use]
     pub fn strip(&self, cells: &[(usize, f32, f32)], size: [u32; 2]) -> Drawing {
         let palette = Palette::of(self.theme);
         let mut drawing = on_clear_ground(size, palette.paper);
@@ -72,7 +70,6 @@ impl Captions {
 }
 
 /// The height of the strip under pictures of a width, in pixels, with room for the longest of these captions.
-#[must_use]
 pub fn caption_height(captions: &Captions, width: f32) -> u32 {
     let count = captions.texts.iter().map(|text| lines(text, captions.letters, width).len()).max().unwrap_or(0);
     if count == 0 {

@@ -25,7 +25,6 @@ const NAMES: &[&str] = &[
 
 /// The names in the `[labels]` of a shot that no label has in any of its pictures, each with the one that was probably
 /// meant.
-#[must_use]
 pub fn unknown_labels(shot: &Shot, scene: &SharedScene) -> Vec<(String, Option<String>)> {
     let mut known: BTreeSet<&str> = NAMES.iter().copied().collect();
     known.extend(shot.points.iter().map(|point| point.name.as_str()));

@@ -144,7 +144,6 @@ pub struct Labels {
 impl Labels {
     /// The reason why an object is dropped. Behind the eye all signs are reversed, and only the front plane is
     /// meaningful.
-    #[must_use]
     pub fn outside_planes(&self, planes: PlaneSet) -> String {
         let planes = if planes & NEAR != 0 { NEAR } else { planes };
         let names: Vec<&str> =
@@ -153,13 +152,11 @@ impl Labels {
     }
 
     /// The effect of a step of the way to the canonical volume.
-    #[must_use]
     pub fn step(&self, step: Step) -> &'static str {
         self.steps.get(step as usize).copied().unwrap_or_default()
     }
 
     /// A convention of NDC in words: whose, reversed, without a far plane.
-    #[must_use]
     pub fn ndc_title(&self, ndc: Ndc) -> String {
         let reversed = if ndc.reversed { format!(", {}", self.reversed) } else { String::new() };
         let infinite = if ndc.infinite { ", B → ∞" } else { "" };

@@ -10,7 +10,6 @@ use crate::views::{Request, SharedScene};
 
 /// The subject of a note at a place (pixels) of a picture: a named point, a vertex or an edge of the scene within
 /// `reach`, else the place itself.
-#[must_use]
 pub fn note_place(request: &Request, pointer: DVec2, reach: f64) -> NotePlace {
     if let Some(point) = point_at(request, pointer, reach).and_then(|i| request.shot.points.get(i)) {
         return NotePlace::World(point.position);

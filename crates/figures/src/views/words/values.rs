@@ -120,7 +120,6 @@ fn printed(value: &str, labels: &Labels) -> String {
 }
 
 /// The values of one figure of a family, in the words of the pictures: what stands under its picture.
-#[must_use]
 pub fn caption(at: &[VariedValue], labels: &Labels) -> String {
     let words = at.iter().map(|value| match value {
         VariedValue::Key(key, value) => said(key, value.as_deref(), labels),

@@ -127,7 +127,6 @@ crate::listed! {
 
 impl Mistake {
     /// The mistake of a code.
-    #[must_use]
     pub fn of_code(code: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|mistake| mistake.code() == code)
     }

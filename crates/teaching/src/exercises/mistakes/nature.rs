@@ -59,7 +59,6 @@ impl Nature {
     }
 
     /// Whether its numbers can be negative.
-    #[must_use]
     pub const fn has_signs(self) -> bool {
         matches!(self, Self::Number | Self::Vector | Self::Direction | Self::Cosine | Self::Matrix)
     }

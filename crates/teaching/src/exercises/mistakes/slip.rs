@@ -380,13 +380,11 @@ const _: () = assert!(Slip::ALL.len() <= 2 * u128::BITS as usize);
 
 impl Slip {
     /// The mistake that it is.
-    #[must_use]
     pub const fn mistake(self) -> Mistake {
         self.cause().mistake
     }
 
     /// Whether it is made where the axes of the camera are computed.
-    #[must_use]
     pub const fn is_of_axes(self) -> bool {
         matches!(
             self,
@@ -420,7 +418,6 @@ impl Slips {
     pub const NONE: Self = Self([0; 2]);
 
     /// One.
-    #[must_use]
     pub const fn one(slip: Slip) -> Self {
         Self::NONE.and(slip)
     }
@@ -434,20 +431,17 @@ impl Slips {
     }
 
     /// Whether it is made.
-    #[must_use]
     pub const fn has(self, slip: Slip) -> bool {
         let place = slip as usize;
         self.0[place / 128] & (1 << (place % 128)) != 0
     }
 
     /// The value of the first of these mistakes that is made; `right` if none is.
-    #[must_use]
     pub fn pick<T, const N: usize>(self, mistakes: [(Slip, T); N], right: T) -> T {
         mistakes.into_iter().find(|(slip, _)| self.has(*slip)).map_or(right, |(_, wrong)| wrong)
     }
 
     /// Whether any of these is made.
-    #[must_use]
     pub fn any(self, slips: &[Slip]) -> bool {
         slips.iter().any(|slip| self.has(*slip))
     }

@@ -34,7 +34,6 @@ impl Progress {
     }
 
     /// The text that keeps it.
-    #[must_use]
     pub fn to_toml(&self) -> String {
         let mut document = self.rest.clone();
         for (id, tried) in &self.exercises {

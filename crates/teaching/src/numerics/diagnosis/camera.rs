@@ -25,7 +25,6 @@ pub struct ImpossibleCamera {
 
 /// The finding about parameters that make no camera. Its repair is the first one whose image shows the scene, or the
 /// first one at all.
-#[must_use]
 pub fn impossible_camera(impossible: &ImpossibleCamera, scene: &Scene) -> Diagnosis {
     let ImpossibleCamera { error, parameters, style, reveal, image } = impossible;
     let mut counter = Counter::default();

@@ -40,7 +40,6 @@ impl Counter {
 
     /// Of each of these objects, by their places in the scene, the pixels on which one of its faces is seen; 0 where
     /// the image is too large to be drawn.
-    #[must_use]
     pub fn seen(&mut self, scene: &Scene, of: &[usize], camera: &Camera, image: ImageSize) -> Vec<u64> {
         self.faces(scene, of, camera, image, |_, _| true)
     }

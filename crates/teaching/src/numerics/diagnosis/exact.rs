@@ -61,7 +61,6 @@ pub struct WrongPixels {
 
 impl WrongPixels {
     /// The share of wrong pixels, 0 … 1.
-    #[must_use]
     pub fn share(self) -> f64 {
         let [wrong, of] = [self.wrong, self.of].map(|pixels| pixels as f64);
         wrong / of.max(1.0)

@@ -332,7 +332,6 @@ pub enum Value {
 }
 
 /// The keys of `[camera]` that differ, with the values that they get.
-#[must_use]
 pub fn changes(before: &Parameters, after: &Parameters) -> Vec<(&'static str, Value)> {
     let vectors = [
         ("position", before.position, after.position),
@@ -355,7 +354,6 @@ pub fn changes(before: &Parameters, after: &Parameters) -> Vec<(&'static str, Va
 impl Repair {
     /// The keys that it changes, with their new values: those of `[camera]` and `[style]` by their names, `texture` and
     /// `shadows` of `[reveal]` and `shadow_bias` of the lights with their section.
-    #[must_use]
     pub fn changes(&self, figure: &Figure) -> Vec<(&'static str, Value)> {
         let Figure { camera, style, reveal, .. } = figure;
         let word = |key, is_changed: bool, word| is_changed.then_some((key, Value::Word(word)));

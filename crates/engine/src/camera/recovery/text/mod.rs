@@ -71,7 +71,6 @@ pub enum MatrixTextError {
 }
 
 /// The names of several cameras, none for a single one. A number from 1 stands for a missing name.
-#[must_use]
 pub fn camera_names(cameras: &[Pasted]) -> Vec<String> {
     if cameras.len() < 2 {
         return Vec::new();
