@@ -54,6 +54,21 @@ macro_rules! both {
     };
 }
 
+/// Functions that give texts with values: `name(lang, count: usize): "{count} objects", "{count} objetos";`. Values that
+/// aren't written as they are follow in parentheses: `(file = escaped(file))`.
+macro_rules! texts_with_values {
+    ($($(#[$doc:meta])* $name:ident($lang:ident $(, $value:ident: $type:ty)*):
+        $en:literal, $pt:literal $(($($written:tt)*))?;)*) => {
+        $(
+            $(#[$doc])*
+            #[must_use]
+            pub fn $name($lang: crate::i18n::Lang $(, $value: $type)*) -> String {
+                both!($lang; $en, $pt $(; $($written)*)?)
+            }
+        )*
+    };
+}
+
 /// An error in one language: its own words in English, and a row for each of its variants in Portuguese, whose values
 /// follow in parentheses: `translated! { lang, error; Fault::Name(name) => "“{}” é longo" (escaped(name)); }`.
 macro_rules! translated {

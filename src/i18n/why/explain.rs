@@ -90,18 +90,20 @@ texts! {
     as_in_the_notes: "Here, as in the lecture notes, points are columns and view space is right-handed.", "Aqui, como nas notas de aula, pontos são colunas e o espaço de vista é de mão direita.";
 }
 
-/// The place of an entry. Rows and columns from 0.
-#[must_use]
-pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
-    let (row, column) = (row + 1, column + 1);
-    both!(lang; "{matrix}, row {row}, column {column}", "{matrix}, linha {row}, coluna {column}")
-}
+texts_with_values! {
+    /// The place of an entry. Rows and columns from 0.
+    entry(lang, matrix: &str, row: usize, column: usize): "{matrix}, row {row}, column {column}",
+        "{matrix}, linha {row}, coluna {column}" (row = row + 1, column = column + 1);
 
-/// The sum in which an entry occurs, for a point.
-#[must_use]
-pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
-    both!(lang; "for {point} it appears in the sum of {symbol}, in the term",
-        "para {point} aparece na soma de {symbol}, no termo")
+    /// The sum in which an entry occurs, for a point.
+    used_in(lang, point: &str, symbol: &str): "for {point} it appears in the sum of {symbol}, in the term",
+        "para {point} aparece na soma de {symbol}, no termo";
+
+    /// The matrix of a step. The first is 1.
+    factor(lang, step: usize): "The matrix of step {step}", "A matriz do passo {step}";
+
+    /// The handedness of the axes from here on.
+    handedness(lang, hand: &str): "from here on {hand}: z is reversed", "daqui em diante, {hand}: z se inverte";
 }
 
 /// The effect of a matrix.
@@ -201,12 +203,6 @@ pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static
     }
 }
 
-/// The matrix of a step. The first is 1.
-#[must_use]
-pub fn factor(lang: Lang, step: usize) -> String {
-    both!(lang; "The matrix of step {step}", "A matriz do passo {step}")
-}
-
 /// The product of the first steps.
 #[must_use]
 pub fn product(lang: Lang, steps: usize) -> String {
@@ -215,12 +211,6 @@ pub fn product(lang: Lang, steps: usize) -> String {
         _ => both!(lang; "The product so far: step {steps} … step 1",
             "O produto até aqui: passo {steps} … passo 1"),
     }
-}
-
-/// The handedness of the axes from here on.
-#[must_use]
-pub fn handedness(lang: Lang, hand: &str) -> String {
-    both!(lang; "from here on {hand}: z is reversed", "daqui em diante, {hand}: z se inverte")
 }
 
 /// The product of all steps compared with M_p M_v in the convention in which they end: `ratio` times it, but for
