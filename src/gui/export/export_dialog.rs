@@ -11,8 +11,8 @@ use crate::export::paper::PaperPreset;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::form::{choice, complaint, row};
-use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
+use crate::gui::kit::form::{choice, choice_row, complaint, row};
+use crate::gui::kit::number_field::{self, FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::i18n::window::Texts;
@@ -254,7 +254,7 @@ fn settings(
         (Views::One(View::Canonical), t.show_canonical),
         (Views::One(View::Image), t.show_image),
     ];
-    row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
+    choice_row(ui, t.export_what, "", &mut export.what, &what);
     family::rows(ui, t, choices.family, enter);
     let sizes = [
         ((Some(1), false), "1 ×"),
@@ -265,9 +265,7 @@ fn settings(
         ((None, true), t.export_paper),
     ];
     let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
-    row(ui, "", t.export_size, t.export_size_hint, |ui| {
-        choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
-    });
+    choice_row(ui, t.export_size, t.export_size_hint, &mut size, &sizes);
     (export.times, export.on_paper) = size;
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(model.picture_sizes, model.screen_scale);
@@ -288,9 +286,7 @@ fn settings(
         complaint(ui, &format!("{field}: {}", error.text(t.lang)));
     }
     let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
-    row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
-        choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
-    });
+    choice_row(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes);
     formats(ui, t, export);
     let faces = [
         (Faces::Auto, t.export_faces_auto),
@@ -378,8 +374,7 @@ fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
     let mut now = PaperPreset::ALL.into_iter().find(is);
     let choices: Vec<(Option<PaperPreset>, &str)> =
         [(None, words.own_size)].into_iter().chain(PaperPreset::ALL.map(Some).into_iter().zip(names)).collect();
-    let changed =
-        row(ui, "", words.paper, words.paper_hint, |ui| choice(ui, words.paper, words.paper_hint, &mut now, &choices));
+    let changed = choice_row(ui, words.paper, words.paper_hint, &mut now, &choices);
     if let Some(preset) = now.filter(|_| changed) {
         (paper.size, paper.letters) = (size(preset), preset.letters());
     }
@@ -412,9 +407,7 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Faul
     let of_width = field(t.export_width).show(ui, t, &mut width);
     ui.label("×");
     let of_height = field(t.export_height).show(ui, t, &mut height);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
-    let side = |v: f64| v as u32;
-    (export.width, export.height) = (side(width), side(height));
+    (export.width, export.height) = (whole(width), whole(height));
     let beyond = too_large([export.width, export.height]);
     let faults = [(t.export_width, of_width.error), (t.export_height, of_height.error), (t.export_pixels, beyond)];
     faults.into_iter().filter_map(|(field, error)| Some((field, error?))).collect()

@@ -500,3 +500,9 @@ impl<'a> NumberField<'a> {
 fn say_beside(response: &egui::Response, text: String) {
     tooltip::beside(response, |ui| drop(ui.label(text)));
 }
+
+/// The value of a field of whole numbers that aren't negative.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "its field takes whole numbers that fit")]
+pub(in crate::gui) fn whole(value: f64) -> u32 {
+    value as u32
+}

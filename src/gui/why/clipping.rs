@@ -5,7 +5,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
-use crate::gui::kit::form::{choice, row};
+use crate::gui::kit::form::choice_row;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
@@ -26,9 +26,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
         (Outside::Tinted, t.outside_tinted),
         (Outside::Shown, t.outside_shown),
     ];
-    row(ui, "", t.outside_view, t.outside_view_hint, |ui| {
-        choice(ui, t.outside_view, t.outside_view_hint, &mut reveal.outside, &outsides)
-    });
+    choice_row(ui, t.outside_view, t.outside_view_hint, &mut reveal.outside, &outsides);
     for (on, name, hint) in [
         (&mut reveal.clipping, t.clipping_view, t.clipping_view_hint),
         (&mut reveal.divide_first, t.divide_first, t.divide_first_hint),

@@ -10,7 +10,7 @@ use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
 use crate::figure::Depth;
-use crate::gui::kit::form::{choice, row};
+use crate::gui::kit::form::choice_row;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::plotting::color_of;
 use crate::gui::kit::plotting::export_button;
@@ -52,7 +52,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
     let old = model.document.figure().reveal.depth;
     let mut depth = old;
     let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
-    row(ui, "", t.depth_view, t.depth_view_hint, |ui| choice(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths));
+    choice_row(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths);
     if depth != old {
         model.document.edit(|figure| figure.reveal.depth = depth);
     }
@@ -63,7 +63,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
     let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(model.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
-    row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &choices));
+    choice_row(ui, t.format, t.format_hint, &mut format, &choices);
     if format != old {
         model.document.edit(|figure| figure.style.depth_format = format);
     }

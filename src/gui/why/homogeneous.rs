@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, DVec4};
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::form::{complaint, section};
+use crate::gui::kit::form::{complain, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
@@ -199,9 +199,7 @@ fn middle(ui: &mut egui::Ui, t: &Texts, model: &Model, explain: &mut Explain) {
         output
     });
     let share = *share;
-    if let Some(error) = output.inner.error {
-        complaint(ui, &error.text(lang));
-    }
+    complain(ui, lang, [&output.inner]);
     if !(w_a > 0.0 && w_b > 0.0) {
         ui.label(t.behind_middle);
         return;

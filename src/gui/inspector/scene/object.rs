@@ -10,7 +10,7 @@ use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::inspector::{VectorField, complaint, row};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::number_field::{FieldError, NumberField, Step};
+use crate::gui::kit::number_field::{FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, MeshFor};
@@ -296,9 +296,7 @@ fn segments(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
         let field = NumberField::new(t.segments, Step::Add(1.0)).of(&owner).whole().within(allowed).width(92.0);
         field.hint(t.segments_hint).marked(marked).show(ui, form.window, &mut value)
     });
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-    let whole = value as u32;
-    form.scene.objects[index].segments = whole;
+    form.scene.objects[index].segments = whole(value);
     if matches!(output.error, Some(FieldError::Outside(_))) {
         complaint(ui, &faults::segments_allowed(form.lang));
     } else {

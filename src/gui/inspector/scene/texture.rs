@@ -4,7 +4,7 @@ use eframe::egui::{self, Key, RichText};
 
 use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
-use crate::gui::inspector::{choice, row};
+use crate::gui::inspector::{choice_row, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -134,20 +134,16 @@ fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mes
     let object = &mut form.scene.objects[index];
     let wraps = [(Wrap::Repeat, t.wrap_repeat), (Wrap::Clamp, t.wrap_clamp), (Wrap::Mirror, t.wrap_mirror)];
     let unsaid = if is_mesh { t.texture_of_file } else { t.wrap_repeat };
-    row(ui, "", t.wrap, t.wrap_hint, |ui| {
-        let all = or_unsaid(unsaid, wraps, object.wrap);
-        choice(ui, t.wrap, t.wrap_hint, &mut object.wrap, &all);
-    });
+    let all = or_unsaid(unsaid, wraps, object.wrap);
+    choice_row(ui, t.wrap, t.wrap_hint, &mut object.wrap, &all);
     let filters = [
         (Filter::Nearest, t.filter_nearest),
         (Filter::Bilinear, t.filter_bilinear),
         (Filter::Trilinear, t.filter_trilinear),
     ];
     let unsaid = if is_mesh { t.texture_of_file } else { t.filter_trilinear };
-    row(ui, "", t.filter, t.filter_hint, |ui| {
-        let all = or_unsaid(unsaid, filters, object.filter);
-        choice(ui, t.filter, t.filter_hint, &mut object.filter, &all);
-    });
+    let all = or_unsaid(unsaid, filters, object.filter);
+    choice_row(ui, t.filter, t.filter_hint, &mut object.filter, &all);
 }
 
 /// Some words to choose from, and before them the one that leaves it open. The same word stands there once, unless the
@@ -171,10 +167,8 @@ fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &crate::i18n::window::scenes:
         (TextureReveal::Levels, t.texture_levels),
         (TextureReveal::Texels, t.texture_texels),
     ];
-    row(ui, "", t.texture_reveal, t.texture_reveal_hint, |ui| {
-        let all = or_unsaid(t.texture_plain, all, chosen);
-        choice(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
-    });
+    let all = or_unsaid(t.texture_plain, all, chosen);
+    choice_row(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
     if chosen != now {
         model.document.edit(|figure| figure.reveal.texture = chosen);
     }

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::{HandoutForm, MAX_SEED, played};
@@ -107,9 +107,7 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
                 let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
                 let shown = window::texts(model.settings.lang);
                 field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
-                let whole = seed as u32;
-                form.seed = whole;
+                form.seed = whole(seed);
             });
             ui.add_space(4.0);
             ui.label(t.choose);
