@@ -157,7 +157,7 @@ fn picture(
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
     paint(ui, &preview, rect, export.is_without_ground());
-    if preview.texture().is_none() {
+    if preview.texture.is_none() {
         let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
         // A child of its own: the content below does not move.
         let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
@@ -167,7 +167,7 @@ fn picture(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 8.0;
         let copying = preview.is_copying();
-        let fits = can_be_copied(export, preview.size().unwrap_or([export.width, export.height]));
+        let fits = can_be_copied(export, preview.size.unwrap_or([export.width, export.height]));
         let button = ui.add_enabled(valid && fits && !copying, egui::Button::new(t.export_copy));
         let hint = match (fits, export.format.is_vector()) {
             (true, false) => t.export_copy_hint,
@@ -201,7 +201,7 @@ fn picture(
 fn paint(ui: &egui::Ui, preview: &Preview, room: Rect, transparent: bool) {
     let painter = ui.painter().with_clip_rect(room.expand(1.0).intersect(ui.clip_rect()));
     let border = ui.visuals().widgets.noninteractive.bg_stroke;
-    let Some(texture) = preview.texture() else {
+    let Some(texture) = &preview.texture else {
         painter.rect_stroke(room, 0.0, border, egui::StrokeKind::Inside);
         return;
     };
@@ -270,7 +270,7 @@ fn settings(
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(model.picture_sizes, model.screen_scale);
     // A family in multiples of the screen is larger than its figure.
-    let of_family = choices.preview.as_ref().and_then(Preview::size);
+    let of_family = choices.preview.as_ref().and_then(|preview| preview.size);
     let of_family = of_family.filter(|_| size.0.is_some() && choices.family.variations().is_some());
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         if size == (None, false) {

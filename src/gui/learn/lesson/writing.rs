@@ -22,7 +22,7 @@ use crate::share;
 const MOST_EARLIER: usize = 100;
 
 /// The writing of the step that is shown.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Writing {
     /// The text of the file as it was read or written last.
     text: String,
@@ -51,9 +51,10 @@ pub struct Writing {
 }
 
 /// A group of fields.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fields {
     /// Title, text and notes of the step.
+    #[default]
     Step,
     /// The question or goal of the step.
     Task,
@@ -73,20 +74,7 @@ pub struct Typed {
 
 impl Writing {
     fn new(text: String, lang: Lang) -> Self {
-        Self {
-            text,
-            step: usize::MAX,
-            typed: Default::default(),
-            kept: Default::default(),
-            ahead: None,
-            fault: None,
-            lang,
-            shows: Fields::Step,
-            typed_at: 0.0,
-            earlier: Vec::new(),
-            later: Vec::new(),
-            unsaved: None,
-        }
+        Self { text, step: usize::MAX, lang, ..Self::default() }
     }
 
     /// The changes of the file that can be undone, or redone.

@@ -52,7 +52,7 @@ pub struct LeftOver {
 }
 
 /// The sessions of this user: that of this window, and those left by others.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Sessions {
     folder: PathBuf,
     own: Option<Writer>,
@@ -74,17 +74,7 @@ impl Sessions {
     /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
     #[must_use]
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Restored>) {
-        let mut sessions = Self {
-            folder: folder.to_owned(),
-            own: None,
-            shown: None,
-            others: Vec::new(),
-            left: Vec::new(),
-            news: Vec::new(),
-            restored_at: None,
-            failed_at: None,
-            told: false,
-        };
+        let mut sessions = Self { folder: folder.to_owned(), ..Self::default() };
         files::remove_left_over(folder);
         sessions.look();
         let safe = sessions.left.iter().filter(|left| !left.did_not_survive);
