@@ -211,6 +211,13 @@ impl Document {
         self.has_scene(Revision::new());
     }
 
+    /// Sets a part of the figure but its camera, where it is another one.
+    pub fn set<T: PartialEq>(&mut self, part: fn(&mut Figure) -> &mut T, value: T) {
+        if *part(&mut self.figure) != value {
+            self.edit(|figure| *part(figure) = value);
+        }
+    }
+
     /// Changes the author's labels. The scene stays what it is.
     pub fn edit_labels(&mut self, change: impl FnOnce(&mut Labels)) {
         change(&mut self.figure.labels);

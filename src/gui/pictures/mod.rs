@@ -117,8 +117,8 @@ pub struct Canvas {
     click_picker: Picker,
     /// The steps of a lesson whose pictures have begun to fade in.
     faded: u64,
-    /// The command of a context menu.
-    wanted: Option<Command>,
+    /// The command that was chosen in a context menu, until it is taken.
+    pub(in crate::gui) wanted: Option<Command>,
 }
 
 /// The parts of other features that the pictures show or act on.
@@ -214,11 +214,6 @@ impl Canvas {
             || self.is_probing()
             || model.pinned().is_some()
             || model.can_release_shown()
-    }
-
-    /// The command that was chosen in a context menu, once.
-    pub(in crate::gui) fn take_wanted(&mut self) -> Option<Command> {
-        self.wanted.take()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.

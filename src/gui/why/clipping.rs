@@ -18,8 +18,7 @@ use crate::pipeline::divide_before_clip::divided_first;
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().reveal;
-    let mut reveal = old;
+    let mut reveal = model.document.figure().reveal;
     let outsides = [
         (Outside::Usual, t.outside_usual),
         (Outside::Cut, t.outside_cut),
@@ -34,9 +33,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
         ui.checkbox(on, name).explained(hint);
         ui.label(eframe::egui::RichText::new(hint).small().weak());
     }
-    if reveal != old {
-        model.document.edit(|figure| figure.reveal = reveal);
-    }
+    model.document.set(|figure| &mut figure.reveal, reveal);
     dead_end(ui, model, explain);
     let words = explain::texts(model.settings.lang);
     if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {

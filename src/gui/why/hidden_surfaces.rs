@@ -45,10 +45,8 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     compare_button(ui, model);
     let words = window::texts(model.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
-    let figure = model.document.figure();
-    if (style, reveal) != (figure.style, figure.reveal) {
-        model.document.edit(|figure| (figure.style, figure.reveal) = (style, reveal));
-    }
+    model.document.set(|figure| &mut figure.style, style);
+    model.document.set(|figure| &mut figure.reveal, reveal);
 }
 
 /// From nothing to the whole image. The arrow keys move the slider.

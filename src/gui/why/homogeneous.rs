@@ -35,9 +35,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
     let hint = window::texts(model.settings.lang).vanishing_hint;
     let vanishing = ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint);
     help_topic(&vanishing, "ideal-point");
-    if vanishing.changed() {
-        model.document.edit(|figure| figure.reveal = reveal);
-    }
+    model.document.set(|figure| &mut figure.reveal, reveal);
 }
 
 /// A section, with the note on its subject.

@@ -48,9 +48,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
         point_at(ui, &mut model.hover.pointed, size.response.rect, &symbols);
         complain(ui, t.lang, &size.inner);
         let size = ImageSize { width: whole(m), height: whole(n) };
-        if size != model.document.figure().image {
-            model.document.edit(|figure| figure.image = size);
-        }
+        model.document.set(|figure| &mut figure.image, size);
         let symmetric = model.document.draft().window.is_none();
         let mut follows = model.settings.aspect_follows_image && symmetric;
         let follow = ui.add_enabled(symmetric, egui::Checkbox::new(&mut follows, t.aspect_follows));
@@ -139,7 +137,5 @@ fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         new = Viewport { x: to_corner(x), y: to_corner(y), width: whole(width), height: whole(height), ..new };
     }
     let new = (!is_whole).then_some(new);
-    if new != old {
-        model.document.edit(|figure| figure.viewport = new);
-    }
+    model.document.set(|figure| &mut figure.viewport, new);
 }

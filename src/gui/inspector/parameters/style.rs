@@ -13,8 +13,7 @@ use crate::i18n::window;
 /// Shading, hidden surfaces and lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().style;
-    let mut style = old;
+    let mut style = model.document.figure().style;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
         let shadings = [
@@ -45,9 +44,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
             choice_row(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes);
         });
     });
-    if style != old {
-        model.document.edit(|figure| figure.style = style);
-    }
+    model.document.set(|figure| &mut figure.style, style);
     if opens {
         model.show_explanation(Explanation::HiddenSurfaces);
     }

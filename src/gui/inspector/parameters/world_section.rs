@@ -58,7 +58,5 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
         ui.label(t.world_parts).explained(t.world_parts_hint);
         parts(ui, model.settings.lang, &mut world.parts);
     });
-    if world != old {
-        model.document.edit(|figure| figure.world = world);
-    }
+    model.document.set(|figure| &mut figure.world, world);
 }

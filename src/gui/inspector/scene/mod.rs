@@ -8,9 +8,9 @@ mod tree;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, Key, RichText};
 
-use super::{choice_row, section};
+use super::{choice_row, row, section};
 use crate::explain::{Component, Symbol};
 use crate::figure::Measured;
 use crate::gui::kit::context_help::{has_focus, help_topic_row};
@@ -28,7 +28,7 @@ use crate::i18n::why::notes;
 use crate::i18n::window;
 use crate::i18n::window::scenes;
 use crate::i18n::window::scenes::Texts;
-use crate::limits::MAX_SIDE;
+use crate::limits::{MAX_SIDE, MAX_TYPED};
 use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
@@ -325,6 +325,35 @@ fn text_field(
         edit.margin(egui::Margin::symmetric(4, 2))
     });
     field.show(ui, lang)
+}
+
+/// A row with a file of an object, by its key in a figure file: typed, or chosen by what the button begins.
+fn file_row(
+    ui: &mut egui::Ui,
+    model: &mut Model,
+    (owner, key): (&str, &'static str),
+    [name, hint]: [&str; 2],
+    path: &mut String,
+    browse: Action,
+) {
+    let t = scenes::texts(model.settings.lang);
+    let mut typing = typing(model, owner, key).unwrap_or_else(|| Typing::of(owner, key, path));
+    let mut left = false;
+    row(ui, "", t.path, hint, |ui| {
+        let id = egui::Id::unique(("file of an object", owner, key));
+        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0));
+        let response = response.explained(hint).accessible_name(name);
+        if ui.button(t.browse).clicked() {
+            model.actions.push(browse);
+        }
+        left = response.lost_focus();
+    });
+    let text = typing.text.trim().to_owned();
+    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
+        *path = text;
+    } else if !left && text != *path {
+        model.tree.typing = Some(typing);
+    }
 }
 
 /// The text being typed for an object.

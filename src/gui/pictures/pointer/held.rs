@@ -147,11 +147,7 @@ impl Canvas {
             None => {}
             Some((picture, Drag::Orbit(pressed))) => {
                 let (picture, pressed) = (*picture, pressed.clone());
-                for other in self.turning_with(picture, model) {
-                    if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(model, other, orbit::orbited(pressed, motion));
-                    }
-                }
+                self.turn_with(model, picture, &pressed, |pressed| orbit::orbited(pressed, motion));
             }
             Some((picture, Drag::Pan(pressed))) => {
                 let (picture, pressed) = (*picture, *pressed);
@@ -201,23 +197,32 @@ impl Canvas {
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
+    /// Turns a picture and those that turn with it, from how each was seen.
+    fn turn_with(
+        &mut self,
+        model: &mut Model,
+        picture: usize,
+        pressed: &[Option<Observer>],
+        turned: impl Fn(Observer) -> Observer,
+    ) {
+        for other in self.turning_with(picture, model) {
+            if let Some(pressed) = pressed.get(other).copied().flatten() {
+                self.turn(model, other, turned(pressed));
+            }
+        }
+    }
+
     /// Restores the state before the press.
     pub(in crate::gui::pictures) fn give_up(&mut self, model: &mut Model) {
         match self.drag.take() {
             None => {}
-            Some((picture, Drag::Orbit(pressed))) => {
-                for other in self.turning_with(picture, model) {
-                    if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(model, other, pressed);
-                    }
-                }
-            }
+            Some((picture, Drag::Orbit(pressed))) => self.turn_with(model, picture, &pressed, |pressed| pressed),
             Some((picture, Drag::Pan(pressed))) => self.turn(model, picture, pressed),
-            Some((_, Drag::Handle(held))) => model.document.set_camera(held.before()),
+            Some((_, Drag::Handle(held))) => model.document.set_camera(held.before),
             Some((_, Drag::Gizmo(held))) => model.document.edit(|figure| figure.scene = held.before),
             Some((_, Drag::Point(held))) => held.give_up(model),
             Some((_, Drag::Label(held))) => held.give_up(model),
-            Some((_, Drag::Camera(held))) => model.document.set_camera(held.before()),
+            Some((_, Drag::Camera(held))) => model.document.set_camera(held.start),
         }
     }
 
@@ -242,17 +247,17 @@ impl Canvas {
                 ui.set_cursor_icon(CursorIcon::Move);
             }
             Some((_, Drag::Handle(held))) => {
-                self.hover.hovered = Some(held.handle());
+                self.hover.hovered = Some(held.handle);
                 let camera = model.document.camera();
-                let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
-                status.message = match held.stopped() {
+                let mut lines = vec![handle_drag::readout(held.handle, camera, digits, texts)];
+                status.message = match &held.stopped {
                     Some(error) => {
                         let reason = format!("{} {}", texts.stopped, camera_error(model.settings.lang, error));
                         lines.push(reason.clone());
                         status.warning = true;
                         reason
                     }
-                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle(), camera, digits, texts)),
+                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle, camera, digits, texts)),
                 };
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
