@@ -262,7 +262,7 @@ impl Canvas {
             model.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, model, &mut panes);
-        let mut status = self.interact(ui, model, label_mode, photograph, &mut inputs.placing, &panes, texts);
+        let mut status = self.interact(ui, model, (label_mode, photograph), &mut inputs.placing, &panes, texts);
         self.pin_clicked(&ctx, model);
         self.take_click(&ctx, model, &mut inputs);
         self.take_probe_steps(&ctx, model, &panes);

@@ -83,8 +83,6 @@ fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: 
     }
 }
 
-/// A number of pixels: its field takes whole numbers of 1 … [`MAX_SIDE`] alone.
-
 /// A place in pixels: its field takes whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`] alone.
 #[expect(clippy::cast_possible_truncation, reason = "a whole number that fits")]
 fn to_corner(value: f64) -> i32 {

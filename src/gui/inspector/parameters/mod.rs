@@ -209,8 +209,6 @@ impl ParameterForm {
     }
 
     /// One number: its name on the left, its field on the right.
-
-    /// The same with something to the left of the field.
     fn number(
         &mut self,
         ui: &mut egui::Ui,
