@@ -137,7 +137,6 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
 }
 
 /// Says on standard error why the program ends, and gives its exit status.
-#[must_use]
 pub fn fail(status: u8, message: &str) -> ExitCode {
     say(message);
     ExitCode::from(status)

@@ -13,7 +13,6 @@ use crate::limits::MAX_SIDE;
 use crate::sanitize::{self, escaped};
 
 /// Arguments that are at fault, in one paragraph.
-#[must_use]
 pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     let before_the_command =
         error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
@@ -149,7 +148,6 @@ fn portuguese(error: &clap::Error) -> String {
 }
 
 /// A fault in a file, with the line where it is known.
-#[must_use]
 pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
     match line {
         Some(line) => both!(lang; "{name}, line {line}: {what}", "{name}, linha {line}: {what}"),
@@ -158,14 +156,12 @@ pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> Strin
 }
 
 /// An argument of `--show` without a value.
-#[must_use]
 pub const fn show_without_value(lang: Lang) -> &'static str {
     pick!(lang; "it has no value; allowed: KEY=VALUE, such as stage=clip",
         "não tem valor; permitido: CHAVE=VALOR, como stage=clip")
 }
 
 /// A key, `[show] triangle.object`, names an object that the scene has not; with those that it has.
-#[must_use]
 pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> String {
     const MOST: usize = 12;
     let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", escaped(name))).collect();
@@ -178,7 +174,6 @@ pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> 
 }
 
 /// The triangle that is to be followed is beyond the last one of its object.
-#[must_use]
 pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
     let object = escaped(object);
     match count.checked_sub(1) {
@@ -190,14 +185,12 @@ pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> S
 }
 
 /// Several views where a strip of stills is written.
-#[must_use]
 pub const fn one_view_in_a_strip(lang: Lang) -> &'static str {
     pick!(lang; "a strip of stills shows one view; for several, write a .gif or .apng, or use \"sheet\"",
         "uma tira de quadros mostra uma só vista; para várias, grave um .gif ou .apng, ou use \"sheet\"")
 }
 
 /// A source that has no steps for a camera.
-#[must_use]
 pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
     let source = decomposition.source();
     match decomposition {
@@ -209,7 +202,6 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
 }
 
 /// A pixel that the image does not have. It has a ray all the same.
-#[must_use]
 pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
     let ImageSize { width, height } = image;
     let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
@@ -235,7 +227,6 @@ pub struct ExplainTexts {
 }
 
 /// The words around the table of stages.
-#[must_use]
 pub const fn explain(lang: Lang) -> &'static ExplainTexts {
     const EN: ExplainTexts = ExplainTexts {
         columns: ["stage", "in", "out", "of", "µs", "why"],
@@ -259,7 +250,6 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
 }
 
 /// A measurement: the picture, the number of triangles and frames, and median, least and 95 % of the times in ms.
-#[must_use]
 pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, min, p95]: [f64; 3]) -> String {
     let times = |p95_name: &str, least: &str, middle: &str| {
         format!("{middle} {median:.3} ms, {least} {min:.3} ms, {p95_name} {p95:.3} ms\n")
@@ -277,14 +267,12 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
 }
 
 /// A sheet on which so many pictures have no room beside the gaps between them.
-#[must_use]
 pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
     both!(lang; "{count} images with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
         "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores")
 }
 
 /// A size on paper that is less than a pixel.
-#[must_use]
 pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
     let centimetres = escaped(centimetres);
     both!(lang; "{option} {centimetres} is less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi",
@@ -296,7 +284,6 @@ fn picture_endings() -> String {
 }
 
 /// A picture without ground in a format that has none.
-#[must_use]
 pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
     let able = PictureFormat::ALL.into_iter().filter(|format| format.has_transparency());
     let endings = able.map(|format| format!(".{}", format.ending())).collect::<Vec<_>>().join(", ");
@@ -306,13 +293,11 @@ pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
 }
 
 /// The place where numbers are printed.
-#[must_use]
 pub const fn standard_output(lang: Lang) -> &'static str {
     pick!(lang; "standard output", "a saída padrão")
 }
 
 /// No display, or no OpenGL.
-#[must_use]
 pub fn no_window(lang: Lang, why: &str) -> String {
     // The window's library names the line of its source before the reason.
     let reason =

@@ -38,7 +38,6 @@ texts! {
 }
 
 /// Why there is no family.
-#[must_use]
 pub fn error(lang: Lang, error: &VariationError) -> String {
     match error {
         VariationError::NoValues => both!(lang;

@@ -176,7 +176,6 @@ struct Pane {
 
 impl Canvas {
     /// How often each picture of the shot has been drawn since the window was opened.
-    #[must_use]
     pub fn drawn(&self) -> Vec<u64> {
         self.rendering.drawn()[..self.pictures.len()].to_vec()
     }
@@ -187,7 +186,6 @@ impl Canvas {
     }
 
     /// The labels of the picture of a kind, in its pixels.
-    #[must_use]
     pub fn labels(&self, kind: View) -> &[LabelPlace] {
         self.picture_of(kind).map(|picture| picture.labels.as_slice()).unwrap_or_default()
     }
@@ -206,7 +204,6 @@ impl Canvas {
     }
 
     /// True if Esc would let go of something in a picture.
-    #[must_use]
     pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
         self.drag.is_some()
             || label_mode.on

@@ -28,7 +28,6 @@ texts! {
 }
 
 /// An identifier that no exercise has.
-#[must_use]
 pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
     let meant =
@@ -84,7 +83,6 @@ texts_with_values! {
 }
 
 /// Why a file was passed over, where others were too.
-#[must_use]
 pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
     match more {
         1 => both!(lang; "{why} (and one more file was skipped)", "{why} (e mais um arquivo foi ignorado)"),
@@ -95,19 +93,16 @@ pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
 }
 
 /// An answer without `=`.
-#[must_use]
 pub fn answer_form(lang: Lang, text: &str) -> String {
     format!("--answer {}: {}", escaped(text), name_and_value(lang))
 }
 
 /// `--with` that cannot be used.
-#[must_use]
 pub fn with(_lang: Lang, text: &str, why: &str) -> String {
     format!("--with {}: {why}", escaped(text))
 }
 
 /// A number that the exercise does not leave open.
-#[must_use]
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     let name = escaped(name);
     if free.is_empty() {
@@ -119,19 +114,16 @@ pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
 }
 
 /// The expected form.
-#[must_use]
 pub const fn name_and_value(lang: Lang) -> &'static str {
     pick!(lang; "expected NAME=VALUE", "esperava-se NOME=VALOR")
 }
 
 /// The expected range.
-#[must_use]
 pub const fn greater_than_zero(lang: Lang) -> &'static str {
     pick!(lang; "expected a number greater than 0", "esperava-se um número maior que 0")
 }
 
 /// Hints for a wrong answer, weaker ones first. None for a right one.
-#[must_use]
 pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
     /// Digits of the numbers in the first step.
     const DIGITS: usize = 6;
@@ -152,7 +144,6 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
 }
 
 /// Why an exercise is the next to practise.
-#[must_use]
 pub fn why(lang: Lang, why: Why) -> String {
     match (lang, why) {
         (Lang::En, Why::Mistake(made, times)) => {
@@ -181,7 +172,6 @@ pub fn why(lang: Lang, why: Why) -> String {
 }
 
 /// How far an answer is from the right place in the image, pixels to the right and down, and where that place is.
-#[must_use]
 pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {
     let distance = x.hypot(y);
     let by = lang.mark().number(distance.round(), 5);

@@ -128,7 +128,6 @@ texts! {
 }
 
 /// A text with the numbers of a figure; as it is written where it has none.
-#[must_use]
 pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
     match lessons::numbers_of(figure) {
         Ok(report) => filled_from(lang, text, &report),
@@ -137,26 +136,22 @@ pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
 }
 
 /// A text with the numbers of a report; as it is written where the report lacks one of them.
-#[must_use]
 pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
     let text = told(lang, text);
     lessons::filled(text, report, lang.mark()).unwrap_or_else(|_| text.to_owned())
 }
 
 /// The text of a step, in Markdown.
-#[must_use]
 pub fn text(lang: Lang, step: &Step) -> String {
     filled(lang, &step.text, &step.figure)
 }
 
 /// The speaker's notes of a step, in Markdown.
-#[must_use]
 pub fn notes(lang: Lang, step: &Step) -> Option<String> {
     step.notes.as_ref().map(|notes| filled(lang, notes, &step.figure))
 }
 
 /// A lesson to read in a terminal.
-#[must_use]
 pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
     let t = texts(lang);
     let mut out = format!("{} ({})\n", told(lang, &lesson.title), lesson.id);
@@ -211,7 +206,6 @@ fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
 }
 
 /// The titles of the exercises to which a lesson leads, each once.
-#[must_use]
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
     lessons::exercises_of(lesson)
         .into_iter()
@@ -267,7 +261,6 @@ texts_with_values! {
 }
 
 /// The texts of the recorded step with this number.
-#[must_use]
 pub fn draft(number: usize) -> lessons::Draft {
     let both =
         |text: fn(&'static Texts) -> String| Bilingual { en: text(texts(Lang::En)), pt_br: text(texts(Lang::PtBr)) };
@@ -280,28 +273,24 @@ pub fn draft(number: usize) -> lessons::Draft {
 }
 
 /// The title of a lesson, and the minutes that it takes.
-#[must_use]
 pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
     let minutes = lesson.minutes.map_or_else(String::new, |minutes| format!(" ({} min)", significant(minutes, 3)));
     format!("{}{minutes}", told(lang, &lesson.title))
 }
 
 /// The step of how many.
-#[must_use]
 pub fn place(lang: Lang, number: usize, of: usize) -> String {
     let t = texts(lang);
     format!("{} {number} {} {of}", t.step, t.of)
 }
 
 /// The way on: the title of a lesson and a step of it, from 0.
-#[must_use]
 pub fn go_on(lang: Lang, lesson: &Lesson, step: usize) -> String {
     let step_word = texts(lang).step.to_lowercase();
     format!("{}, {step_word} {}", told(lang, &lesson.title), step + 1)
 }
 
 /// A line of the list of lessons, from its data.
-#[must_use]
 pub fn line(lang: Lang, line: &Value) -> String {
     let text = |key: &str| line[key].as_str().unwrap_or_default();
     let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| significant(minutes, 3) + " min");
@@ -310,7 +299,6 @@ pub fn line(lang: Lang, line: &Value) -> String {
 }
 
 /// There is no such lesson.
-#[must_use]
 pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
     match near {
@@ -324,7 +312,6 @@ pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
 }
 
 /// A lesson lacks a part that another lecturer needs.
-#[must_use]
 pub fn no_part(lang: Lang, key: &str) -> String {
     let why = match key {
         "aims" => pick!(lang; "what you can do after the lesson, a list of texts",
@@ -338,7 +325,6 @@ pub fn no_part(lang: Lang, key: &str) -> String {
 }
 
 /// The name of a link to a step of a lesson. Its title, and the number of the step unless it is the first.
-#[must_use]
 pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
     let t = texts(lang);
     let title = told(lang, &lesson.title);
@@ -350,7 +336,6 @@ pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
 }
 
 /// An option of handouts with a folder of pictures, or the other way round.
-#[must_use]
 pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
     if is_handout {
         return both!(lang; "{option} is for a folder of images; a handout takes --per-page and --answers",
@@ -361,7 +346,6 @@ pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
 }
 
 /// All files hold good lessons.
-#[must_use]
 pub fn all_good(lang: Lang, count: usize) -> String {
     match count {
         1 => both!(lang; "the lesson has no errors\n", "a lição não tem erros\n"),

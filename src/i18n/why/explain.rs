@@ -107,7 +107,6 @@ texts_with_values! {
 }
 
 /// The effect of a matrix.
-#[must_use]
 pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
     match matrix {
         Matrix::Model => pick!(lang; "object → world", "objeto → mundo"),
@@ -126,7 +125,6 @@ pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
 }
 
 /// Why this equation is the one in force.
-#[must_use]
 pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
     let (en, pt) = match formulas.equation {
         "(5.13)" => ("perspective, with any window", "perspectiva, com qualquer janela"),
@@ -145,7 +143,6 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
 }
 
 /// A symbol, in a few words.
-#[must_use]
 pub fn symbol(lang: Lang, symbol: Symbol) -> String {
     let of = |component: Component, en: &str, pt: &str| both!(lang; "{} of {en}", "{} de {pt}"; component.letter());
     let plain = |en: &str, pt: &str| pick!(lang; en.to_owned(), pt.to_owned());
@@ -193,7 +190,6 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
 }
 
 /// The matrices of a way to the canonical volume.
-#[must_use]
 pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static str {
     match decomposition {
         Decomposition::Notes => pick!(lang; "M_p M_v, ÷ w", "M_p M_v, ÷ w"),
@@ -204,7 +200,6 @@ pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static
 }
 
 /// The product of the first steps.
-#[must_use]
 pub fn product(lang: Lang, steps: usize) -> String {
     match steps {
         1 => both!(lang; "The product so far is the first step alone", "O produto até aqui é só o primeiro passo"),
@@ -215,7 +210,6 @@ pub fn product(lang: Lang, steps: usize) -> String {
 
 /// The product of all steps compared with M_p M_v in the convention in which they end: `ratio` times it, but for
 /// `rest`, relative to the greatest entry.
-#[must_use]
 pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f64) -> String {
     const ROUNDING: f64 = 1e-9;
     let number = |value: f64, digits| lang.mark().printed(&significant(value, digits));

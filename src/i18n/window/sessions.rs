@@ -32,7 +32,6 @@ texts_with_values! {
 
 /// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
 /// with the name of the file.
-#[must_use]
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (preferences, progress) {
         (false, false) => "",
@@ -51,14 +50,12 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
 }
 
 /// Nothing can be stored, because the system names no folder for it.
-#[must_use]
 pub const fn no_home(lang: Lang) -> &'static str {
     pick!(lang; "Your account has no home folder, so preferences and progress aren't saved, and a crash would lose your changes",
         "Sua conta não tem pasta pessoal. Preferências e progresso não são salvos, e uma falha do programa perderia suas mudanças")
 }
 
 /// The age of something.
-#[must_use]
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);

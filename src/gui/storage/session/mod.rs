@@ -72,7 +72,6 @@ pub struct Sessions {
 
 impl Sessions {
     /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
-    #[must_use]
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Restored>) {
         let mut sessions = Self { folder: folder.to_owned(), ..Self::default() };
         files::remove_left_over(folder);
@@ -87,7 +86,6 @@ impl Sessions {
     }
 
     /// The sessions of other windows that are still undecided.
-    #[must_use]
     pub fn left(&self) -> &[LeftOver] {
         &self.left
     }
