@@ -66,7 +66,7 @@ impl Window {
         state.model.settings.welcomed = true;
         let ctx = Context::default();
         let mut app = App::new(&ctx, state);
-        app.canvas.patience = Duration::from_secs(60);
+        app.canvas.patience = Some(Duration::from_secs(60));
         let mut window = Self { ctx, app, now: 0.0 };
         // Sizes settle, and the atlas gets its letters.
         for _ in 0..30 {

@@ -161,7 +161,6 @@ pub enum NoPicture {
 }
 
 /// The views that a figure shows.
-#[must_use]
 pub fn views_of(figure: &Figure) -> Views {
     let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
     let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);

@@ -24,7 +24,6 @@ impl Held {
     const ALL: [Self; 2] = [Self::Figure, Self::Lesson];
 
     /// The text between the address and the content.
-    #[must_use]
     pub const fn key(self) -> &'static str {
         match self {
             Self::Figure => "#figure=",
@@ -66,7 +65,6 @@ pub fn link(address: &str, held: Held, text: &str) -> Result<String, ShareError>
 
 /// The text of the figure or lesson that is in a link, or in its part from the `#` on; `None` if there is neither in
 /// it.
-#[must_use]
 pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
     let (_, packed) = Held::ALL.iter().find_map(|held| link.split_once(held.key()))?;
     // Characters added at the end by a mail program or a person.
@@ -88,13 +86,11 @@ fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
 }
 
 /// The content that a link says it has; `None` if the text is no such link.
-#[must_use]
 pub fn held_in(link: &str) -> Option<Held> {
     Held::ALL.into_iter().find(|held| link.contains(held.key()))
 }
 
 /// The link in the place of a path; `None` for paths.
-#[must_use]
 pub fn link_of(path: &Path) -> Option<&str> {
     path.to_str().filter(|text| held_in(text).is_some())
 }

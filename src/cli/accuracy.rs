@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::args::AccuracyArgs;
 use super::render::save;
-use super::{Failure, print, progress};
-use crate::cli::args::words::{DataFormat, LangArg};
+use super::{Failure, json_of, print, progress};
+use crate::cli::args::words::{DataFormat, written};
 use crate::export::plot::{self, Block};
 use crate::i18n::Lang;
 use crate::i18n::why::numerics as words;
@@ -51,25 +51,21 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
         (findings, price.flatten())
     });
     // Output and files do not depend on the system's language.
-    let written = args.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.lang);
     if let Some((path, format)) = plot {
         let name = sanitize::path(path);
         let (bytes, beside) = plot::encode(&blocks(written, &findings), written.tag(), format, path)
             .map_err(|error| Failure::Failed(format!("{name}: {error}")))?;
         save(path, &bytes, beside, lang)?;
     }
-    let failed = |error: &dyn std::fmt::Display| Failure::Failed(error.to_string());
     let text = match args.format {
         DataFormat::Text => {
             let tables = findings.iter().map(|f| words::table(written, f));
             let price = price.map(|price| words::price(written, &price));
             tables.chain(price).collect::<Vec<_>>().join("\n")
         }
-        DataFormat::Json => {
-            let accuracy = Accuracy { seed, studies: &findings, price };
-            serde_json::to_string_pretty(&accuracy).map_err(|error| failed(&error))? + "\n"
-        }
-        DataFormat::Csv => csv_of(&findings).map_err(|error| failed(&error))?,
+        DataFormat::Json => json_of(&Accuracy { seed, studies: &findings, price })?,
+        DataFormat::Csv => csv_of(&findings).map_err(|error| Failure::Failed(error.to_string()))?,
     };
     print(text.as_bytes(), lang)
 }

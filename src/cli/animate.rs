@@ -6,7 +6,7 @@ use super::render::{no_picture, save};
 use super::{Failure, OpenFigure, progress, say, sweep};
 use crate::camera::ImageSize;
 use crate::cli::args::figure::size;
-use crate::cli::args::words::LangArg;
+use crate::cli::args::words::written;
 use crate::figure::update;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Animation, FilmFormat, PictureFile};
@@ -32,7 +32,7 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));
     }
     let text = update(&subject.opened.text, &subject.opened.figure);
-    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.common.lang);
     let told = pictures::told_of(written, &subject.opened.figure, &film.stills(), text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &told, progress)));
     let PictureFile { bytes, beside, over_budget, .. } =

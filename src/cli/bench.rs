@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::args::BenchArgs;
 use super::render::no_picture;
-use super::{Failure, OpenFigure, print};
+use super::{Failure, OpenFigure, json_of, print};
 use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
@@ -50,9 +50,7 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
         p95_ms: millis(share(&times, 0.95)),
     };
     let text = match args.format {
-        TableFormat::Json => {
-            serde_json::to_string_pretty(&measurement).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
-        }
+        TableFormat::Json => json_of(&measurement)?,
         TableFormat::Text => {
             let Measurement { view, width, height, triangles, median_ms, min_ms, p95_ms, .. } = measurement;
             texts::bench(*lang, &format!("{view}, {width} × {height}"), triangles, frames, [median_ms, min_ms, p95_ms])

@@ -2,6 +2,7 @@
 
 use super::args::CodeArgs;
 use super::{Failure, open, print};
+use crate::cli::args::words::written;
 use crate::explain::Setting;
 use crate::i18n::Lang;
 use crate::i18n::why::{code as texts, dialects};
@@ -13,7 +14,7 @@ pub(super) fn run(args: &CodeArgs, lang: Lang) -> Result<(), Failure> {
         let why = dialects::limitation(lang, limitation);
         return Err(Failure::BadInput(format!("--for {}: {why}", args.target.word())));
     }
-    let written = args.common.lang.map_or(Lang::En, crate::cli::args::words::LangArg::lang);
+    let written = written(args.common.lang);
     let comments = texts::comments(written, args.target, &args.target.conventions(&camera));
     print(args.target.code(&setting, &comments).as_bytes(), lang)
 }

@@ -6,11 +6,12 @@ use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::args::DiagnoseArgs;
-use super::{Failure, OpenFigure, print, progress, say, scene};
+use super::render::save;
+use super::{Failure, OpenFigure, json_of, print, progress, say, scene};
 use crate::camera::{Camera, CameraError};
-use crate::cli::args::words::{LangArg, TableFormat};
+use crate::cli::args::words::{TableFormat, written};
 use crate::figure::{Figure, update};
-use crate::files::{self, Opened, Overwrite};
+use crate::files::{self, Opened};
 use crate::i18n::window::coach;
 use crate::i18n::{Lang, messages};
 use crate::numerics::diagnosis::{
@@ -18,7 +19,6 @@ use crate::numerics::diagnosis::{
 };
 use crate::numerics::health::{Health, health};
 use crate::progress::at_once;
-use crate::sanitize;
 
 /// The JSON output.
 #[derive(Serialize)]
@@ -73,7 +73,7 @@ struct Examined {
 
 impl Examined {
     fn open(args: &DiagnoseArgs, lang: Lang) -> Result<Self, Failure> {
-        let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+        let written = written(args.common.lang);
         if let Some((opened, error)) = impossible(args, lang)? {
             let scene = scene(&args.figure, &opened, &args.common, lang)?;
             let Figure { camera, style, reveal, image, .. } = opened.figure;
@@ -164,18 +164,14 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
         findings: diagnosis.findings.iter().map(finding).chain(on_the_other_side).collect(),
     };
     let text = match args.format {
-        TableFormat::Json => {
-            serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
-        }
+        TableFormat::Json => json_of(&answer)?,
         TableFormat::Text => sentences(&answer, &health, written),
     };
     if let Some(path) = args.output.as_ref().filter(|_| args.repair) {
         let (repaired, note) = repaired(figure, &diagnosis, lang);
         // The file may be for another folder than the one from which its meshes are named.
         let repaired = files::for_folder(&repaired, args.figure.parent(), path.parent());
-        let name = sanitize::path(path);
-        files::save(path, update(&opened.text, &repaired).as_bytes(), Overwrite::Writable)
-            .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))?;
+        save(path, update(&opened.text, &repaired).as_bytes(), None, lang)?;
         if let Some(note) = note {
             say(&format!("{}: {note}", messages::opened(lang, &args.figure)));
         }

@@ -6,16 +6,16 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::render::{no_picture, save_handout};
-use super::{Failure, print, say};
+use super::render::{no_picture, save, save_handout};
+use super::{Failure, nearest, print, say};
 use crate::cli::args::exercise::{
     CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs,
 };
-use crate::cli::args::words::{LangArg, TableFormat};
+use crate::cli::args::words::{TableFormat, written};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
-use crate::files::{self, BadExercise, Overwrite, OwnExercises};
+use crate::files::{self, BadExercise, OwnExercises};
 use crate::handout::{self, HandoutOptions, NoPicture};
 use crate::i18n::learn::{exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, lessons};
 use crate::i18n::why::notes;
@@ -41,10 +41,6 @@ pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
 }
 
 /// The output does not depend on the system's language.
-fn written(lang: Option<LangArg>) -> Lang {
-    lang.map_or(Lang::En, LangArg::lang)
-}
-
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     #[derive(Serialize)]
     struct AskLine<'a> {
@@ -103,11 +99,7 @@ fn find_in(own: &OwnExercises, id: &str, numbers: &NumbersArgs, lang: Lang) -> R
             return Failure::BadInput(fault(bad, lang));
         }
         say_faults(own, lang);
-        let near = all()
-            .map(|entry| (strsim::jaro_winkler(&entry.id, id), &*entry.id))
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-            .filter(|(likeness, _)| *likeness > 0.7);
-        Failure::BadInput(said::unknown_exercise(lang, id, near.map(|(_, id)| id)))
+        Failure::BadInput(said::unknown_exercise(lang, id, nearest(all().map(|entry| &*entry.id), id)))
     })?;
     let free = numbers.free(lang)?;
     let exercise = entry.exercise(numbers.seed(lang)?, &free);
@@ -262,8 +254,7 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
     let png = FileOptions { dpi: Some(200.0), ..FileOptions::of(PictureFormat::Png) };
     let file = at_once(picture::file(&sheet, png, &Metadata::default(), &Progress::default()));
     let file = file.map_err(|error| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from)))?;
-    files::save(path, &file.bytes, Overwrite::Writable)
-        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+    save(path, &file.bytes, None, lang)
 }
 
 /// Markdown without its marks, and mathematics in a line.
@@ -422,6 +413,5 @@ fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
             save_picture(&args.output.with_file_name(picture(k + 1)), &figure, written, lang)?;
         }
     }
-    files::save(&args.output, text.as_bytes(), Overwrite::Writable)
-        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+    save(&args.output, text.as_bytes(), None, lang)
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::args::ExplainArgs;
-use super::{Failure, OpenFigure, print};
+use super::{Failure, OpenFigure, json_of, print};
 use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
@@ -90,9 +90,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
             let stages = account.stages.iter().map(|report| line(report, args.cost, lang)).collect();
             let uncounted = || Stage::ALL.into_iter().filter(|stage| !stage.is_counted()).map(Stage::name).collect();
             let not_counted = args.cost.then(uncounted);
-            let explanation = Explanation { view, stages, total_micros: micros(account.total), not_counted, objects };
-            let json = serde_json::to_string_pretty(&explanation).map_err(|e| Failure::Failed(e.to_string()))?;
-            json + "\n"
+            json_of(&Explanation { view, stages, total_micros: micros(account.total), not_counted, objects })?
         }
     };
     print(text.as_bytes(), lang)

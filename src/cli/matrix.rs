@@ -5,11 +5,11 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::{Failure, open, print};
+use super::{Failure, json_of, open, print};
 use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
 use crate::cli::args::figure::size;
 use crate::cli::args::matrix::MatrixArgs;
-use crate::cli::args::words::{LangArg, TableFormat};
+use crate::cli::args::words::{TableFormat, written};
 use crate::figure::update;
 use crate::files::{self, FileError};
 use crate::i18n::why::dialects;
@@ -94,12 +94,9 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     if all {
         figure.take_other_cameras(&cameras, &stated);
     }
-    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.common.lang);
     let text = match args.format {
-        TableFormat::Json => {
-            let answer = Answer::new(&found, camera_names(&cameras), written);
-            serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
-        }
+        TableFormat::Json => json_of(&Answer::new(&found, camera_names(&cameras), written))?,
         TableFormat::Text => {
             let names = if all { Vec::new() } else { camera_names(&cameras) };
             comments(&found, &names, written) + &update(&opened.text, &figure)

@@ -28,6 +28,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
+use serde::Serialize;
 
 use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::Figure;
@@ -41,7 +42,7 @@ use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 use args::figure::FigureArgs;
-use args::words::LangArg;
+use args::words::written;
 use args::{Command, CommandLine};
 
 /// Why a command ends early.
@@ -136,7 +137,6 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
 }
 
 /// Says on standard error why the program ends, and gives its exit status.
-#[must_use]
 pub fn fail(status: u8, message: &str) -> ExitCode {
     say(message);
     ExitCode::from(status)
@@ -162,6 +162,17 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
         io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::Failed(messages::file(lang, texts::standard_output(lang), &FileError::Write(error))),
     })
+}
+
+/// The output for other programs.
+fn json_of(answer: &impl Serialize) -> Result<String, Failure> {
+    Ok(serde_json::to_string_pretty(answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n")
+}
+
+/// The name that an unknown one may stand for.
+fn nearest<'a>(names: impl Iterator<Item = &'a str>, unknown: &str) -> Option<&'a str> {
+    let likenesses = names.map(|name| (strsim::jaro_winkler(name, unknown), name));
+    likenesses.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.7).map(|(_, name)| name)
 }
 
 /// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is
@@ -227,7 +238,7 @@ impl OpenFigure {
         let scene = SharedScene::new(scene(path, &opened, args, lang)?);
         let ImageSize { width, height } = size.unwrap_or(opened.figure.image);
         let size = Size { width, height, scale: 1.0 };
-        Ok(Self { opened, camera, scene, size, lang: args.lang.map_or(Lang::En, LangArg::lang) })
+        Ok(Self { opened, camera, scene, size, lang: written(args.lang) })
     }
 
     /// A picture of it.

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::{Failure, open, print};
+use super::{Failure, json_of, open, print};
 use crate::camera::{PhotographCamera, camera_of_photograph};
 use crate::cli::args::figure::size;
 use crate::cli::args::photograph::PhotographArgs;
-use crate::cli::args::words::{LangArg, TableFormat};
+use crate::cli::args::words::{TableFormat, written};
 use crate::figure::update;
 use crate::i18n::why::photograph as texts;
 use crate::i18n::{Lang, messages};
@@ -49,12 +49,9 @@ pub(super) fn run(args: &PhotographArgs, lang: Lang) -> Result<(), Failure> {
     let found =
         camera_of_photograph(&marks, image, camera.parameters()).map_err(|error| refused(texts::error(lang, error)))?;
     (figure.camera, figure.image) = (found.parameters, image);
-    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.common.lang);
     let text = match args.format {
-        TableFormat::Json => {
-            let answer = Answer::new(&found, [image.width, image.height], written);
-            serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
-        }
+        TableFormat::Json => json_of(&Answer::new(&found, [image.width, image.height], written))?,
         TableFormat::Text => comments(&found, written) + &update(&opened.text, &figure),
     };
     print(text.as_bytes(), lang)

@@ -7,9 +7,9 @@ use super::{Failure, open, progress, say, scene};
 use crate::camera::{Camera, ImageSize};
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::figure::size;
-use crate::cli::args::words::LangArg;
+use crate::cli::args::words::written;
 use crate::figure::update;
-use crate::files::{self, Overwrite};
+use crate::files::{self, Opened, Overwrite};
 use crate::handout;
 use crate::i18n::window::{compare, labels as labels_words};
 use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
@@ -39,7 +39,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let (Ok(wide), Ok(high)) = (u32::try_from(width), u32::try_from(height)) else {
         return Err(no_picture(lang, &name, PictureError::TooLarge, [width, height]));
     };
-    let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
+    let labels = pictures::labels(written(args.common.lang));
     let shot = Shot::of(figure);
     let other = observer_of(out.observer_of.as_deref(), &args.common, lang)?;
     let spec = out.spec((args.view, SheetSize::Whole([wide, high])), (format, scale), paper);
@@ -49,7 +49,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let sheet = progress::watched(lang, |progress| at_once(spec.sheet(&request, &shot, other.as_ref(), progress)));
     let sheet = sheet.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     let text = update(&opened.text, &opened.figure);
-    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.common.lang);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&out.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, spec.options, &told, progress)));
     let file = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
@@ -83,12 +83,18 @@ pub(super) fn report(file: &PictureFile, sheet: &Composite, dpi: Option<f64>, [f
 /// The figure of `--observer-of`, with its scene.
 pub(super) fn observer_of(path: Option<&Path>, args: &FigureArgs, lang: Lang) -> Result<Option<ObserverOf>, Failure> {
     let Some(path) = path else { return Ok(None) };
+    let (opened, camera) = open_other(path, lang)?;
+    let scene = SharedScene::new(scene(path, &opened, args, lang)?);
+    Ok(Some(ObserverOf { shot: Shot::of(&opened.figure), camera, scene }))
+}
+
+/// Another figure than the one that is shown, with its camera.
+pub(super) fn open_other(path: &Path, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
     let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
     let camera = Camera::new(&opened.figure.camera)
         .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error))))?;
-    let scene = SharedScene::new(scene(path, &opened, args, lang)?);
-    Ok(Some(ObserverOf { shot: Shot::of(&opened.figure), camera, scene }))
+    Ok((opened, camera))
 }
 
 /// Writes a picture, and the file beside it, if there is one.

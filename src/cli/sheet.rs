@@ -8,7 +8,7 @@ use crate::camera::Camera;
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::sheet::SheetArgs;
-use crate::cli::args::words::LangArg;
+use crate::cli::args::words::written;
 use crate::figure::update;
 use crate::figure::variation::{Variant, Variation, VariationError, variants};
 use crate::files::Opened;
@@ -35,7 +35,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
     opened.figure.style.theme = args.out.theme.unwrap_or(opened.figure.style.theme);
     let of_figures = members(&args.figure, &opened, (&args.common, &camera), &variations, MAX_FAMILY, lang)?;
-    let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
+    let labels = pictures::labels(written(args.common.lang));
     let views = args.view.views().count().max(1);
     if of_figures.len() * views > MAX_FAMILY {
         let error = VariationError::TooMany { count: of_figures.len() * views, limit: MAX_FAMILY };
@@ -72,7 +72,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     };
     let sheet =
         spec.family(&family, &request).map_err(|error| no_picture(lang, &name, error.into(), pixels.map(u64::from)))?;
-    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.common.lang);
     let text = update(&opened.text, &opened.figure);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&args.out.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, spec.options, &told, progress)));

@@ -1,14 +1,13 @@
 //! `camera-lab animate --vary` and `--to`: a family, or the way to another camera, one picture after the other.
 
 use super::args::AnimateArgs;
-use super::render::{no_picture, observer_of, save};
+use super::render::{no_picture, observer_of, open_other, save};
 use super::sheet::members;
 use super::{Failure, open, progress, scene};
 use crate::camera::{Camera, CameraPath, ImageSize};
-use crate::cli::args::words::LangArg;
+use crate::cli::args::words::written;
 use crate::figure::variation::Variant;
 use crate::figure::{Figure, update};
-use crate::files;
 use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
 use crate::limits::MAX_FRAMES;
 use crate::picture::{FilmFormat, Sweep};
@@ -35,14 +34,14 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     let members = match &args.to {
         Some(other) => {
             let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
-            let figures = way(&opened.figure, &camera, &camera_of(other, lang)?, frames);
+            let figures = way(&opened.figure, &camera, &open_other(other, lang)?.1, frames);
             let figures =
                 figures.map_err(|error| Failure::BadInput(format!("--to: {}", messages::camera(lang, &error))))?;
             figures.into_iter().map(|variant| (variant, scene.clone())).collect()
         }
         None => members(&args.figure, &opened, (&args.common, &camera), &variations, MAX_FRAMES, lang)?,
     };
-    let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
+    let labels = pictures::labels(written(args.common.lang));
     let ImageSize { width, height } = size;
     let size = Size { width, height, scale: 1.0 };
     let other = observer_of(args.observer_of.as_deref(), &args.common, lang)?;
@@ -57,21 +56,13 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     let requests = (0..members.len()).flat_map(frame).collect();
     let film = Sweep { requests, views: series.len(), seconds };
     let refused = |error| no_picture(lang, &name, error, [width, height].map(u64::from));
-    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.common.lang);
     let text = update(&opened.text, &opened.figure);
     let told =
         pictures::told_of(written, &opened.figure, &film.stills().map_err(refused)?, text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(film.file(format, &told, progress)));
     let file = made.map_err(refused)?;
     save(&args.output, &file.bytes, file.beside, lang)
-}
-
-/// The camera of another figure.
-fn camera_of(path: &std::path::Path, lang: Lang) -> Result<Camera, Failure> {
-    let name = messages::opened(lang, path);
-    let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
-    Camera::new(&opened.figure.camera)
-        .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error))))
 }
 
 /// The figure with each camera of the way to another one. It begins and ends slowly.

@@ -29,7 +29,6 @@ pub enum FileAccess {
 impl FileAccess {
     /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link; `allowed`:
     /// the user lets it name any file.
-    #[must_use]
     pub fn of(path: &Path, from_picture: bool, allowed: bool) -> Self {
         let has_folder = !path.as_os_str().is_empty() && share::link_of(path).is_none();
         match (allowed, from_picture) {
@@ -42,7 +41,6 @@ impl FileAccess {
 
     /// The reach of the steps of a lesson in a file with this path or in a link, or of one of the program (`None`).
     /// `allowed`: the user lets it name any file.
-    #[must_use]
     pub fn of_lesson(path: Option<&Path>, allowed: bool) -> Self {
         let in_file = path.filter(|path| share::link_of(path).is_none());
         match (allowed, in_file) {
@@ -68,7 +66,6 @@ pub struct FigureFiles {
 
 impl FigureFiles {
     /// The files of a figure whose paths are relative to `folder`.
-    #[must_use]
     pub fn new(folder: &Path, reach: FileAccess) -> Self {
         Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
     }
@@ -80,14 +77,12 @@ impl FigureFiles {
     }
 
     /// Number of bytes read.
-    #[must_use]
     pub fn spent(&self) -> usize {
         MAX_SCENE_BYTES - self.left
     }
 
     /// The files that meshes name and that could not be read. A mesh without its material library is drawn all the
     /// same.
-    #[must_use]
     pub fn unread(&self) -> &[ReadError] {
         &self.unread
     }

@@ -26,7 +26,6 @@ pub enum FileChange {
 }
 
 /// Looks at a file that held `known`. Where its time and size are still `stamp`, it is not read.
-#[must_use]
 pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> FileChange {
     let Ok(meta) = fs::metadata(path) else { return FileChange::Gone };
     // Taken before the bytes are read: a later write has another one.

@@ -57,7 +57,6 @@ pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
 }
 
 /// True if there is a file or a link that is meant as a lesson.
-#[must_use]
 pub fn is_lesson_file(path: &Path) -> bool {
     if let Some(link) = share::link_of(path) {
         return share::held_in(link) == Some(Held::Lesson);

@@ -8,7 +8,6 @@ use crate::scene::Shape;
 
 /// The name of a file in a figure of this folder: relative to the folder where the file is in it, with slashes; else
 /// its whole path.
-#[must_use]
 pub fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
     let file = whole(path);
     let folder = folder.map(whole_folder);
@@ -29,7 +28,6 @@ fn whole_folder(folder: &Path) -> PathBuf {
 /// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names
 /// its meshes and its photograph anew, so that they are the same files. A figure without a folder names them as from
 /// where the program was started.
-#[must_use]
 pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
     let mut figure = figure.clone();
     if from.map(whole_folder) == to.map(whole_folder) {

@@ -113,7 +113,6 @@ pub struct SourceFile {
 
 impl Opened {
     /// The figure, and the file with this path that it came from.
-    #[must_use]
     pub fn at(self, path: &Path) -> (Figure, SourceFile) {
         // A link has no folder: relative names in its figure lead nowhere.
         let path = if share::link_of(path).is_some() { PathBuf::new() } else { whole(path) };
@@ -248,7 +247,6 @@ fn check_path(path: &Path) -> Result<(), FileError> {
 }
 
 /// A path that means the same file from every folder. Links in it stay.
-#[must_use]
 pub fn whole(path: &Path) -> PathBuf {
     // An error is an empty path, or a current folder that is gone: then nothing better is to be had.
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
@@ -256,7 +254,6 @@ pub fn whole(path: &Path) -> PathBuf {
 
 /// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its
 /// long names of local disks (`\\\\?\\C:\\`) begin so too, and are local.
-#[must_use]
 pub fn is_network(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();
     let separators = text.iter().take_while(|byte| matches!(byte, b'/' | b'\\')).count();

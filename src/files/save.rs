@@ -49,7 +49,6 @@ pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileE
 }
 
 /// True if [`save`] needs [`Overwrite::ReadOnlyToo`].
-#[must_use]
 pub fn is_read_only(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
 }

@@ -83,13 +83,11 @@ static FIGURES: LazyLock<Vec<Figure>> =
 
 impl ShippedFigure {
     /// The figure with this name.
-    #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         SHIPPED_FIGURES.into_iter().find(|figure| figure.name == name)
     }
 
     /// Its title and its caption.
-    #[must_use]
     pub fn told(self) -> [Bilingual; 2] {
         let place = SHIPPED_FIGURES.iter().position(|figure| figure.name == self.name);
         let figure = place.and_then(|place| FIGURES.get(place));
@@ -99,7 +97,6 @@ impl ShippedFigure {
     }
 
     /// The text of its figure file. Its meshes are those of the program, so that it means the same in every folder.
-    #[must_use]
     pub fn text(self) -> Cow<'static, str> {
         if self.text.contains("../meshes/") {
             self.text.replace("../meshes/", SHIPPED).into()

@@ -3,7 +3,6 @@
 use std::path::{Component, Path};
 
 /// True if the path has a part that means a device on this system, or a hidden stream of a file (`figure:x.toml`).
-#[must_use]
 pub(super) fn is_reserved(path: &Path) -> bool {
     cfg!(windows) && is_reserved_by_windows(path)
 }

@@ -50,7 +50,6 @@ pub enum GuiError {
 }
 
 /// The figure that the window begins with: the default scene, from where it and its view volume are worth seeing.
-#[must_use]
 pub fn fresh() -> Figure {
     Figure::of_preset(Preset::default())
 }

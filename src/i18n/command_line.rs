@@ -13,7 +13,6 @@ use crate::limits::MAX_SIDE;
 use crate::sanitize::{self, escaped};
 
 /// Arguments that are at fault, in one paragraph.
-#[must_use]
 pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     let before_the_command =
         error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
@@ -32,13 +31,64 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     format!("{what}{}", both!(lang; "; see --help", "; veja --help"))
 }
 
-/// A command that does not exist.
-#[must_use]
-pub fn unknown_command(lang: Lang, name: &str, commands: &[String]) -> String {
-    let name = escaped(name);
-    let commands = commands.join(", ");
-    both!(lang; "there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help",
-        "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help")
+texts_with_values! {
+    /// A command that does not exist.
+    unknown_command(lang, name: &str, commands: &[String]): "there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help",
+        "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
+        (name = escaped(name), commands = commands.join(", "));
+
+    /// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
+    point(lang, text: &str, fault: Option<(&str, &ExpressionError)>): "--point is \"{text}\"{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3",
+        "--point é \"{text}\"{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3"
+        (text = escaped(text), why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error))));
+
+    /// A text that is not a pixel.
+    pixel(lang, text: &str): "--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0",
+        "--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0" (text = escaped(text));
+
+    /// The name of a file whose extension is neither that of an animation nor that of a picture.
+    animation_ending(lang, name: &str): "{name}: unknown extension; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)",
+        "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)";
+
+    /// A text that is not a pixel with a depth.
+    depth_pixel(lang, text: &str): "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5",
+        "--depth-pixel é \"{text}\"; permitido: dois inteiros e um número I,J,Z (coluna, linha, profundidade), como --depth-pixel 512,384,0.5"
+        (text = escaped(text));
+
+    /// A text that is not a size.
+    size(lang, text: &str): "--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600",
+        "--size é \"{text}\"; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600"
+        (text = escaped(text));
+
+    /// A text that is no number, or one that an option does not take.
+    number(lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64): "{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}",
+        "{option} é \"{text}\"; permitido: um número de {least} a {most}, como {option} {example}"
+        (text = escaped(text), least = range.start(), most = range.end());
+
+    /// A text that is not a number of frames.
+    frames(lang, text: &str): "--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100",
+        "--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100" (text = escaped(text));
+
+    /// A text that is not a seed.
+    seed(lang, text: &str): "--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1",
+        "--seed é \"{text}\"; permitido: um inteiro de 0 a 18446744073709551615, como --seed 1" (text = escaped(text));
+
+    /// A file of charts whose extension is not that of a format.
+    plot_ending(lang, path: &str): "{path}: its extension is not that of a plot format; allowed: {endings}",
+        "{path}: a extensão não é de um formato de gráfico; permitido: {endings}" (endings = picture_endings());
+
+    /// A picture that is larger than pictures can be.
+    too_large(lang, width: u64, height: u64): "the image would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all",
+        "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo";
+
+    /// An ending that is not a picture's.
+    ending(lang, name: &str): "--output is \"{name}\"; allowed: a file name that ends in {endings}",
+        "--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}"
+        (name = escaped(name), endings = picture_endings());
+
+    /// A program without a window.
+    not_built_in(lang): "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one",
+        "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela";
 }
 
 /// Clap's own words, without its usage lines, on one line.
@@ -98,7 +148,6 @@ fn portuguese(error: &clap::Error) -> String {
 }
 
 /// A fault in a file, with the line where it is known.
-#[must_use]
 pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
     match line {
         Some(line) => both!(lang; "{name}, line {line}: {what}", "{name}, linha {line}: {what}"),
@@ -107,14 +156,12 @@ pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> Strin
 }
 
 /// An argument of `--show` without a value.
-#[must_use]
 pub const fn show_without_value(lang: Lang) -> &'static str {
     pick!(lang; "it has no value; allowed: KEY=VALUE, such as stage=clip",
         "não tem valor; permitido: CHAVE=VALOR, como stage=clip")
 }
 
 /// A key, `[show] triangle.object`, names an object that the scene has not; with those that it has.
-#[must_use]
 pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> String {
     const MOST: usize = 12;
     let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", escaped(name))).collect();
@@ -127,7 +174,6 @@ pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> 
 }
 
 /// The triangle that is to be followed is beyond the last one of its object.
-#[must_use]
 pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
     let object = escaped(object);
     match count.checked_sub(1) {
@@ -138,39 +184,13 @@ pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> S
     }
 }
 
-/// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
-#[must_use]
-pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) -> String {
-    let text = escaped(text);
-    let why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error)));
-    both!(lang; "--point is \"{text}\"{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3",
-        "--point é \"{text}\"{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3")
-}
-
-/// A text that is not a pixel.
-#[must_use]
-pub fn pixel(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0",
-        "--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0")
-}
-
-/// The name of a file whose extension is neither that of an animation nor that of a picture.
-#[must_use]
-pub fn animation_ending(lang: Lang, name: &str) -> String {
-    both!(lang; "{name}: unknown extension; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)",
-        "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)")
-}
-
 /// Several views where a strip of stills is written.
-#[must_use]
 pub const fn one_view_in_a_strip(lang: Lang) -> &'static str {
     pick!(lang; "a strip of stills shows one view; for several, write a .gif or .apng, or use \"sheet\"",
         "uma tira de quadros mostra uma só vista; para várias, grave um .gif ou .apng, ou use \"sheet\"")
 }
 
 /// A source that has no steps for a camera.
-#[must_use]
 pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
     let source = decomposition.source();
     match decomposition {
@@ -181,61 +201,12 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
     }
 }
 
-/// A text that is not a pixel with a depth.
-#[must_use]
-pub fn depth_pixel(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5",
-        "--depth-pixel é \"{text}\"; permitido: dois inteiros e um número I,J,Z (coluna, linha, profundidade), como --depth-pixel 512,384,0.5")
-}
-
 /// A pixel that the image does not have. It has a ray all the same.
-#[must_use]
 pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
     let ImageSize { width, height } = image;
     let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
     both!(lang; "--pixel {i},{j} lies outside the image, which has columns 0 to {right} and rows 0 to {bottom}; its ray is printed anyway",
         "--pixel {i},{j} fica fora da imagem, que tem colunas de 0 a {right} e linhas de 0 a {bottom}; o raio é impresso mesmo assim")
-}
-
-/// A text that is not a size.
-#[must_use]
-pub fn size(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600",
-        "--size é \"{text}\"; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600")
-}
-
-/// A text that is no number, or one that an option does not take.
-#[must_use]
-pub fn number(lang: Lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64) -> String {
-    let (text, least, most) = (escaped(text), range.start(), range.end());
-    both!(lang; "{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}",
-        "{option} é \"{text}\"; permitido: um número de {least} a {most}, como {option} {example}")
-}
-
-/// A text that is not a number of frames.
-#[must_use]
-pub fn frames(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100",
-        "--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100")
-}
-
-/// A text that is not a seed.
-#[must_use]
-pub fn seed(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1",
-        "--seed é \"{text}\"; permitido: um inteiro de 0 a 18446744073709551615, como --seed 1")
-}
-
-/// A file of charts whose extension is not that of a format.
-#[must_use]
-pub fn plot_ending(lang: Lang, path: &str) -> String {
-    let endings = picture_endings();
-    both!(lang; "{path}: its extension is not that of a plot format; allowed: {endings}",
-        "{path}: a extensão não é de um formato de gráfico; permitido: {endings}")
 }
 
 /// The words around the table of stages.
@@ -256,7 +227,6 @@ pub struct ExplainTexts {
 }
 
 /// The words around the table of stages.
-#[must_use]
 pub const fn explain(lang: Lang) -> &'static ExplainTexts {
     const EN: ExplainTexts = ExplainTexts {
         columns: ["stage", "in", "out", "of", "µs", "why"],
@@ -280,7 +250,6 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
 }
 
 /// A measurement: the picture, the number of triangles and frames, and median, least and 95 % of the times in ms.
-#[must_use]
 pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, min, p95]: [f64; 3]) -> String {
     let times = |p95_name: &str, least: &str, middle: &str| {
         format!("{middle} {median:.3} ms, {least} {min:.3} ms, {p95_name} {p95:.3} ms\n")
@@ -298,42 +267,23 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
 }
 
 /// A sheet on which so many pictures have no room beside the gaps between them.
-#[must_use]
 pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
     both!(lang; "{count} images with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
         "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores")
 }
 
 /// A size on paper that is less than a pixel.
-#[must_use]
 pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
     let centimetres = escaped(centimetres);
     both!(lang; "{option} {centimetres} is less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi",
         "{option} {centimetres} é menos de um pixel a {dpi} pixels por polegada; permitido: {option} ou --dpi maior")
 }
 
-/// A picture that is larger than pictures can be.
-#[must_use]
-pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
-    both!(lang; "the image would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all",
-        "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo")
-}
-
 fn picture_endings() -> String {
     PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ")
 }
 
-/// An ending that is not a picture's.
-#[must_use]
-pub fn ending(lang: Lang, name: &str) -> String {
-    let name = escaped(name);
-    let endings = picture_endings();
-    both!(lang; "--output is \"{name}\"; allowed: a file name that ends in {endings}",
-        "--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}")
-}
-
 /// A picture without ground in a format that has none.
-#[must_use]
 pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
     let able = PictureFormat::ALL.into_iter().filter(|format| format.has_transparency());
     let endings = able.map(|format| format!(".{}", format.ending())).collect::<Vec<_>>().join(", ");
@@ -343,13 +293,11 @@ pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
 }
 
 /// The place where numbers are printed.
-#[must_use]
 pub const fn standard_output(lang: Lang) -> &'static str {
     pick!(lang; "standard output", "a saída padrão")
 }
 
 /// No display, or no OpenGL.
-#[must_use]
 pub fn no_window(lang: Lang, why: &str) -> String {
     // The window's library names the line of its source before the reason.
     let reason =
@@ -359,13 +307,6 @@ pub fn no_window(lang: Lang, why: &str) -> String {
     let why = reason.trim_end_matches('.');
     both!(lang; "no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one, and the page camera-lab.html is the same window in a browser",
         "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela, e a página camera-lab.html é a mesma janela em um navegador")
-}
-
-/// A program without a window.
-#[must_use]
-pub fn not_built_in(lang: Lang) -> String {
-    both!(lang; "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one",
-        "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela")
 }
 
 #[cfg(test)]

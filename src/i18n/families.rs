@@ -38,7 +38,6 @@ texts! {
 }
 
 /// Why there is no family.
-#[must_use]
 pub fn error(lang: Lang, error: &VariationError) -> String {
     match error {
         VariationError::NoValues => both!(lang;
@@ -59,32 +58,20 @@ pub fn error(lang: Lang, error: &VariationError) -> String {
     }
 }
 
-/// A number of columns that no sheet has.
-#[must_use]
-pub fn columns(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}",
-        "--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}")
-}
+texts_with_values! {
+    /// A number of columns that no sheet has.
+    columns(lang, text: &str): "--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}",
+        "--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}" (text = escaped(text));
 
-/// A number of pictures that no animation has.
-#[must_use]
-pub fn frames(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}",
-        "--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}")
-}
+    /// A number of pictures that no animation has.
+    frames(lang, text: &str): "--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}",
+        "--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}" (text = escaped(text));
 
-/// A number of variations that a command has no use for.
-#[must_use]
-pub fn variations(lang: Lang, count: usize, most: usize) -> String {
-    both!(lang; "--vary is given {count} times; allowed: at least once and at most {most} times",
-        "--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}")
-}
+    /// A number of variations that a command has no use for.
+    variations(lang, count: usize, most: usize): "--vary is given {count} times; allowed: at least once and at most {most} times",
+        "--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}";
 
-/// Rows that would not have the pictures of a figure below one another.
-#[must_use]
-pub fn uneven_rows(lang: Lang, count: usize, columns: usize) -> String {
-    both!(lang; "{count} figures with several images each do not fill rows of {columns}; allowed: a number of columns that divides {count}",
-        "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}")
+    /// Rows that would not have the pictures of a figure below one another.
+    uneven_rows(lang, count: usize, columns: usize): "{count} figures with several images each do not fill rows of {columns}; allowed: a number of columns that divides {count}",
+        "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}";
 }

@@ -6,7 +6,6 @@ use crate::i18n::window::search::folded;
 const MAX_NAME: usize = 60;
 
 /// The words of a title as the name of a file, without accents. `None` if nothing is left of them.
-#[must_use]
 pub fn name_of_title(title: &str) -> Option<String> {
     let folded = folded(title);
     let words = folded.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());

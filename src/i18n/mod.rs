@@ -15,7 +15,6 @@ macro_rules! texts {
         static PT_BR: Texts = Texts { lang: crate::i18n::Lang::PtBr, $($name: $pt,)* };
 
         /// The words of a language.
-        #[must_use]
         pub const fn texts(lang: crate::i18n::Lang) -> &'static Texts {
             match lang {
                 crate::i18n::Lang::En => &EN,
@@ -25,7 +24,6 @@ macro_rules! texts {
 
         impl Texts {
             /// Name and text of each entry, for tests.
-            #[must_use]
             pub fn entries(&self) -> Vec<(&'static str, &'static str)> {
                 vec![$((stringify!($name), self.$name),)*]
             }
@@ -54,6 +52,20 @@ macro_rules! both {
     };
 }
 
+/// Functions that give texts with values: `name(lang, count: usize): "{count} objects", "{count} objetos";`. Values that
+/// aren't written as they are follow in parentheses: `(file = escaped(file))`.
+macro_rules! texts_with_values {
+    ($($(#[$doc:meta])* $name:ident($lang:ident $(, $value:ident: $type:ty)*):
+        $en:literal, $pt:literal $(($($written:tt)*))?;)*) => {
+        $(
+            $(#[$doc])*
+            pub fn $name($lang: crate::i18n::Lang $(, $value: $type)*) -> String {
+                both!($lang; $en, $pt $(; $($written)*)?)
+            }
+        )*
+    };
+}
+
 /// An error in one language: its own words in English, and a row for each of its variants in Portuguese, whose values
 /// follow in parentheses: `translated! { lang, error; Fault::Name(name) => "“{}” é longo" (escaped(name)); }`.
 macro_rules! translated {
@@ -78,7 +90,6 @@ use crate::figure::Bilingual;
 use crate::numbers::DecimalMark;
 
 /// A text of a file, in a language.
-#[must_use]
 pub fn told(lang: Lang, text: &Bilingual) -> &str {
     pick!(lang; &text.en, &text.pt_br)
 }
@@ -95,7 +106,6 @@ pub enum Lang {
 
 impl Lang {
     /// Its decimal mark.
-    #[must_use]
     pub const fn mark(self) -> DecimalMark {
         match self {
             Self::En => DecimalMark::Point,
@@ -104,7 +114,6 @@ impl Lang {
     }
 
     /// Its tag in files for others: `en`, `pt-BR`.
-    #[must_use]
     pub const fn tag(self) -> &'static str {
         match self {
             Self::En => "en",

@@ -168,13 +168,11 @@ static LABELS_EN: Labels = of(&EN);
 static LABELS_PT_BR: Labels = of(&PT_BR);
 
 /// The words of a language.
-#[must_use]
 pub const fn labels(lang: Lang) -> &'static Labels {
     pick!(lang; &LABELS_EN, &LABELS_PT_BR)
 }
 
 /// Three pictures with less room on their paper than their letters want.
-#[must_use]
 pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let Crowded { smallest, wanted, room } = crowded;
     let number = |value: &f64| lang.mark().printed(&format!("{value:.1}"));
@@ -186,7 +184,6 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
 }
 
 /// Letters that are too small on paper.
-#[must_use]
 pub fn tiny_letters(lang: Lang, points: f64) -> String {
     let points = lang.mark().printed(&format!("{points:.1}"));
     both!(lang; "its letters are {points} pt high on paper; to be legible: at least 6 pt (--letters)",
@@ -206,7 +203,6 @@ const fn stages(lang: Lang) -> [&'static str; Stage::ALL.len()] {
 
 /// The words that go with pictures into their file: the title of the figure, or the names of the pictures; its caption,
 /// and each picture in words.
-#[must_use]
 pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> Metadata {
     let own =
         |text: &Option<Bilingual>| text.as_ref().map(|text| told(lang, text).to_owned()).filter(|t| !t.is_empty());
@@ -220,7 +216,6 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
 }
 
 /// Why the faces of a page of vectors are a picture, although areas were asked for.
-#[must_use]
 pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
     match why {
         NoAreas::Shaded => both!(lang;

@@ -57,7 +57,7 @@ pub(super) fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> 
     let mut state = State::new(Start { figure, lang: Lang::En, ..Start::default() }).unwrap();
     change(&mut state);
     let mut canvas = Canvas::default();
-    canvas.patience = Duration::from_secs(60);
+    canvas.patience = Some(Duration::from_secs(60));
     let mut harness = Harness::builder()
         .with_size([1110.0, 330.0])
         .with_step_dt(0.05)

@@ -78,7 +78,7 @@ fn lists_of_the_export_dialog_open_before_it_every_time() {
 /// The picture in the export dialog and its size, once it is another one than `before`.
 fn preview(window: &mut Window, before: Option<TextureId>) -> (TextureId, [usize; 2]) {
     window.wait_until(|window| {
-        let texture = window.state().file_flow.preview.as_ref()?.texture()?;
+        let texture = window.state().file_flow.preview.as_ref()?.texture.as_ref()?;
         (before != Some(texture.id())).then(|| (texture.id(), texture.size()))
     })
 }
@@ -306,7 +306,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     window.quick_choice(en::WINDOW.export_what, "World");
     window.quick_choice("size", "1 ×");
     let [width, height] = window.wait_until(|window| {
-        let size = window.state().file_flow.preview.as_ref()?.size();
+        let size = window.state().file_flow.preview.as_ref()?.size;
         size.filter(|[width, _]| (2 * window.export().width..3000).contains(width))
     });
     window.run();
@@ -464,15 +464,15 @@ fn a_lesson_and_exercises_are_printed() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::P);
     let page = |number: usize| format!("{} {number} {}", t.page, t.of);
-    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count() > 2));
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count > 2));
     assert!(window.says(&page(1)));
     window.click(t.page_after);
     assert!(window.says(&page(2)));
     // Exercises have pages of their own.
     window.click(t.of_exercises);
-    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count() == 1));
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count == 1));
     window.click(t.answers);
-    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count() > 1));
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count > 1));
     window.click(t.save);
     let path = folder.file("sheet.pdf");
     window.harness.get_by_role_and_label(Role::TextInput, "file").focus();

@@ -118,7 +118,7 @@ impl Window {
                     let ctx = ui.ctx().clone();
                     let app = app.get_or_insert_with(|| {
                         let mut app = App::new(&ctx, start.take().expect("once"));
-                        app.canvas.patience = Duration::from_secs(60);
+                        app.canvas.patience = Some(Duration::from_secs(60));
                         app.state.file_flow.reading.patience = Duration::from_secs(60);
                         app
                     });
@@ -143,7 +143,7 @@ impl Window {
         });
         eframe::egui::Popup::close_all(&ctx);
         let mut app = App::new(&ctx, state);
-        app.canvas.patience = Duration::from_secs(60);
+        app.canvas.patience = Some(Duration::from_secs(60));
         app.state.file_flow.reading.patience = Duration::from_secs(60);
         *self.harness.state_mut() = Some(app);
         self.run();

@@ -9,12 +9,12 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use super::render::{no_picture, save, save_handout};
-use super::{Failure, Opening, print, say};
+use super::{Failure, Opening, nearest, print, say};
 use crate::camera::Camera;
 use crate::cli::args::exercise::ListArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::lesson::{CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PlayArgs, ShowArgs, WhichArgs};
-use crate::cli::args::words::{LangArg, TableFormat};
+use crate::cli::args::words::{LangArg, TableFormat, written};
 use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of};
 use crate::exercises::Entry;
 use crate::export::format::PictureFormat;
@@ -57,12 +57,8 @@ fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
     let path = PathBuf::from(&args.id);
     let is_name = share::link_of(&path).is_none() && !args.id.contains(['.', '/', '\\']);
     if is_name && !path.exists() {
-        let near = shipped()
-            .iter()
-            .map(|shipped| (strsim::jaro_winkler(&shipped.lesson.id, &args.id), &*shipped.lesson.id))
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-            .filter(|(likeness, _)| *likeness > 0.7);
-        return Err(Failure::BadInput(texts::unknown(lang, &args.id, near.map(|(_, id)| id))));
+        let near = nearest(shipped().iter().map(|shipped| &*shipped.lesson.id), &args.id);
+        return Err(Failure::BadInput(texts::unknown(lang, &args.id, near)));
     }
     let (lesson, _) = read(&path, lang)?;
     Ok(Found { lesson: Arc::new(lesson), path: Some(path) })
@@ -77,7 +73,7 @@ fn of_file(path: &Path, error: &FileError, lang: Lang) -> Failure {
 }
 
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
-    let written = args.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.lang);
     let own = match &args.folder {
         Some(folder) => files::read_lessons(folder).map_err(|error| of_file(folder, &error, lang))?,
         None => files::OwnLessons::default(),
@@ -107,7 +103,7 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
 
 fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
     let Found { lesson, .. } = find(&args.which, lang)?;
-    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.which.lang);
     let text = match args.format {
         TableFormat::Json => json_text(&described(written, &lesson)),
         // Line by line: the lines are ours.
@@ -311,7 +307,7 @@ fn faults_of_goal(
 
 fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
     let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
-    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.which.lang);
     let options = HandoutOptions { lang: written, columns, answers: args.answers, plan: args.plan, late: false };
     let made = handout::of_lesson(&found.lesson, options, |step, size| composite(args, found, step, size, lang))?;
     save_handout(&made, &args.output, lang)
@@ -333,7 +329,7 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
         return Err(Failure::BadInput(texts::output_name(lang, &sanitize::path(&args.output))));
     }
     let lesson = &found.lesson;
-    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.which.lang);
     let format = args.format.unwrap_or(PictureFormat::Png);
     let digits = lesson.steps.len().to_string().len().max(2);
     // Nothing is written if a step is faulty.

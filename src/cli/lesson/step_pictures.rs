@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::camera::ImageSize;
 use crate::cli::args::lesson::LessonRenderArgs;
-use crate::cli::args::words::LangArg;
+use crate::cli::args::words::written;
 use crate::cli::render::no_picture;
 use crate::cli::{Failure, say};
 use crate::figure::Figure;
@@ -59,7 +59,7 @@ pub(in crate::cli) fn composite(
     size: Size,
     lang: Lang,
 ) -> Result<Composite, Failure> {
-    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let written = written(args.which.lang);
     let of_step = |why: &str| {
         let name = found.path.as_ref().map_or_else(|| found.lesson.id.clone(), |path| messages::opened(lang, path));
         format!("{name}: {}", texts::of_step(lang, k + 1, why))

@@ -119,13 +119,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Whether something is stored under this path. A download replaces nothing.
-#[must_use]
 pub fn exists(path: &Path) -> bool {
     name(path).zip(page().ok()).is_some_and(|(name, page)| (page.kept)(name).is_some())
 }
 
 /// The time at which the file under this path was stored.
-#[must_use]
 pub fn written(path: &Path) -> Option<SystemTime> {
     let seconds = (page().ok()?.kept)(&time_of(name(path)?))?.parse().ok()?;
     SystemTime::UNIX_EPOCH.checked_add(Duration::from_secs(seconds))
@@ -169,7 +167,6 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
 }
 
 /// A name means the same from everywhere. There is one folder.
-#[must_use]
 pub fn is_whole(path: &Path) -> bool {
     path.file_name().is_some()
 }
@@ -178,7 +175,6 @@ pub fn is_whole(path: &Path) -> bool {
 pub const fn remove_left_over(_: &Path) {}
 
 /// A download is never read-only.
-#[must_use]
 pub const fn is_read_only(_: &Path) -> bool {
     false
 }

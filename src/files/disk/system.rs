@@ -37,13 +37,11 @@ fn open(path: &Path) -> io::Result<File> {
 }
 
 /// True if there is something with this name.
-#[must_use]
 pub fn exists(path: &Path) -> bool {
     path.exists()
 }
 
 /// When a file was written last, where the system knows.
-#[must_use]
 pub fn written(path: &Path) -> Option<SystemTime> {
     fs::metadata(path).and_then(|meta| meta.modified()).ok()
 }
@@ -96,7 +94,6 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
 }
 
 /// True for a path that means the same file from every folder.
-#[must_use]
 pub fn is_whole(path: &Path) -> bool {
     path.is_absolute()
 }

@@ -82,25 +82,21 @@ impl Command {
     }
 
     /// The label.
-    #[must_use]
     pub fn label(self, t: &Texts) -> &'static str {
         (self.row().words)(t).0
     }
 
     /// The hint.
-    #[must_use]
     pub fn hint(self, t: &Texts) -> &'static str {
         (self.row().words)(t).1
     }
 
     /// The hint while it is disabled: the reason, where that is not plain.
-    #[must_use]
     pub fn hint_disabled(self, t: &Texts) -> &'static str {
         self.row().hint_disabled.map_or_else(|| self.hint(t), |hint| hint(t))
     }
 
     /// The keys that call it.
-    #[must_use]
     pub fn shortcut(self) -> KeyboardShortcut {
         self.row().shortcut
     }
@@ -113,32 +109,27 @@ impl Command {
     }
 
     /// True for keys that call a command in a page of a browser.
-    #[must_use]
     pub fn any_has_in_browser(key: Key, modifiers: Modifiers) -> bool {
         let mut keys = rows().filter(|row| row.in_browser != InBrowser::WithoutKeys).flat_map(Row::all_keys);
         keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
     }
 
     /// True if a window of this kind has it.
-    #[must_use]
     pub fn is_there(self, model: &Model) -> bool {
         !(model.in_browser && self.row().in_browser == InBrowser::Nothing)
     }
 
     /// Whether it would do something.
-    #[must_use]
     pub fn is_enabled(self, state: &State) -> bool {
         (self.row().enabled)(state)
     }
 
     /// Whether its menu lists it now.
-    #[must_use]
     pub fn is_listed(self, state: &State) -> bool {
         !self.row().only_if_enabled || self.is_enabled(state)
     }
 
     /// On or off, for a switch.
-    #[must_use]
     pub fn is_on(self, state: &State) -> Option<bool> {
         self.row().on.map(|on| on(state))
     }
@@ -149,7 +140,6 @@ impl Command {
     }
 
     /// True for what a text field does itself while it has the keyboard.
-    #[must_use]
     pub fn is_for_text_too(self) -> bool {
         matches!(self, Self::Undo | Self::Redo)
     }

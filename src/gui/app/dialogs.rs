@@ -468,8 +468,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, file_flow: &mut Fil
         });
     });
     ui.add_space(8.0);
-    match buttons(ui, t.close, &[], first.then_some(CANCEL)) {
-        Pressed::Nothing => file_flow.dialog = Some(Dialog::Help),
-        Pressed::Action(_) | Pressed::Cancel => {}
+    if matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing) {
+        file_flow.dialog = Some(Dialog::Help);
     }
 }

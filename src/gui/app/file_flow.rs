@@ -211,7 +211,6 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
 }
 
 /// The files that are there already, and that writing to `path` replaces. A picture may have another file beside it.
-#[must_use]
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_));
     let beside = file_beside(path).filter(|_| writes_pictures);
@@ -360,14 +359,12 @@ fn for_folder(model: &Model, path: &Path) -> Figure {
 }
 
 /// The text that saving would write.
-#[must_use]
 pub fn text_to_save(model: &Model) -> String {
     let figure = model.document.path().map_or_else(|| model.figure_to_save(), |path| for_folder(model, path));
     update(model.document.source(), &figure)
 }
 
 /// The text of the present screen, as links carry it.
-#[must_use]
 pub fn text_as_shown(model: &Model) -> String {
     update(model.document.source(), &model.figure_as_shown())
 }

@@ -214,7 +214,7 @@ impl App {
     fn pictures(&mut self, ui: &mut egui::Ui, called: Called) {
         let ctx = ui.ctx().clone();
         let pictures = egui::CentralPanel::no_frame().show(ui, |ui| pictures(ui, &mut self.canvas, &mut self.state));
-        if let Some(command) = self.canvas.take_wanted() {
+        if let Some(command) = self.canvas.wanted.take() {
             self.perform(&ctx, command);
         }
         self.state.model.check_camera(&ctx);

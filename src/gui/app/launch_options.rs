@@ -33,7 +33,6 @@ pub struct LaunchOptions {
 
 impl LaunchOptions {
     /// The options in an address after the `?`, and its unreadable parts, word for word.
-    #[must_use]
     pub fn of_query(query: &str) -> (Self, Vec<String>) {
         let mut asked = Self::default();
         let mut unknown = Vec::new();
@@ -75,7 +74,6 @@ impl LaunchOptions {
     }
 
     /// The lesson to be played. It takes the place of the figure: `file_flow` asks first.
-    #[must_use]
     pub fn open_lesson(self) -> Option<OpenLesson> {
         let lesson = shipped().get(self.lesson?)?.lesson.clone();
         let last = lesson.steps.len().saturating_sub(1);

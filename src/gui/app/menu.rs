@@ -30,40 +30,24 @@ const LEAST_NAME: f32 = 48.0;
 /// A switch at the right end of the bar.
 struct Switch {
     command: Command,
-    sign: Option<Sign>,
+    /// What stands for the word in a window that is narrower than a width, in points.
+    sign: Option<(&'static str, f32)>,
     word: fn(&Texts) -> &'static str,
-}
-
-/// The sign of a switch where there is little room.
-struct Sign {
-    text: &'static str,
-    /// It stands for the word in a window of an ordinary size too, not in a small one alone.
-    is_enough: bool,
 }
 
 const SWITCHES: &[Switch] = &[
     Switch { command: Command::Language, sign: None, word: |t| t.language },
-    Switch { command: Command::ParametersPanel, sign: Some(Sign::panel("◧")), word: |t| t.parameters_panel },
-    Switch { command: Command::Pipeline, sign: Some(Sign::in_small("⬓")), word: |t| t.stages_word },
-    Switch { command: Command::NumbersPanel, sign: Some(Sign::panel("◨")), word: |t| t.operations_word },
-    Switch { command: Command::Explain, sign: Some(Sign::in_small("?")), word: |t| t.explain_word },
-    Switch { command: Command::Exercises, sign: Some(Sign::in_small("✎")), word: |t| t.exercises },
-    Switch { command: Command::Presentation, sign: Some(Sign::in_small("▶")), word: |t| t.menu_present },
+    Switch { command: Command::ParametersPanel, sign: Some(("◧", ALL_WORDS)), word: |t| t.parameters_panel },
+    Switch { command: Command::Pipeline, sign: Some(("⬓", WORDS)), word: |t| t.stages_word },
+    Switch { command: Command::NumbersPanel, sign: Some(("◨", ALL_WORDS)), word: |t| t.operations_word },
+    Switch { command: Command::Explain, sign: Some(("?", WORDS)), word: |t| t.explain_word },
+    Switch { command: Command::Exercises, sign: Some(("✎", WORDS)), word: |t| t.exercises },
+    Switch { command: Command::Presentation, sign: Some(("▶", WORDS)), word: |t| t.menu_present },
 ];
-
-impl Sign {
-    const fn panel(text: &'static str) -> Self {
-        Self { text, is_enough: true }
-    }
-
-    const fn in_small(text: &'static str) -> Self {
-        Self { text, is_enough: false }
-    }
-}
 
 /// The signs of the bar with their commands, as a legend lists them.
 pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> {
-    let switches = SWITCHES.iter().filter_map(|switch| Some((switch.sign.as_ref()?.text, switch.command)));
+    let switches = SWITCHES.iter().filter_map(|switch| Some((switch.sign?.0, switch.command)));
     HISTORY.into_iter().map(|(command, sign)| (sign, command)).chain(switches)
 }
 
@@ -99,10 +83,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
             let mut switched = None;
             let width = ui.ctx().content_rect().width();
             for Switch { command, sign, word } in SWITCHES {
-                let text = match sign {
-                    Some(sign) if width < if sign.is_enough { ALL_WORDS } else { WORDS } => sign.text,
-                    Some(_) | None => word(t),
-                };
+                let text = sign.filter(|(_, least)| width < *least).map_or_else(|| word(t), |(text, _)| text);
                 if switch(ui, t, state, *command, text) {
                     switched = Some(*command);
                 }

@@ -66,7 +66,6 @@ pub struct App {
 
 impl App {
     /// Starts from a state, in a window whose fonts and style it sets.
-    #[must_use]
     pub fn new(ctx: &egui::Context, state: State) -> Self {
         theme::install_fonts(ctx);
         theme::install_style(ctx);

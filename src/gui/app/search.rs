@@ -100,6 +100,17 @@ const MATRICES: [NamedMatrix; 3] = [
     (Matrix::ViewProjection, |t| t.product_name),
 ];
 
+impl Entry {
+    fn new(
+        target: Target,
+        kind: &'static str,
+        title: impl Into<Cow<'static, str>>,
+        about: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self { target, kind, title: title.into(), about: about.into() }
+    }
+}
+
 /// Everything that can be found, in the order in which equally good results are listed.
 fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
     let lang = model.settings.lang;
@@ -107,94 +118,48 @@ fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
     let mut all = Vec::new();
     for Descriptor { freedom, .. } in &OPERATIONS {
         let [title, about] = operations::words(*freedom, t_window);
-        all.push(Entry {
-            target: Target::Operation(*freedom),
-            kind: t.operation,
-            title: title.into(),
-            about: about.into(),
-        });
+        all.push(Entry::new(Target::Operation(*freedom), t.operation, title, about));
     }
     all.extend(controls(lang));
     let coach = coach_words::texts(lang);
-    all.push(Entry {
-        target: Target::CameraCheck,
-        kind: t.command,
-        title: coach.coach.into(),
-        about: coach.coach_hint.into(),
-    });
+    all.push(Entry::new(Target::CameraCheck, t.command, coach.coach, coach.coach_hint));
     for (explanation, question, (title, about)) in why::all(explain_words::texts(lang)) {
-        all.push(Entry {
-            target: Target::Explanation(explanation),
-            kind: question,
-            title: title.into(),
-            about: about.into(),
-        });
+        all.push(Entry::new(Target::Explanation(explanation), question, title, about));
     }
     for command in Command::all().filter(|command| *command != Command::Search && command.is_there(model)) {
-        let (title, about) = (command.label(t_window), command.hint(t_window));
-        all.push(Entry { target: Target::Command(command), kind: t.command, title: title.into(), about: about.into() });
+        let target = Target::Command(command);
+        all.push(Entry::new(target, t.command, command.label(t_window), command.hint(t_window)));
     }
     for (tab, field, name) in PARAMETERS {
         let symbol = field.split(' ').next().unwrap_or_default();
         let title = format!("{symbol} {}", name(t_window)).trim().to_owned();
-        all.push(Entry {
-            target: Target::Parameter(tab, field),
-            kind: t.parameter,
-            title: title.into(),
-            about: "".into(),
-        });
+        all.push(Entry::new(Target::Parameter(tab, field), t.parameter, title, ""));
     }
     for (matrix, name) in MATRICES {
         let title = format!("{} {}", matrix.text(), name(t_window));
         let about = explain_words::matrix(lang, matrix);
-        let kind = explain_words::texts(lang).matrices;
-        all.push(Entry { target: Target::Matrix(matrix), kind, title: title.into(), about: about.into() });
+        all.push(Entry::new(Target::Matrix(matrix), explain_words::texts(lang).matrices, title, about));
     }
     for figure in &SHIPPED_FIGURES {
         let [title, about] = figure.told().map(|text| told(lang, &text).to_owned());
-        all.push(Entry {
-            target: Target::Figure(figure.name),
-            kind: t.figure,
-            title: title.into(),
-            about: about.into(),
-        });
+        all.push(Entry::new(Target::Figure(figure.name), t.figure, title, about));
     }
     for (place, shipped) in shipped().iter().enumerate() {
         let lesson = &shipped.lesson;
         let of_lesson = told(lang, &lesson.title);
         let about = lesson.sentence.as_ref().map_or("", |sentence| told(lang, sentence));
-        all.push(Entry {
-            target: Target::Step(place, 0),
-            kind: t.lesson,
-            title: of_lesson.into(),
-            about: about.into(),
-        });
+        all.push(Entry::new(Target::Step(place, 0), t.lesson, of_lesson, about));
         for (k, step) in lesson.steps.iter().enumerate() {
-            all.push(Entry {
-                target: Target::Step(place, k),
-                kind: t.step,
-                title: told(lang, &step.title).into(),
-                about: of_lesson.into(),
-            });
+            all.push(Entry::new(Target::Step(place, k), t.step, told(lang, &step.title), of_lesson));
         }
     }
     for note in notes::notes(lang) {
-        all.push(Entry {
-            target: Target::Note(note.id),
-            kind: t.note,
-            title: note.title.into(),
-            about: note.searched().into(),
-        });
+        all.push(Entry::new(Target::Note(note.id), t.note, note.title, note.searched()));
     }
     for entry in learn.exercises.entries() {
-        let title = exercise_words::title(lang, entry).to_owned();
+        let target = Target::Exercise(entry.id.clone().into_owned());
         let about = format!("{} {}", entry.id, entry.source);
-        all.push(Entry {
-            target: Target::Exercise(entry.id.clone().into_owned()),
-            kind: t.exercise,
-            title: title.into(),
-            about: about.into(),
-        });
+        all.push(Entry::new(target, t.exercise, exercise_words::title(lang, entry).to_owned(), about));
     }
     all
 }
@@ -204,29 +169,23 @@ fn controls(lang: Lang) -> Vec<Entry> {
     let (t, of_cameras, of_predict) = (window::texts(lang), cameras::texts(lang), predict::texts(lang));
     let of_photograph = photograph::texts(lang);
     let shadings = [t.shading_hint, t.shading_wireframe, t.shading_flat, t.shading_gouraud, t.shading_phong];
-    let drawing = |name| Target::Parameter(Tab::Drawing, name);
-    let among_cameras = |name| Target::Parameter(Tab::Camera, name);
-    [
-        (drawing(t.shading), t.shading, shadings.join(" · ")),
-        (drawing(t.hidden_lines), t.hidden_lines, t.hidden_lines_hint.to_owned()),
-        (drawing(t.antialias), t.antialias, t.antialias_hint.to_owned()),
-        (drawing(t.window_opacity), t.window_opacity, t.window_opacity_hint.to_owned()),
-        (drawing(t.axes_length), t.axes_length, t.axes_length_hint.to_owned()),
-        (among_cameras(of_cameras.add), of_cameras.add, of_cameras.add_hint.to_owned()),
-        (among_cameras(of_cameras.before), of_cameras.before, of_cameras.before_hint.to_owned()),
-        (among_cameras(of_cameras.pair), of_cameras.pair, of_cameras.pair_hint.to_owned()),
-        (among_cameras(of_photograph.choose_title), of_photograph.photograph, of_photograph.hint.to_owned()),
-        (Target::AmongOperations(of_predict.switch), of_predict.switch, of_predict.switch_hint.to_owned()),
-        (Target::AmongOperations(t.keep_operation), t.keep_operation, t.keep_operation_hint.to_owned()),
+    let control = |target, title, about| Entry::new(target, words::texts(lang).control, title, about);
+    let drawing = |name, about| control(Target::Parameter(Tab::Drawing, name), name, about);
+    let among_cameras = |name, title, about| control(Target::Parameter(Tab::Camera, name), title, about);
+    let among_operations = |name, about| control(Target::AmongOperations(name), name, about);
+    vec![
+        Entry { about: shadings.join(" · ").into(), ..drawing(t.shading, "") },
+        drawing(t.hidden_lines, t.hidden_lines_hint),
+        drawing(t.antialias, t.antialias_hint),
+        drawing(t.window_opacity, t.window_opacity_hint),
+        drawing(t.axes_length, t.axes_length_hint),
+        among_cameras(of_cameras.add, of_cameras.add, of_cameras.add_hint),
+        among_cameras(of_cameras.before, of_cameras.before, of_cameras.before_hint),
+        among_cameras(of_cameras.pair, of_cameras.pair, of_cameras.pair_hint),
+        among_cameras(of_photograph.choose_title, of_photograph.photograph, of_photograph.hint),
+        among_operations(of_predict.switch, of_predict.switch_hint),
+        among_operations(t.keep_operation, t.keep_operation_hint),
     ]
-    .into_iter()
-    .map(|(target, title, about)| Entry {
-        target,
-        kind: words::texts(lang).control,
-        title: title.into(),
-        about: about.into(),
-    })
-    .collect()
 }
 
 /// The results, best first: where the words begin the title, are in it, are elsewhere; the same by other names.

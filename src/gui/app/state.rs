@@ -122,7 +122,6 @@ impl State {
     }
 
     /// Whether closing the window would lose something.
-    #[must_use]
     pub fn would_lose_something(&self) -> bool {
         self.learn.has_unsaved(&self.model)
             || self.learn.unsaved_text().is_some()

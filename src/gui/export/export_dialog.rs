@@ -11,8 +11,8 @@ use crate::export::paper::PaperPreset;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::form::{choice, complaint, row};
-use crate::gui::kit::number_field::{self, FieldError, NumberField, Step};
+use crate::gui::kit::form::{choice, choice_row, complaint, row};
+use crate::gui::kit::number_field::{self, FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::i18n::window::Texts;
@@ -157,7 +157,7 @@ fn picture(
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
     paint(ui, &preview, rect, export.is_without_ground());
-    if preview.texture().is_none() {
+    if preview.texture.is_none() {
         let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
         // A child of its own: the content below does not move.
         let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
@@ -167,7 +167,7 @@ fn picture(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 8.0;
         let copying = preview.is_copying();
-        let fits = can_be_copied(export, preview.size().unwrap_or([export.width, export.height]));
+        let fits = can_be_copied(export, preview.size.unwrap_or([export.width, export.height]));
         let button = ui.add_enabled(valid && fits && !copying, egui::Button::new(t.export_copy));
         let hint = match (fits, export.format.is_vector()) {
             (true, false) => t.export_copy_hint,
@@ -201,7 +201,7 @@ fn picture(
 fn paint(ui: &egui::Ui, preview: &Preview, room: Rect, transparent: bool) {
     let painter = ui.painter().with_clip_rect(room.expand(1.0).intersect(ui.clip_rect()));
     let border = ui.visuals().widgets.noninteractive.bg_stroke;
-    let Some(texture) = preview.texture() else {
+    let Some(texture) = &preview.texture else {
         painter.rect_stroke(room, 0.0, border, egui::StrokeKind::Inside);
         return;
     };
@@ -254,7 +254,7 @@ fn settings(
         (Views::One(View::Canonical), t.show_canonical),
         (Views::One(View::Image), t.show_image),
     ];
-    row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
+    choice_row(ui, t.export_what, "", &mut export.what, &what);
     family::rows(ui, t, choices.family, enter);
     let sizes = [
         ((Some(1), false), "1 ×"),
@@ -265,14 +265,12 @@ fn settings(
         ((None, true), t.export_paper),
     ];
     let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
-    row(ui, "", t.export_size, t.export_size_hint, |ui| {
-        choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
-    });
+    choice_row(ui, t.export_size, t.export_size_hint, &mut size, &sizes);
     (export.times, export.on_paper) = size;
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(model.picture_sizes, model.screen_scale);
     // A family in multiples of the screen is larger than its figure.
-    let of_family = choices.preview.as_ref().and_then(Preview::size);
+    let of_family = choices.preview.as_ref().and_then(|preview| preview.size);
     let of_family = of_family.filter(|_| size.0.is_some() && choices.family.variations().is_some());
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         if size == (None, false) {
@@ -288,9 +286,7 @@ fn settings(
         complaint(ui, &format!("{field}: {}", error.text(t.lang)));
     }
     let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
-    row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
-        choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
-    });
+    choice_row(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes);
     formats(ui, t, export);
     let faces = [
         (Faces::Auto, t.export_faces_auto),
@@ -378,8 +374,7 @@ fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
     let mut now = PaperPreset::ALL.into_iter().find(is);
     let choices: Vec<(Option<PaperPreset>, &str)> =
         [(None, words.own_size)].into_iter().chain(PaperPreset::ALL.map(Some).into_iter().zip(names)).collect();
-    let changed =
-        row(ui, "", words.paper, words.paper_hint, |ui| choice(ui, words.paper, words.paper_hint, &mut now, &choices));
+    let changed = choice_row(ui, words.paper, words.paper_hint, &mut now, &choices);
     if let Some(preset) = now.filter(|_| changed) {
         (paper.size, paper.letters) = (size(preset), preset.letters());
     }
@@ -412,9 +407,7 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Faul
     let of_width = field(t.export_width).show(ui, t, &mut width);
     ui.label("×");
     let of_height = field(t.export_height).show(ui, t, &mut height);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
-    let side = |v: f64| v as u32;
-    (export.width, export.height) = (side(width), side(height));
+    (export.width, export.height) = (whole(width), whole(height));
     let beyond = too_large([export.width, export.height]);
     let faults = [(t.export_width, of_width.error), (t.export_height, of_height.error), (t.export_pixels, beyond)];
     faults.into_iter().filter_map(|(field, error)| Some((field, error?))).collect()

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Key};
 
 use super::family_choice::{FamilyChoice, Subject, Varied};
-use crate::gui::kit::form::{choice, row};
+use crate::gui::kit::form::{choice, choice_row, row};
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
@@ -17,9 +17,7 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
     let words = families::texts(t.lang);
     let mut subject = family.first.subject;
     if subject == Subject::Nothing {
-        row(ui, "", words.family, words.family_hint, |ui| {
-            choice(ui, words.family, words.family_hint, &mut subject, &subjects(t, words.none));
-        });
+        choice_row(ui, words.family, words.family_hint, &mut subject, &subjects(t, words.none));
     } else {
         // Side by side: one click for the one you want.
         ui.label(words.family).explained(words.family_hint);
@@ -39,9 +37,7 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
             *enter |= values(ui, t, &mut family.first, words.values);
         });
         let mut second = family.second.subject;
-        row(ui, "", words.second, words.second_hint, |ui| {
-            choice(ui, words.second, words.second_hint, &mut second, &subjects(t, words.nothing));
-        });
+        choice_row(ui, words.second, words.second_hint, &mut second, &subjects(t, words.nothing));
         if second != family.second.subject {
             family.second.choose(second);
         }

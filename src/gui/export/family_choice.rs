@@ -34,7 +34,6 @@ const TYPED: &str = "typed";
 
 impl Subject {
     /// Its word in the preferences: that of its key.
-    #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::Nothing => "",
@@ -44,7 +43,6 @@ impl Subject {
     }
 
     /// The subject with a word; `None` if none has it.
-    #[must_use]
     pub fn of_word(word: &str) -> Option<Self> {
         match word {
             "" => Some(Self::Nothing),
@@ -65,7 +63,6 @@ pub struct Varied {
 
 impl Varied {
     /// The variation; `None` means there is none.
-    #[must_use]
     pub fn variation(&self) -> Option<Result<Variation, VariationError>> {
         match self.subject {
             Subject::Nothing => None,
@@ -139,7 +136,6 @@ impl FamilyChoice {
     }
 
     /// The keys that vary, or varied last.
-    #[must_use]
     pub fn remembered(&self) -> [Varied; 2] {
         match self.first.subject {
             Subject::Nothing => self.last.clone(),
@@ -151,14 +147,12 @@ impl FamilyChoice {
     ///
     /// # Errors
     /// [`VariationError`] of the first that is at fault.
-    #[must_use]
     pub fn variations(&self) -> Option<Result<Vec<Variation>, VariationError>> {
         let first = self.first.variation()?;
         Some([Some(first), self.second.variation()].into_iter().flatten().collect())
     }
 
     /// The captions. Empty if none are typed.
-    #[must_use]
     pub fn captions(&self) -> Vec<String> {
         if self.captions.trim().is_empty() {
             return Vec::new();

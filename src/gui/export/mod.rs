@@ -126,7 +126,6 @@ impl Export {
 
     /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
     /// order of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
-    #[must_use]
     pub fn new(sizes: [[u32; 2]; View::COUNT], scale: f32) -> Self {
         let mut export = Self {
             what: Views::All,
@@ -176,7 +175,6 @@ impl Export {
 
 impl Export {
     /// True if the picture is going to have no ground.
-    #[must_use]
     pub fn is_without_ground(&self) -> bool {
         self.transparent && self.format.has_transparency()
     }

@@ -26,11 +26,12 @@ pub struct Preview {
     worker: Worker<PreviewJob, Done, 2>,
     /// The last request.
     asked: Option<(Export, FamilyChoice)>,
-    texture: Option<TextureHandle>,
+    /// The picture, once there is one.
+    pub texture: Option<TextureHandle>,
     /// The message where several pictures have little space on their paper.
     pub(in crate::gui) crowded: Option<Crowded>,
     /// Width and height in pixels of what is exported. A family may be far larger than the picture of its figure.
-    size: Option<[u32; 2]>,
+    pub size: Option<[u32; 2]>,
     /// Why there is no picture.
     pub(in crate::gui) fault: Option<ExportError>,
     /// The result of the last copy.
@@ -120,18 +121,6 @@ impl Preview {
             let room = Some(room.map(|side| FINENESS * side));
             self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, room, as_svg: false });
         }
-    }
-
-    /// The picture, once there is one.
-    #[must_use]
-    pub fn texture(&self) -> Option<&TextureHandle> {
-        self.texture.as_ref()
-    }
-
-    /// Width and height in pixels of what is exported, once there is a picture.
-    #[must_use]
-    pub fn size(&self) -> Option<[u32; 2]> {
-        self.size
     }
 
     /// Draws the picture at its size, and puts it on the clipboard then: vectors as the text of an SVG file.

@@ -11,4 +11,6 @@ pub mod scene;
 pub(super) mod state;
 pub mod values;
 
-use crate::gui::kit::form::{TEXT_LINE, VectorField, choice, complaint, erratum, kept_section, more, row, section};
+use crate::gui::kit::form::{
+    TEXT_LINE, VectorField, choice_row, complain, complaint, erratum, kept_section, more, row, section,
+};

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
 use super::predict;
-use super::{TEXT_LINE, complaint, erratum, more, section};
+use super::{TEXT_LINE, complain, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::kit::context_help::help_topic_row;
 use crate::gui::kit::number_field::{self, NumberField, Step};
@@ -30,38 +30,27 @@ fn stepped(freedom: Freedom, step: f64, forwards: bool) -> Operation {
     freedom.by(if forwards { step } else { freedom.descriptor().amount.inverse(step) })
 }
 
-fn name(freedom: Freedom, t: &Texts) -> &'static str {
-    match freedom {
-        Freedom::Elevation => t.elevation,
-        Freedom::Azimuth => t.azimuth,
-        Freedom::Roll => t.roll,
-        Freedom::Yaw => t.yaw,
-        Freedom::Pitch => t.pitch,
-        Freedom::Zoom => t.zoom,
-        Freedom::Dolly => t.dolly,
-        Freedom::PanU => t.pan_u,
-        Freedom::PanV => t.pan_v,
-    }
-}
-
-/// The effect of an operation.
-fn effect(freedom: Freedom, t: &Texts) -> &'static str {
-    match freedom {
-        Freedom::Elevation => t.elevation_effect,
-        Freedom::Azimuth => t.azimuth_effect,
-        Freedom::Roll => t.roll_effect,
-        Freedom::Yaw => t.yaw_effect,
-        Freedom::Pitch => t.pitch_effect,
-        Freedom::Zoom => t.zoom_effect,
-        Freedom::Dolly => t.dolly_effect,
-        Freedom::PanU => t.pan_u_effect,
-        Freedom::PanV => t.pan_v_effect,
-    }
-}
-
-/// The name of an operation and its effect.
+/// Name and effect of an operation.
 pub(in crate::gui) fn words(freedom: Freedom, t: &Texts) -> [&'static str; 2] {
-    [name(freedom, t), effect(freedom, t)]
+    match freedom {
+        Freedom::Elevation => [t.elevation, t.elevation_effect],
+        Freedom::Azimuth => [t.azimuth, t.azimuth_effect],
+        Freedom::Roll => [t.roll, t.roll_effect],
+        Freedom::Yaw => [t.yaw, t.yaw_effect],
+        Freedom::Pitch => [t.pitch, t.pitch_effect],
+        Freedom::Zoom => [t.zoom, t.zoom_effect],
+        Freedom::Dolly => [t.dolly, t.dolly_effect],
+        Freedom::PanU => [t.pan_u, t.pan_u_effect],
+        Freedom::PanV => [t.pan_v, t.pan_v_effect],
+    }
+}
+
+fn name(freedom: Freedom, t: &Texts) -> &'static str {
+    words(freedom, t)[0]
+}
+
+fn effect(freedom: Freedom, t: &Texts) -> &'static str {
+    words(freedom, t)[1]
 }
 
 /// The name of the field of an operation's step.
@@ -184,7 +173,7 @@ fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
 /// The name, which opens the operation, and − step +.
 fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Freedom) {
     let name = name(freedom, t);
-    let error = ui.horizontal(|ui| {
+    let output = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         let is_open = model.operations.shows(freedom);
         let explained = explained(freedom, t, model.operations.convention);
@@ -196,17 +185,8 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Fr
         let title = ui.allocate_ui_with_layout(place, left, |ui| {
             ui.set_min_size(place);
             let title = ui.add(title);
-            match freedom {
-                Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
-                Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
-                Freedom::Elevation
-                | Freedom::Azimuth
-                | Freedom::Roll
-                | Freedom::Zoom
-                | Freedom::Dolly
-                | Freedom::PanU
-                | Freedom::PanV => {}
-            }
+            let errata = [(Freedom::Yaw, t.erratum_yaw), (Freedom::Pitch, t.erratum_pitch)];
+            errata.iter().filter(|(of, _)| *of == freedom).for_each(|(_, text)| erratum(ui, t, text));
             title
         });
         let title = title.inner.explained(explained).accessible_name(name);
@@ -223,13 +203,11 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Fr
             Amount::Length => NumberField::new(title, Step::Multiply(1.1)),
             Amount::Angle => NumberField::angle(title, 5.0),
         };
-        let error = field.positive().width(STEP).hint(t.step_hint).show(ui, t, step).error;
+        let output = field.positive().width(STEP).hint(t.step_hint).show(ui, t, step);
         button(ui, t, model, freedom, true);
-        error
+        output
     });
-    if let Some(error) = error.inner {
-        complaint(ui, &error.text(t.lang));
-    }
+    complain(ui, t.lang, [&output.inner]);
 }
 
 /// The widths of a button and of the field of its step, in points.

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
 
-use super::{TEXT_LINE, complaint, erratum, kept_section, section};
+use super::{TEXT_LINE, complain, erratum, kept_section, section};
 use crate::camera::Ndc;
 use crate::explain::Matrix;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::number_tables::{GAP, Table, ndc_of, report, tables};
 use crate::gui::kit::context_help::{self, help_topic, help_topic_row};
 use crate::gui::kit::mathematics::brackets;
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -71,23 +71,19 @@ pub(in crate::gui) fn list(
 }
 
 fn toolbar(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
-    let error = ui.horizontal(|ui| {
+    let output = ui.horizontal(|ui| {
         ui.label(t.digits).explained(t.digits_hint);
         let mut digits = model.settings.digits as f64;
         let field = NumberField::new(t.digits, Step::Add(1.0)).whole().within(2.0..=17.0);
         let output = field.width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, between 2 and 17")]
-        let digits = digits as usize;
-        model.settings.digits = digits;
+        model.settings.digits = whole(digits) as usize;
         ui.checkbox(&mut model.settings.inverse, t.inverse).explained(t.inverse_hint);
         if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
             ui.ctx().copy_text(number_tables::text(model));
         }
-        output.error
+        output
     });
-    if let Some(error) = error.inner {
-        complaint(ui, &error.text(t.lang));
-    }
+    complain(ui, t.lang, [&output.inner]);
 }
 
 /// An entry of a matrix.

@@ -8,6 +8,7 @@ use super::focus::at_right;
 use super::number_field::{self, FieldOutput, NumberField, Step};
 use super::theme;
 use super::tooltip::Explained;
+use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 
 /// A group of controls under a title that opens and closes it. Gives the title.
@@ -197,4 +198,36 @@ pub(in crate::gui) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
 pub(in crate::gui) fn complaint(ui: &mut egui::Ui, text: &str) {
     let color = ui.visuals().error_fg_color;
     ui.add(egui::Label::new(RichText::new(format!("⚠ {text}")).color(color)).wrap());
+}
+
+/// A line for each fault of number fields.
+pub(in crate::gui) fn complain<'a>(ui: &mut egui::Ui, lang: Lang, fields: impl IntoIterator<Item = &'a FieldOutput>) {
+    for error in fields.into_iter().filter_map(|field| field.error.as_ref()) {
+        complaint(ui, &error.text(lang));
+    }
+}
+
+/// A choice in a row with its name.
+pub(in crate::gui) fn choice_row<T: PartialEq + Copy>(
+    ui: &mut egui::Ui,
+    name: &str,
+    hint: &str,
+    value: &mut T,
+    options: &[(T, &str)],
+) -> bool {
+    row(ui, "", name, hint, |ui| choice(ui, name, hint, value, options))
+}
+
+/// Buttons of which one is on, each with its hint.
+pub(in crate::gui) fn alternatives<'a, T: PartialEq>(
+    ui: &mut egui::Ui,
+    value: &mut T,
+    options: impl IntoIterator<Item = (T, &'a str, &'a str)>,
+) {
+    for (option, name, hint) in options {
+        let button = egui::Button::selectable(*value == option, name).frame_when_inactive(true);
+        if ui.add(button).explained(hint).clicked() {
+            *value = option;
+        }
+    }
 }

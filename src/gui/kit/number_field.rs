@@ -83,7 +83,6 @@ pub enum FieldError {
 
 impl FieldError {
     /// The reason in words.
-    #[must_use]
     pub fn text(&self, lang: Lang) -> String {
         match self {
             Self::Expression(problem) => messages::expression(lang, problem),
@@ -131,7 +130,6 @@ fn called() -> egui::Id {
 
 impl<'a> NumberField<'a> {
     /// A field with the name that screen readers say.
-    #[must_use]
     pub fn new(name: impl Into<String>, step: Step) -> Self {
         Self {
             name: name.into(),
@@ -176,7 +174,6 @@ impl<'a> NumberField<'a> {
     }
 
     /// A field for an angle in degrees.
-    #[must_use]
     pub fn angle(name: impl Into<String>, step: f64) -> Self {
         Self { unit: "°", dimension: Dimension::Angle, ..Self::new(name, Step::Add(step)) }
     }
@@ -499,4 +496,10 @@ impl<'a> NumberField<'a> {
 /// Shows a message beside a field while it is edited.
 fn say_beside(response: &egui::Response, text: String) {
     tooltip::beside(response, |ui| drop(ui.label(text)));
+}
+
+/// The value of a field of whole numbers that aren't negative.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "its field takes whole numbers that fit")]
+pub(in crate::gui) fn whole(value: f64) -> u32 {
+    value as u32
 }

@@ -72,6 +72,21 @@ fn decades(room: f32) -> impl Fn(GridInput) -> Vec<GridMark> {
 /// More marks than an axis has room for.
 const MOST_MARKS: usize = 200;
 
+/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
+/// lightened. Grey without.
+pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
+    let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
+    let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);
+    let Rgba { r, g, b, .. } = own.legible_on(ground);
+    Color32::from_rgb(r, g, b)
+}
+
+/// A button that exports a chart. True if it was clicked.
+pub(in crate::gui) fn export_button(ui: &mut Ui, lang: Lang) -> bool {
+    let t = window::texts(lang);
+    ui.button(t.export_chart).explained(t.export_chart_hint).clicked()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,19 +102,4 @@ mod tests {
         }
         assert!(decades(42.0)(GridInput { bounds: (0.0, 1e300), base_step_size: 1.0 }).len() <= MOST_MARKS);
     }
-}
-
-/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
-/// lightened. Grey without.
-pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
-    let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
-    let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);
-    let Rgba { r, g, b, .. } = own.legible_on(ground);
-    Color32::from_rgb(r, g, b)
-}
-
-/// A button that exports a chart. True if it was clicked.
-pub(in crate::gui) fn export_button(ui: &mut Ui, lang: Lang) -> bool {
-    let t = window::texts(lang);
-    ui.button(t.export_chart).explained(t.export_chart_hint).clicked()
 }

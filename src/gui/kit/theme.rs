@@ -18,7 +18,6 @@ fn bold_family() -> FontFamily {
 }
 
 /// Bold letters of a size, for the head of a section.
-#[must_use]
 pub fn bold(size: f32) -> FontId {
     FontId::new(size, bold_family())
 }
@@ -43,7 +42,6 @@ pub fn install_fonts(ctx: &egui::Context) {
 }
 
 /// A symbol with subscripts as in the pictures.
-#[must_use]
 pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
     lowered(ui, text, &TextStyle::Body, ui.visuals().strong_text_color())
 }
@@ -60,7 +58,6 @@ pub fn linked_symbol(ui: &mut egui::Ui, text: &str) -> egui::Response {
 }
 
 /// A text with subscripts as in the pictures.
-#[must_use]
 pub fn lowered(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> LayoutJob {
     let font = style.resolve(ui.style());
     let low = FontId::new(font.size * 0.75, font.family.clone());
@@ -74,7 +71,6 @@ pub fn lowered(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> 
 }
 
 /// A sentence in which symbols have subscripts, M_v and z_n. The names of keys and files stay as they are.
-#[must_use]
 pub fn sentence(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> LayoutJob {
     let is_of_word = |c: char| c.is_alphanumeric() || c == '_';
     let mut marked = String::with_capacity(text.len() + 8);

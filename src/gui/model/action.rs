@@ -95,7 +95,6 @@ pub enum AfterSave {
 
 impl AfterSave {
     /// True if the figure of the window is lost with it.
-    #[must_use]
     pub fn replaces_figure(&self) -> bool {
         // Work in the steps of a lesson is kept where its file is read again.
         !matches!(self, Self::LeaveLesson | Self::ReadLesson)

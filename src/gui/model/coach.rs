@@ -75,13 +75,11 @@ impl Coach {
     }
 
     /// The advice for the last request; `None` until it is known.
-    #[must_use]
     pub fn advice(&self) -> Option<&Advice> {
         self.advice.answer()
     }
 
     /// The advice, or the last one while changes since are being examined.
-    #[must_use]
     pub fn newest_advice(&self) -> Option<&Advice> {
         self.advice.newest().map(|(_, advice)| advice)
     }

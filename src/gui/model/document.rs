@@ -57,7 +57,6 @@ pub struct Seen {
 
 impl Seen {
     /// As a figure itself says.
-    #[must_use]
     pub fn of(figure: &Figure) -> Self {
         Self { observers: figure.observers, show: figure.show.clone(), screen: figure.screen }
     }
@@ -105,7 +104,6 @@ impl Document {
     }
 
     /// A figure of the program; `None` if there is none of this name. Saving asks for a file.
-    #[must_use]
     pub fn shipped(name: &'static str) -> Option<Self> {
         let text = ShippedFigure::named(name)?.text().into_owned();
         let figure = figure_from(text.as_bytes()).ok()?.figure;
@@ -148,32 +146,27 @@ impl Document {
     }
 
     /// The figure as it is drawn. Its camera is always possible.
-    #[must_use]
     pub fn figure(&self) -> &Figure {
         &self.figure
     }
 
     /// The camera of [`Self::figure`], with the rest beyond the `f64`s of its parameters. Pictures are drawn without
     /// it, see [`Camera::rounded`].
-    #[must_use]
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
 
     /// Whether the camera only stands in for an impossible one of the file, whose numbers saving would replace.
-    #[must_use]
     pub fn has_stand_in_camera(&self) -> bool {
         self.stands_in
     }
 
     /// The parameters as the fields show them. May be nonsense.
-    #[must_use]
     pub fn draft(&self) -> &Parameters {
         &self.draft
     }
 
     /// Why the draft is not a camera.
-    #[must_use]
     pub fn problem(&self) -> Option<&CameraError> {
         self.problem.as_ref()
     }
@@ -209,6 +202,13 @@ impl Document {
         change(&mut self.figure);
         self.figure.camera = camera;
         self.has_scene(Revision::new());
+    }
+
+    /// Sets a part of the figure but its camera, where it is another one.
+    pub fn set<T: PartialEq>(&mut self, part: fn(&mut Figure) -> &mut T, value: T) {
+        if *part(&mut self.figure) != value {
+            self.edit(|figure| *part(figure) = value);
+        }
     }
 
     /// Changes the author's labels. The scene stays what it is.
@@ -296,13 +296,11 @@ impl Document {
     }
 
     /// True if there is something to undo.
-    #[must_use]
     pub fn can_undo(&self) -> bool {
         self.history.can_undo() || self.behind.is_some()
     }
 
     /// True if there is something to redo.
-    #[must_use]
     pub fn can_redo(&self) -> bool {
         self.history.can_redo() || self.in_front.is_some()
     }
@@ -391,13 +389,11 @@ impl Document {
     }
 
     /// The figure as it was opened or saved last.
-    #[must_use]
     pub const fn saved(&self) -> &Figure {
         &self.saved
     }
 
     /// True if the camera differs from the one the figure was opened with.
-    #[must_use]
     pub fn can_reset(&self) -> bool {
         self.draft != self.opened
     }
@@ -448,7 +444,6 @@ impl Document {
 
     /// The name of the file, without its folder; of a figure of the program that has no file yet, the one that it could
     /// have.
-    #[must_use]
     pub fn name(&self) -> Option<String> {
         match (&self.path, self.shipped) {
             (Some(path), _) => Some(path.file_name()?.to_string_lossy().into_owned()),
@@ -457,33 +452,28 @@ impl Document {
     }
 
     /// The name of the figure of the program that it began as, while it has no file.
-    #[must_use]
     pub fn shipped_name(&self) -> Option<&'static str> {
         self.shipped
     }
 
     /// Whether title and caption are those of the gallery's card that the figure was made of, and the figure is another
     /// one by now. They don't speak of it.
-    #[must_use]
     pub fn has_words_of_card(&self) -> bool {
         let words = |figure: &Figure| (figure.title.clone(), figure.caption.clone());
         self.shipped.is_some() && self.is_changed && words(&self.figure) == words(&self.saved)
     }
 
     /// The file, once there is one.
-    #[must_use]
     pub fn path(&self) -> Option<&PathBuf> {
         self.path.as_ref()
     }
 
     /// The folder of the file that the figure came from: paths of meshes are relative to it.
-    #[must_use]
     pub fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
 
     /// The files that the figure may name.
-    #[must_use]
     pub fn reach(&self) -> FileAccess {
         self.reach
     }
@@ -495,7 +485,6 @@ impl Document {
     }
 
     /// The text of the file as it was read or written last, with its comments. Empty without a file.
-    #[must_use]
     pub fn source(&self) -> &str {
         &self.source
     }
@@ -518,21 +507,18 @@ impl Document {
     }
 
     /// Whether something else is explained than in the file. The convention of NDC does not count. It is the window's.
-    #[must_use]
     pub fn explains_other(&self, show: &Show) -> bool {
         let own = |show: &Show| Show { ndc: None, ..show.clone() };
         own(show) != own(&self.saved.show)
     }
 
     /// Whether closing would lose something. Observers do not count, nor do explanations.
-    #[must_use]
     pub fn is_changed(&self) -> bool {
         self.is_changed
     }
 
     /// Whether something was built. The scene, points, labels, title or caption are other ones than the saved ones.
     /// The camera, the image and the way of drawing are only tried, however they are set.
-    #[must_use]
     pub fn is_built_on(&self) -> bool {
         let built = |figure: &Figure| {
             let Figure { title, caption, points, labels, .. } = figure;

@@ -28,7 +28,6 @@ impl Question {
     pub const ALL: [Self; 4] = [Self::Where, Self::Happens, Self::Called, Self::Able];
 
     /// The question that an explanation answers.
-    #[must_use]
     pub const fn of(explanation: Explanation) -> Self {
         match explanation {
             Explanation::Matrices | Explanation::Point | Explanation::Homogeneous | Explanation::Order => Self::Where,
@@ -62,13 +61,11 @@ pub struct Explained {
 
 impl Explained {
     /// The question that is open.
-    #[must_use]
     pub fn question(&self) -> Question {
         self.question
     }
 
     /// The explanation that is shown.
-    #[must_use]
     pub fn shown(&self) -> Explanation {
         self.last[self.question as usize]
     }

@@ -50,7 +50,6 @@ impl Default for Layout {
 
 impl Layout {
     /// True if the picture is on the screen.
-    #[must_use]
     pub fn is_shown(&self, view: View) -> bool {
         match self.maximized {
             Some(only) => only == view,
@@ -68,7 +67,6 @@ impl Layout {
     }
 
     /// The pictures on the screen.
-    #[must_use]
     pub fn views(&self) -> Views {
         let is_shown = |view: &View| self.is_shown(*view);
         let shown: Vec<View> = View::ALL.into_iter().filter(is_shown).collect();
@@ -141,7 +139,6 @@ pub struct Panels {
 
 impl Panels {
     /// True if the panel is on the screen.
-    #[must_use]
     pub fn is_shown(&self, side: Side) -> bool {
         let [left, right, explain] = self.wanted;
         let at_right = right || explain;

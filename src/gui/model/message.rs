@@ -123,19 +123,16 @@ pub struct NotExported(pub(in crate::gui) ExportError);
 
 impl Message {
     /// Something went wrong.
-    #[must_use]
     pub fn is_error(&self) -> bool {
         self.row(Lang::En).0 == Tone::Error
     }
 
     /// Whether the message disappears by itself. Errors, and lasting states, stay.
-    #[must_use]
     pub fn passes(&self) -> bool {
         self.row(Lang::En).0 == Tone::News
     }
 
     /// The sentence.
-    #[must_use]
     pub fn text(&self, lang: Lang) -> String {
         sanitize::printable(self.row(lang).1.trim())
     }

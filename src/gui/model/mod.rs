@@ -188,7 +188,6 @@ impl Model {
     }
 
     /// The style of the pictures in the window: that of the figure, in the theme of the window.
-    #[must_use]
     pub fn style(&self) -> Style {
         Style { theme: self.settings.theme, ..self.document.figure().style }
     }
@@ -236,7 +235,6 @@ impl Model {
     }
 
     /// True while the exercises are shown.
-    #[must_use]
     pub fn shows_exercises(&self) -> bool {
         self.shows_explanation(Explanation::Exercises)
     }
@@ -265,7 +263,6 @@ impl Model {
     }
 
     /// Warnings about the camera, in the language of the window.
-    #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let camera = self.document.camera();
         let warnings = camera.warnings().into_iter().chain(camera.aspect_warning(self.document.figure().image));

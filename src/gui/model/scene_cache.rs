@@ -179,19 +179,16 @@ impl Reader {
 
 impl SceneCache {
     /// The scene. It is another one only after the figure's has changed.
-    #[must_use]
     pub fn scene(&self) -> &SharedScene {
         &self.scene
     }
 
     /// True if the scene is that of a document, and not of one before it.
-    #[must_use]
     pub(in crate::gui) fn is_of(&self, document: &Document, theme: Theme) -> bool {
         self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
     }
 
     /// A number that stays while one and the same scene is changed, and is another one after another scene has come.
-    #[must_use]
     pub fn subject(&self) -> u64 {
         self.subject
     }
@@ -202,7 +199,6 @@ impl SceneCache {
     }
 
     /// The files that are being read.
-    #[must_use]
     pub fn loading(&self) -> Vec<&str> {
         self.reader.reading().into_iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
     }
@@ -219,7 +215,6 @@ impl SceneCache {
     }
 
     /// Why the file of an object cannot be used.
-    #[must_use]
     pub fn problem_of(&self, object: &str) -> Option<SceneError> {
         let spec = &self.made_from.as_ref()?.spec;
         let Some(Shape::Mesh { path }) = &spec.objects.iter().find(|o| o.name == object)?.shape else { return None };
@@ -228,7 +223,6 @@ impl SceneCache {
     }
 
     /// The files that the mesh file of an object names, lacks, and can be drawn without.
-    #[must_use]
     pub fn unread_of(&self, object: &str) -> &[ReadError] {
         let spec = self.made_from.as_ref().map(|made| &made.spec);
         let shape = spec.and_then(|spec| spec.objects.iter().find(|o| o.name == object)).and_then(|o| o.shape.as_ref());

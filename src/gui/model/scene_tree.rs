@@ -20,7 +20,6 @@ pub enum Selected {
 
 impl Selected {
     /// The item of an object of the built scene, by the name of its [`owner`](crate::scene::Object::owner).
-    #[must_use]
     pub fn of_object(scene: &SceneSpec, name: &str) -> Option<Self> {
         if scene.objects.iter().any(|object| object.name == name) {
             return Some(Self::Object(name.to_owned()));
@@ -76,7 +75,6 @@ impl Typing {
 
 impl SceneTree {
     /// The selection, if the scene has it.
-    #[must_use]
     pub fn selected(&self, scene: &SceneSpec) -> Option<&Selected> {
         self.selected.as_ref().filter(|selected| match selected {
             Selected::Object(name) => scene.objects.iter().any(|o| o.name == *name),
@@ -111,13 +109,11 @@ impl SceneTree {
     }
 
     /// The figure's objects that are selected beside [`selected`](Self::selected). Some may be gone.
-    #[must_use]
     pub fn also(&self) -> &BTreeSet<String> {
         &self.also
     }
 
     /// All objects of the figure that are selected.
-    #[must_use]
     pub fn names(&self, scene: &SceneSpec) -> BTreeSet<String> {
         let own = scene.objects.iter().map(|o| &o.name);
         let is_selected = |name: &String| {

@@ -44,7 +44,6 @@ pub struct Settings {
 
 impl Settings {
     /// The panels as they are wanted now.
-    #[must_use]
     pub fn panels(&self) -> &Panels {
         if self.presentation { &self.presentation_panels } else { &self.panels }
     }
@@ -55,7 +54,6 @@ impl Settings {
     }
 
     /// The factor of stroke widths and type sizes in the pictures, on top of the pixels per point of the window.
-    #[must_use]
     pub fn stroke_scale(&self) -> f32 {
         if self.presentation { 1.5 } else { 1.0 }
     }

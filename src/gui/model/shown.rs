@@ -44,7 +44,6 @@ pub(in crate::gui) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT]
 
 impl Model {
     /// All that `pictures` show in this frame.
-    #[must_use]
     pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
         let figure = self.document.figure();
         let shot = Shot::of_one(figure, &figure.scene);
@@ -64,7 +63,6 @@ impl Model {
     }
 
     /// The other side of the pictures of this frame; `None` if nothing is compared, or it is impossible.
-    #[must_use]
     pub fn compared(&self) -> Option<Compared> {
         let figure = self.document.figure();
         figure.compare.as_ref()?;
@@ -80,7 +78,6 @@ impl Model {
     }
 
     /// The figure that shows in any program the present screen: with explanations, and with the observers.
-    #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
         let figure = Figure { observers: self.observers_as_shown(), ..self.figure_to_save() };
         if self.document.has_words_of_card() { Figure { title: None, caption: None, ..figure } } else { figure }
@@ -88,7 +85,6 @@ impl Model {
 
     /// The figure as *Save* writes it: with its layout and with what it explains. If you haven't turned a view, its
     /// observer isn't written, so the file opens with one that fits.
-    #[must_use]
     pub fn figure_to_save(&self) -> Figure {
         Figure { show: self.show_as_saved(), screen: self.screen(), ..self.document.figure().clone() }
     }
@@ -216,27 +212,23 @@ impl Model {
     }
 
     /// The explanations in the pictures.
-    #[must_use]
     pub fn shown(&self) -> &Show {
         &self.document.figure().show
     }
 
     /// The progress of the canonical picture on its way; `None` if no way is shown, or the camera has none.
-    #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
     }
 
     /// True while the canonical picture is on its way: points are not where the canonical volume has them, and nothing
     /// can be picked.
-    #[must_use]
     pub fn is_on_the_way(&self) -> bool {
         let camera = self.document.camera();
         self.shown().step.is_some_and(|step| steps::time_of(step, camera) < steps::end_of(step.way, camera))
     }
 
     /// The share of the image that is painted, where it is not all.
-    #[must_use]
     pub fn painted_share(&self) -> Option<f64> {
         self.shown().painted
     }
@@ -250,7 +242,6 @@ impl Model {
     }
 
     /// The stage whose input and output a picture shows.
-    #[must_use]
     pub fn shown_stage(&self) -> Option<Stage> {
         self.shown().stage
     }
@@ -320,7 +311,6 @@ impl Model {
     }
 
     /// The pinned probe.
-    #[must_use]
     pub fn pinned(&self) -> Option<Probe> {
         let image = self.document.figure().image;
         self.shown().probe.map(|probe| Probe::of(probe, self.document.camera(), image))
@@ -340,13 +330,11 @@ impl Model {
     }
 
     /// True while an explanation is at the side.
-    #[must_use]
     pub fn shows_explanation(&self, explanation: Explanation) -> bool {
         self.settings.panels().is_shown(Side::Explain) && self.explained.shown() == explanation
     }
 
     /// The picture that is shown where there is room for one: the one that the open explanation is about.
-    #[must_use]
     pub fn main_picture(&self) -> View {
         let wanted = match self.explained.shown() {
             _ if !self.settings.panels().is_shown(Side::Explain) => View::World,

@@ -25,7 +25,6 @@ pub struct Annotations {
 
 impl Annotations {
     /// True if there is something that [`clear`](Self::clear) takes away.
-    #[must_use]
     pub fn any(&self) -> bool {
         self.pen || self.spot || self.frozen || self.blank || !self.strokes.is_empty()
     }

@@ -79,9 +79,10 @@ const ROOM_FOR_SEVERAL: f32 = 560.0;
 const TELL: Duration = Duration::from_millis(100);
 
 /// Draws the pictures and stores their state from one frame to the next.
+#[derive(Default)]
 pub struct Canvas {
-    /// Time that a frame waits for its pictures. Tests have more of it than a hand that drags.
-    pub patience: Duration,
+    /// Time that a frame waits for its pictures; `None` means as long as a hand that drags has. Tests have more of it.
+    pub patience: Option<Duration>,
     rendering: Rendering,
     /// The pictures of the shot, as they are on the screen.
     pictures: Vec<ScreenPicture>,
@@ -96,7 +97,8 @@ pub struct Canvas {
     picker: Picker,
     probe_picker: Picker,
     key_picker: Picker,
-    drag: Option<Drag>,
+    /// With its picture.
+    drag: Option<(usize, Drag)>,
     card: CardPlace,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
@@ -115,8 +117,8 @@ pub struct Canvas {
     click_picker: Picker,
     /// The steps of a lesson whose pictures have begun to fade in.
     faded: u64,
-    /// The command of a context menu.
-    wanted: Option<Command>,
+    /// The command that was chosen in a context menu, until it is taken.
+    pub(in crate::gui) wanted: Option<Command>,
 }
 
 /// The parts of other features that the pictures show or act on.
@@ -160,37 +162,6 @@ struct ScreenPicture {
     place: Option<Rect>,
 }
 
-impl Default for Canvas {
-    fn default() -> Self {
-        Self {
-            patience: MAX_WAIT,
-            rendering: Rendering::default(),
-            pictures: Vec::new(),
-            shares: Shares::default(),
-            asked: None,
-            shot: Shot::default(),
-            hover: Hover::default(),
-            highlight: Highlight::default(),
-            picker: Picker::default(),
-            probe_picker: Picker::default(),
-            key_picker: Picker::default(),
-            drag: None,
-            card: CardPlace::default(),
-            vertex_names: VertexNames::default(),
-            pinned_before: None,
-            probing: None,
-            probe_steps: VecDeque::new(),
-            hover_pick: None,
-            probed_side: None,
-            clicked_pick: None,
-            clicked: None,
-            click_picker: Picker::default(),
-            faded: 0,
-            wanted: None,
-        }
-    }
-}
-
 /// A picture in this frame.
 struct Pane {
     /// Its place among the pictures of the shot.
@@ -205,7 +176,6 @@ struct Pane {
 
 impl Canvas {
     /// How often each picture of the shot has been drawn since the window was opened.
-    #[must_use]
     pub fn drawn(&self) -> Vec<u64> {
         self.rendering.drawn()[..self.pictures.len()].to_vec()
     }
@@ -216,7 +186,6 @@ impl Canvas {
     }
 
     /// The labels of the picture of a kind, in its pixels.
-    #[must_use]
     pub fn labels(&self, kind: View) -> &[LabelPlace] {
         self.picture_of(kind).map(|picture| picture.labels.as_slice()).unwrap_or_default()
     }
@@ -235,7 +204,6 @@ impl Canvas {
     }
 
     /// True if Esc would let go of something in a picture.
-    #[must_use]
     pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
         self.drag.is_some()
             || label_mode.on
@@ -243,11 +211,6 @@ impl Canvas {
             || self.is_probing()
             || model.pinned().is_some()
             || model.can_release_shown()
-    }
-
-    /// The command that was chosen in a context menu, once.
-    pub(in crate::gui) fn take_wanted(&mut self) -> Option<Command> {
-        self.wanted.take()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -266,11 +229,11 @@ impl Canvas {
         let stages = if model.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
         let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
 
-        let ctx = ui.ctx().clone();
+        let (ctx, patience) = (ui.ctx().clone(), self.patience.unwrap_or(MAX_WAIT));
         if model.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) = model.scene_cache.update(&ctx, &model.document, model.settings.theme, self.patience) {
+        if let Err(error) = model.scene_cache.update(&ctx, &model.document, model.settings.theme, patience) {
             model.say(Message::Scene(error));
         } else if model.scene_cache.loading().is_empty() {
             model.forget_missing();
@@ -296,7 +259,7 @@ impl Canvas {
             model.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, model, &mut panes);
-        let mut status = self.interact(ui, model, label_mode, photograph, &mut inputs.placing, &panes, texts);
+        let mut status = self.interact(ui, model, (label_mode, photograph), &mut inputs.placing, &panes, texts);
         self.pin_clicked(&ctx, model);
         self.take_click(&ctx, model, &mut inputs);
         self.take_probe_steps(&ctx, model, &panes);
@@ -468,7 +431,7 @@ impl Canvas {
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
     fn draw(&mut self, ui: &Ui, model: &mut Model, inputs: &Inputs<'_>, panes: &mut [Pane]) {
-        let ctx = ui.ctx();
+        let (ctx, patience) = (ui.ctx(), self.patience.unwrap_or(MAX_WAIT));
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let style = model.style();
         let scene = self.highlight.scene(model);
@@ -482,7 +445,7 @@ impl Canvas {
                 continue;
             }
             let request = Request { scene: scene.clone(), ..pane.request.clone() };
-            let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, self.patience);
+            let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, patience);
             let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;
             if !inputs.frozen {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
@@ -492,7 +455,7 @@ impl Canvas {
             let now = ui.input(|input| input.time);
             self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));
         }
-        for (i, done) in self.rendering.collect(self.patience).into_iter().enumerate() {
+        for (i, done) in self.rendering.collect(patience).into_iter().enumerate() {
             let (Some(rendered), Some(shown)) = (done, self.shot.pictures.get(i)) else { continue };
             let missing = rendered.as_ref().err().copied();
             let (tiles, account, over_budget, labels) = rendered

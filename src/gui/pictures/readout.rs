@@ -24,6 +24,10 @@ pub(super) struct Cell {
     pub(super) wanted: bool,
 }
 
+fn wanted(space: &'static str, value: String) -> Cell {
+    Cell { space, value, wanted: true }
+}
+
 /// The coordinates of a probe in every space, in the order of the pipeline.
 pub(super) fn cells(
     probe: Probe,
@@ -33,7 +37,6 @@ pub(super) fn cells(
     texts: &CanvasTexts,
 ) -> Vec<Cell> {
     let (look, camera) = (&request.shot.look, &request.camera);
-    let wanted = |space, value| Cell { space, value, wanted: true };
     let other = |space, value| Cell { space, value, wanted: false };
     match probe {
         Probe::Point(p) => {
@@ -76,7 +79,6 @@ pub(super) fn cells(
 
 /// The outcode of a point, with the planes that its bits name, and its homogeneous distances from them.
 fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> [Cell; 4] {
-    let cell = |space, value| Cell { space, value, wanted: true };
     let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();
     let mut code = clip_parts::outcode_of(&request.camera, p).unwrap_or([true; 6]);
     // Without a far plane nothing is beyond it.
@@ -94,24 +96,23 @@ fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMa
         _ => "w − z, z",
     };
     [
-        cell(texts.outcode, format!("{bits} {meaning}")),
-        cell("w + x, w − x", pair([left, right])),
-        cell(y, pair([bottom, top])),
-        cell(z, pair([near, far])),
+        wanted(texts.outcode, format!("{bits} {meaning}")),
+        wanted("w + x, w − x", pair([left, right])),
+        wanted(y, pair([bottom, top])),
+        wanted(z, pair([near, far])),
     ]
 }
 
 fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> Vec<Cell> {
     // Depths differ late: near the back of the volume the first four digits are all alike.
     let digits = digits.max(6);
-    let cell = |space, value| Cell { space, value, wanted: true };
     match depths {
         None => Vec::new(),
-        Some(None) => vec![cell(texts.depth, texts.nothing_here.to_owned())],
+        Some(None) => vec![wanted(texts.depth, texts.nothing_here.to_owned())],
         Some(Some(DepthReading { z, ndc_z, distance })) => vec![
-            cell(texts.depth, format!("Z = {}", mark.number(z, digits))),
-            cell(texts.space_ndc, format!("z_n = {}", mark.number(ndc_z, digits))),
-            cell(texts.distance, format!("−z_c = {}", mark.number(distance, digits))),
+            wanted(texts.depth, format!("Z = {}", mark.number(z, digits))),
+            wanted(texts.space_ndc, format!("z_n = {}", mark.number(ndc_z, digits))),
+            wanted(texts.distance, format!("−z_c = {}", mark.number(distance, digits))),
         ],
     }
 }
@@ -120,7 +121,7 @@ fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), tex
 pub(super) fn vertex_cell(name: &VertexName, texts: &CanvasTexts) -> Cell {
     let VertexName { object, of_preset, number } = name;
     let object = if *of_preset { preset_object(texts.lang, object) } else { escaped(object) };
-    Cell { space: texts.vertex, value: format!("{number} – {object}"), wanted: true }
+    wanted(texts.vertex, format!("{number} – {object}"))
 }
 
 /// Two coordinates.

@@ -41,17 +41,10 @@ pub fn bar(ui: &mut egui::Ui, lang: Lang, list: &mut NewsList) {
 
 /// A line, marked where something has gone wrong.
 fn text(ui: &egui::Ui, text: String, news: &News) -> RichText {
-    match news {
-        News::Restored => RichText::new(text),
-        News::RestoredInPart(..)
-        | News::Damaged(_)
-        | News::Unusable(..)
-        | News::Taken
-        | News::NoSlot
-        | News::PreferencesSetAside(_)
-        | News::ProgressSetAside(_)
-        | News::NotKept(_)
-        | News::NoHome => RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color),
+    if matches!(news, News::Restored) {
+        RichText::new(text)
+    } else {
+        RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color)
     }
 }
 

@@ -5,7 +5,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
 use crate::files::ShippedFigure;
-use crate::gui::kit::form::{choice, row};
+use crate::gui::kit::form::choice_row;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
@@ -18,17 +18,14 @@ use crate::pipeline::divide_before_clip::divided_first;
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().reveal;
-    let mut reveal = old;
+    let mut reveal = model.document.figure().reveal;
     let outsides = [
         (Outside::Usual, t.outside_usual),
         (Outside::Cut, t.outside_cut),
         (Outside::Tinted, t.outside_tinted),
         (Outside::Shown, t.outside_shown),
     ];
-    row(ui, "", t.outside_view, t.outside_view_hint, |ui| {
-        choice(ui, t.outside_view, t.outside_view_hint, &mut reveal.outside, &outsides)
-    });
+    choice_row(ui, t.outside_view, t.outside_view_hint, &mut reveal.outside, &outsides);
     for (on, name, hint) in [
         (&mut reveal.clipping, t.clipping_view, t.clipping_view_hint),
         (&mut reveal.divide_first, t.divide_first, t.divide_first_hint),
@@ -36,9 +33,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
         ui.checkbox(on, name).explained(hint);
         ui.label(eframe::egui::RichText::new(hint).small().weak());
     }
-    if reveal != old {
-        model.document.edit(|figure| figure.reveal = reveal);
-    }
+    model.document.set(|figure| &mut figure.reveal, reveal);
     dead_end(ui, model, explain);
     let words = explain::texts(model.settings.lang);
     if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {

@@ -10,7 +10,7 @@ use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
 use crate::figure::Depth;
-use crate::gui::kit::form::{choice, row};
+use crate::gui::kit::form::choice_row;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::plotting::color_of;
 use crate::gui::kit::plotting::export_button;
@@ -49,24 +49,18 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
 /// The image in colours, or the depth buffer in its place.
 fn depth_view(ui: &mut Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().reveal.depth;
-    let mut depth = old;
+    let mut depth = model.document.figure().reveal.depth;
     let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
-    row(ui, "", t.depth_view, t.depth_view_hint, |ui| choice(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths));
-    if depth != old {
-        model.document.edit(|figure| figure.reveal.depth = depth);
-    }
+    choice_row(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths);
+    model.document.set(|figure| &mut figure.reveal.depth, depth);
     let t = compare::texts(model.settings.lang);
-    let old = model.document.figure().style.depth_format;
-    let mut format = old;
+    let mut format = model.document.figure().style.depth_format;
     let formats =
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
     let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(model.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
-    row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &choices));
-    if format != old {
-        model.document.edit(|figure| figure.style.depth_format = format);
-    }
+    choice_row(ui, t.format, t.format_hint, &mut format, &choices);
+    model.document.set(|figure| &mut figure.style.depth_format, format);
     compare_button(ui, model);
 }
 

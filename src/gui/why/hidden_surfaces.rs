@@ -1,11 +1,12 @@
 //! Hidden surfaces: the image painted so far, triangle by triangle, by each hidden-surface algorithm; the faces that
 //! are turned away.
 
-use eframe::egui::{self, RichText, Slider, Ui};
+use eframe::egui::{RichText, Slider, Ui};
 
 use super::compare_button;
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
+use crate::gui::kit::form::alternatives;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -24,16 +25,12 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     let figure = model.document.figure();
     let (mut style, mut reveal) = (figure.style, figure.reveal);
     ui.horizontal_wrapped(|ui| {
-        for (visibility, name, hint) in [
+        let all = [
             (Visibility::Painter, t.painter, t.painter_hint),
             (Visibility::Bsp, t.bsp, t.bsp_hint),
             (Visibility::DepthBuffer, t.depth_buffer, t.depth_buffer_hint),
-        ] {
-            let button = egui::Button::selectable(style.visibility == visibility, name).frame_when_inactive(true);
-            if ui.add(button).explained(hint).clicked() {
-                style.visibility = visibility;
-            }
-        }
+        ];
+        alternatives(ui, &mut style.visibility, all);
     });
     ui.label(match style.visibility {
         Visibility::Painter => t.painter_said,
@@ -48,10 +45,8 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     compare_button(ui, model);
     let words = window::texts(model.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
-    let figure = model.document.figure();
-    if (style, reveal) != (figure.style, figure.reveal) {
-        model.document.edit(|figure| (figure.style, figure.reveal) = (style, reveal));
-    }
+    model.document.set(|figure| &mut figure.style, style);
+    model.document.set(|figure| &mut figure.reveal, reveal);
 }
 
 /// From nothing to the whole image. The arrow keys move the slider.

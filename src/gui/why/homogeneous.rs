@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, DVec4};
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::form::{complaint, section};
+use crate::gui::kit::form::{complain, section};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
@@ -35,9 +35,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
     let hint = window::texts(model.settings.lang).vanishing_hint;
     let vanishing = ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint);
     help_topic(&vanishing, "ideal-point");
-    if vanishing.changed() {
-        model.document.edit(|figure| figure.reveal = reveal);
-    }
+    model.document.set(|figure| &mut figure.reveal, reveal);
 }
 
 /// A section, with the note on its subject.
@@ -199,9 +197,7 @@ fn middle(ui: &mut egui::Ui, t: &Texts, model: &Model, explain: &mut Explain) {
         output
     });
     let share = *share;
-    if let Some(error) = output.inner.error {
-        complaint(ui, &error.text(lang));
-    }
+    complain(ui, lang, [&output.inner]);
     if !(w_a > 0.0 && w_b > 0.0) {
         ui.label(t.behind_middle);
         return;

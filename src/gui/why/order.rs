@@ -14,7 +14,7 @@ use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, excha
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
-use crate::gui::kit::form::{choice, complaint, section};
+use crate::gui::kit::form::{alternatives, choice, complaint, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{mathematics, theme};
 use crate::gui::model::Model;
@@ -137,14 +137,8 @@ fn add(ui: &mut Ui, t: &'static Texts, order: &mut Order) {
 }
 
 fn readings(ui: &mut Ui, t: &Texts, reading: &mut Reading) {
-    ui.horizontal_wrapped(|ui| {
-        for (of, name, hint) in [(Reading::Frame, t.frame, t.frame_hint), (Reading::Object, t.fixed, t.fixed_hint)] {
-            let button = egui::Button::selectable(*reading == of, name).frame_when_inactive(true);
-            if ui.add(button).explained(hint).clicked() {
-                *reading = of;
-            }
-        }
-    });
+    let all = [(Reading::Frame, t.frame, t.frame_hint), (Reading::Object, t.fixed, t.fixed_hint)];
+    ui.horizontal_wrapped(|ui| alternatives(ui, reading, all));
 }
 
 /// The number of calls applied: step by step, or by the slider.

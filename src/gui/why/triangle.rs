@@ -6,8 +6,8 @@ use glam::DVec3;
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::form::complaint;
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::form::complain;
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
@@ -33,18 +33,12 @@ struct Page<'a> {
 }
 
 /// A field for a whole number from 0 to `last`.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "its field takes whole numbers of u32 alone"
-)]
 fn whole_number(ui: &mut Ui, lang: Lang, (name, hint): (&str, &str), now: u32, last: u32) -> u32 {
     let field = NumberField::new(name, Step::Add(1.0)).of("triangle").whole().within(0.0..=f64::from(last));
     let mut value = f64::from(now.min(last));
-    if let Some(error) = field.hint(hint).show(ui, window::texts(lang), &mut value).error {
-        complaint(ui, &error.text(lang));
-    }
-    value as u32
+    let shown = field.hint(hint).show(ui, window::texts(lang), &mut value);
+    complain(ui, lang, [&shown]);
+    whole(value)
 }
 
 /// Shows the chooser, and the steps of the chosen triangle.

@@ -8,7 +8,6 @@ use crate::i18n::messages::cameras::camera_wording;
 use crate::i18n::messages::figure_files;
 
 /// A camera by the names of the notes, as it is typed: all that its projection needs, to the last digit.
-#[must_use]
 pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
     let mark = lang.mark();
     let exact = |value: f64| mark.typed(&value.to_string());
@@ -41,7 +40,6 @@ pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
 }
 
 /// Why the values of an answer make no camera, by the names of the notes.
-#[must_use]
 pub(in crate::i18n) fn refused(lang: Lang, error: &FigureError) -> String {
     let of_key = |key: &ParameterKey| error.key.strip_prefix("[camera] ").is_some_and(|name| name == key.name());
     match (&error.problem, ParameterKey::ALL.iter().find(|key| of_key(key))) {

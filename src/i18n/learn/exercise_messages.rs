@@ -28,7 +28,6 @@ texts! {
 }
 
 /// An identifier that no exercise has.
-#[must_use]
 pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
     let meant =
@@ -37,28 +36,53 @@ pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
         "não há exercício {id:?};{meant} `camera-lab exercise list` os lista")
 }
 
-/// An answer to an unknown question.
-#[must_use]
-pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
-    let (name, asks) = (escaped(name), asks.join(", "));
-    both!(lang; "--answer: {id} does not ask for {name:?}; it asks for: {asks}",
-        "--answer: {id} não pede {name:?}; pede: {asks}")
-}
+texts_with_values! {
+    /// An answer to an unknown question.
+    unknown_ask(lang, id: &str, name: &str, asks: &[&str]): "--answer: {id} does not ask for {name:?}; it asks for: {asks}",
+        "--answer: {id} não pede {name:?}; pede: {asks}" (name = escaped(name), asks = asks.join(", "));
 
-/// The same question answered twice.
-#[must_use]
-pub fn answered_twice(lang: Lang, name: &str) -> String {
-    both!(lang; "--answer: {} is answered twice", "--answer: {} foi respondido duas vezes"; escaped(name))
-}
+    /// The same question answered twice.
+    answered_twice(lang, name: &str): "--answer: {} is answered twice",
+        "--answer: {} foi respondido duas vezes" (escaped(name));
 
-/// A file of a folder that is no exercise, where the others are used.
-#[must_use]
-pub fn passed_over(lang: Lang, why: &str) -> String {
-    both!(lang; "skipped: {why}", "ignorado: {why}")
+    /// A file of a folder that is no exercise, where the others are used.
+    passed_over(lang, why: &str): "skipped: {why}", "ignorado: {why}";
+
+    /// An answer that cannot be read. It has not been judged.
+    unreadable(lang, name: &str, why: &str): "--answer {name}: {why}. Nothing was checked",
+        "--answer {name}: {why}. Nada foi conferido";
+
+    /// `--hints` that is not a number of hints.
+    hints_range(lang, text: &str): "--hints {text}: expected a whole number from 0 to 9",
+        "--hints {text}: esperava-se um número inteiro de 0 a 9" (text = escaped(text));
+
+    /// The number of right entries.
+    score(lang, right: usize, all: usize): "{right} of {all}", "{right} de {all}";
+
+    /// The number of right entries or conditions of a wrong answer.
+    right_of(lang, right: usize, all: usize): "{right} of {all} right", "{right} de {all} certos";
+
+    /// A sheet with an ending that cannot be written.
+    sheet_ending(lang, path: &str): "{path}: unknown extension; allowed: .pdf, .md, .tex",
+        "{path}: extensão desconhecida; permitido: .pdf, .md, .tex";
+
+    /// A picture of an exercise that gives none.
+    no_picture(lang, id: &str): "--picture: {id} has no image to match", "--picture: {id} não tem imagem a reproduzir";
+
+    /// A picture with an ending that cannot be written.
+    picture_ending(lang, path: &str): "--picture {path}: unknown extension; allowed: .png",
+        "--picture {path}: extensão desconhecida; permitido: .png";
+
+    /// The progress is deleted, and still in the file at `path`.
+    progress_deleted(lang, path: &str): "Progress deleted. The old file is now {path}.",
+        "Progresso apagado. O arquivo antigo é agora {path}.";
+
+    /// The place of a point in the image, in whole pixels.
+    lands(lang, place: [f64; 2]): "The point lands on the pixel {pixel}.",
+        "O ponto cai no pixel {pixel}." (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 }
 
 /// Why a file was passed over, where others were too.
-#[must_use]
 pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
     match more {
         1 => both!(lang; "{why} (and one more file was skipped)", "{why} (e mais um arquivo foi ignorado)"),
@@ -69,25 +93,16 @@ pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
 }
 
 /// An answer without `=`.
-#[must_use]
 pub fn answer_form(lang: Lang, text: &str) -> String {
     format!("--answer {}: {}", escaped(text), name_and_value(lang))
 }
 
-/// An answer that cannot be read. It has not been judged.
-#[must_use]
-pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
-    both!(lang; "--answer {name}: {why}. Nothing was checked", "--answer {name}: {why}. Nada foi conferido")
-}
-
 /// `--with` that cannot be used.
-#[must_use]
 pub fn with(_lang: Lang, text: &str, why: &str) -> String {
     format!("--with {}: {why}", escaped(text))
 }
 
 /// A number that the exercise does not leave open.
-#[must_use]
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     let name = escaped(name);
     if free.is_empty() {
@@ -98,28 +113,17 @@ pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
         "--with: {id} não deixa {name:?} em aberto; deixa: {}"; free.join(", "))
 }
 
-/// `--hints` that is not a number of hints.
-#[must_use]
-pub fn hints_range(lang: Lang, text: &str) -> String {
-    let text = escaped(text);
-    both!(lang; "--hints {text}: expected a whole number from 0 to 9",
-        "--hints {text}: esperava-se um número inteiro de 0 a 9")
-}
-
 /// The expected form.
-#[must_use]
 pub const fn name_and_value(lang: Lang) -> &'static str {
     pick!(lang; "expected NAME=VALUE", "esperava-se NOME=VALOR")
 }
 
 /// The expected range.
-#[must_use]
 pub const fn greater_than_zero(lang: Lang) -> &'static str {
     pick!(lang; "expected a number greater than 0", "esperava-se um número maior que 0")
 }
 
 /// Hints for a wrong answer, weaker ones first. None for a right one.
-#[must_use]
 pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
     /// Digits of the numbers in the first step.
     const DIGITS: usize = 6;
@@ -139,40 +143,7 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     }
 }
 
-/// The number of right entries.
-#[must_use]
-pub fn score(lang: Lang, right: usize, all: usize) -> String {
-    both!(lang; "{right} of {all}", "{right} de {all}")
-}
-
-/// The number of right entries or conditions of a wrong answer.
-#[must_use]
-pub fn right_of(lang: Lang, right: usize, all: usize) -> String {
-    both!(lang; "{right} of {all} right", "{right} de {all} certos")
-}
-
-/// A sheet with an ending that cannot be written.
-#[must_use]
-pub fn sheet_ending(lang: Lang, path: &str) -> String {
-    both!(lang; "{path}: unknown extension; allowed: .pdf, .md, .tex",
-        "{path}: extensão desconhecida; permitido: .pdf, .md, .tex")
-}
-
-/// A picture of an exercise that gives none.
-#[must_use]
-pub fn no_picture(lang: Lang, id: &str) -> String {
-    both!(lang; "--picture: {id} has no image to match", "--picture: {id} não tem imagem a reproduzir")
-}
-
-/// A picture with an ending that cannot be written.
-#[must_use]
-pub fn picture_ending(lang: Lang, path: &str) -> String {
-    both!(lang; "--picture {path}: unknown extension; allowed: .png",
-        "--picture {path}: extensão desconhecida; permitido: .png")
-}
-
 /// Why an exercise is the next to practise.
-#[must_use]
 pub fn why(lang: Lang, why: Why) -> String {
     match (lang, why) {
         (Lang::En, Why::Mistake(made, times)) => {
@@ -200,22 +171,7 @@ pub fn why(lang: Lang, why: Why) -> String {
     }
 }
 
-/// The progress is deleted, and still in the file at `path`.
-#[must_use]
-pub fn progress_deleted(lang: Lang, path: &str) -> String {
-    both!(lang; "Progress deleted. The old file is now {path}.",
-        "Progresso apagado. O arquivo antigo é agora {path}.")
-}
-
-/// The place of a point in the image, in whole pixels.
-#[must_use]
-pub fn lands(lang: Lang, place: [f64; 2]) -> String {
-    let pixel = lang.mark().tuple(&place.map(f64::floor), 5);
-    both!(lang; "The point lands on the pixel {pixel}.", "O ponto cai no pixel {pixel}.")
-}
-
 /// How far an answer is from the right place in the image, pixels to the right and down, and where that place is.
-#[must_use]
 pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {
     let distance = x.hypot(y);
     let by = lang.mark().number(distance.round(), 5);

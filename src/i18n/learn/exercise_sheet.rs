@@ -13,7 +13,6 @@ const DIGITS: usize = 6;
 pub type PictureOf<'a> = &'a dyn Fn(usize) -> String;
 
 /// A sheet in Markdown.
-#[must_use]
 pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
     let mut text = format!("# {}\n\n{}: ____________________  {}: ____________\n", t.exercises, t.name, t.date);
@@ -52,7 +51,6 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
 }
 
 /// A sheet in LaTeX, which compiles with nothing but amsmath and amssymb, and graphicx where it has pictures.
-#[must_use]
 pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
     let babel = pick!(lang; "english", "brazil");
@@ -102,7 +100,6 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
 }
 
 /// The right answer, as it would be typed.
-#[must_use]
 pub fn answer(lang: Lang, ask: &Ask) -> String {
     let mark = lang.mark();
     match (ask.expected(), ask.expected().table(), &ask.kind) {

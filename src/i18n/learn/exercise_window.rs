@@ -92,19 +92,16 @@ texts! {
 }
 
 /// The action of a button with its question: screen readers hear which one of several it is.
-#[must_use]
 pub fn of_ask(what: &str, ask: &str) -> String {
     format!("{what}: {ask}")
 }
 
 /// The guess, and what is asked after it.
-#[must_use]
 pub fn you_said(lang: Lang, guess: &str, question: &str) -> String {
     format!("{}: **{guess}**. {question}", texts(lang).you_guessed)
 }
 
 /// A field of a vector or a matrix. Rows and columns from 0.
-#[must_use]
 pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: [usize; 2]) -> String {
     let (i, j) = (row + 1, column + 1);
     match (rows, columns) {
@@ -115,7 +112,6 @@ pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: 
 }
 
 /// An answer is not an axis. It is longer or shorter than 1.
-#[must_use]
 pub fn axis_length(lang: Lang, length: f64) -> String {
     let length = lang.mark().number(length, 4);
     both!(lang; "your vector has length {length}, but an axis of a camera has length 1",
@@ -123,7 +119,6 @@ pub fn axis_length(lang: Lang, length: f64) -> String {
 }
 
 /// An answer is not an axis. Its scalar product with **n** is not 0.
-#[must_use]
 pub fn axis_oblique(lang: Lang, product: f64) -> String {
     let product = lang.mark().number(product, 4);
     both!(lang; "your vector is not perpendicular to n: their scalar product is {product}, not 0",

@@ -20,13 +20,11 @@ fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
 }
 
 /// The title of an exercise or a family.
-#[must_use]
 pub fn title(lang: Lang, entry: &Entry) -> &str {
     title_of(lang, &entry.id, entry.texts())
 }
 
 /// The title of an exercise with its numbers.
-#[must_use]
 pub fn exercise_title(lang: Lang, exercise: &Exercise) -> &str {
     title_of(lang, &exercise.id, exercise.texts.as_deref())
 }
@@ -39,7 +37,6 @@ fn title_of<'a>(lang: Lang, id: &str, own: Option<&'a OwnTexts>) -> &'a str {
 }
 
 /// The paragraphs of its statement, in Markdown.
-#[must_use]
 pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     if let Some(own) = &exercise.texts {
         let paragraphs = told(lang, &own.statement).split("\n\n").map(str::trim);
@@ -55,7 +52,6 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
 
 /// The assumptions where the source leaves a question open, and what the source has otherwise. The assumption `≠ yaw`
 /// is what the note `yaw` says of it.
-#[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
     let text = |name: &&str| match name.strip_prefix("≠ ") {
         Some(id) => notes::note(lang, id).map_or_else(String::new, |note| differs(lang, note)),
@@ -72,7 +68,6 @@ fn differs(lang: Lang, note: &Note) -> String {
 }
 
 /// The text of a question.
-#[must_use]
 pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
     if let Some(own) = exercise.texts.as_ref().and_then(|own| own.asks.get(&ask.name)) {
         return told(lang, own).to_owned();
@@ -82,14 +77,12 @@ pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
 }
 
 /// The reading of a question.
-#[must_use]
 pub fn reading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "readings", name)
 }
 
 /// The name of a choice typed by its name or by its word in either language, yes and no also in the form of `inspect`,
 /// true and false. The typed text where it is none of them.
-#[must_use]
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
     let wanted = typed.trim().to_lowercase();
@@ -105,31 +98,26 @@ pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
 }
 
 /// A choice for which the program has a text.
-#[must_use]
 pub fn choice(lang: Lang, name: &str) -> &str {
     listed(lang, "choices", name)
 }
 
 /// A choice of a question.
-#[must_use]
 pub fn choice_of<'a>(lang: Lang, ask: &'a Ask, name: &'a str) -> &'a str {
     ask.own_choices.get(name).map_or_else(|| choice(lang, name), |text| told(lang, text))
 }
 
 /// A condition on a camera.
-#[must_use]
 pub fn condition(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "conditions", name)
 }
 
 /// The heading of a worked step.
-#[must_use]
 pub fn heading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "headings", name)
 }
 
 /// The text of a mistake, a hint, and a stronger one.
-#[must_use]
 pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
     parts(listed(lang, "mistakes", mistake.code()))
 }
@@ -153,7 +141,6 @@ fn cause(lang: Lang, ask: &Ask, cause: Cause) -> [&'static str; 3] {
 
 /// The diagnosis of a wrong answer: the mistakes, one after the other, or all of which one was made, and the place of a
 /// single faulty number. `None` means nothing explains the answer.
-#[must_use]
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let diagnosis = judged.diagnosis.as_ref()?;
     if let Some(own) = &diagnosis.own {
@@ -199,7 +186,6 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
 }
 
 /// The answers from whose wrong values this one follows rightly; `None` if it does not.
-#[must_use]
 pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let (last, first) = judged.carried.split_last()?;
     let and = if lang == Lang::En { "and" } else { "e" };
@@ -220,7 +206,6 @@ fn shape([rows, columns]: [usize; 2]) -> String {
 }
 
 /// Its hints, weaker ones first.
-#[must_use]
 pub fn hints<'a>(lang: Lang, ask: &Ask, diagnosis: &'a Diagnosis) -> Vec<&'a str> {
     if let Some(own) = diagnosis.own.as_ref().filter(|own| !own.hints.is_empty()) {
         return own.hints.iter().map(|hint| told(lang, hint)).collect();
@@ -234,7 +219,6 @@ pub fn hints<'a>(lang: Lang, ask: &Ask, diagnosis: &'a Diagnosis) -> Vec<&'a str
 
 /// The hints for a wrong answer that no known mistake explains. The sentence to keep of the lesson, and the first step
 /// of the solution. Without a lesson, the number of right entries comes first.
-#[must_use]
 pub fn hints_without_diagnosis(
     lang: Lang,
     judged: &Judged,
@@ -272,7 +256,6 @@ pub fn hints_without_diagnosis(
 }
 
 /// The required form of an answer.
-#[must_use]
 pub fn kind(lang: Lang, ask: &Ask) -> String {
     let kind = match &ask.kind {
         Kind::Number => both!(lang; "a number", "um número"),
@@ -297,7 +280,6 @@ fn list_of_choices<'a>(choices: &'a [String], said: impl Fn(&'a str) -> &'a str)
 }
 
 /// The tolerance of an answer. Empty for choices and cameras.
-#[must_use]
 pub fn tolerance(lang: Lang, ask: &Ask) -> String {
     let numbers = matches!(ask.kind, Kind::Number | Kind::Vector(_) | Kind::Matrix(..));
     let by = lang.mark().number(ask.tolerance, 3);
@@ -327,13 +309,11 @@ fn unit(lang: Lang, unit: Unit) -> &'static str {
 }
 
 /// The worked steps to an answer, one text each.
-#[must_use]
 pub fn steps(lang: Lang, exercise: &Exercise, ask: &Ask, digits: usize) -> Vec<String> {
     ask.steps().iter().map(|worked| step(lang, exercise, worked, digits)).collect()
 }
 
 /// A worked step: heading, equation, and the rows below one another.
-#[must_use]
 pub fn step(lang: Lang, exercise: &Exercise, step: &Worked, digits: usize) -> String {
     let style = Style { notation: Notation::Text, mark: lang.mark(), digits };
     let mut text = step_heading(lang, exercise, step);
@@ -350,14 +330,12 @@ pub fn step(lang: Lang, exercise: &Exercise, step: &Worked, digits: usize) -> St
 }
 
 /// The heading of a worked step: its action, and its equation.
-#[must_use]
 pub fn step_heading(lang: Lang, exercise: &Exercise, step: &Worked) -> String {
     let heading = filled(lang, exercise, heading(lang, step.heading));
     if step.equation.is_empty() { heading } else { format!("{heading}  {}", step.equation) }
 }
 
 /// An answer as it was understood.
-#[must_use]
 pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
     let mark = lang.mark();
     let entry = |entry: &Option<f64>| entry.map_or_else(|| "?".to_owned(), |value| number(mark, value));
@@ -387,7 +365,6 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
 const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
 
 /// Why an answer cannot be read.
-#[must_use]
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
     match (lang, error) {
         (_, AnswerError::Number { row, column, text, error }) => {
@@ -458,20 +435,17 @@ fn written(lang: Lang, fact: &Fact) -> String {
 }
 
 /// A number as a fraction or a root where it is one, else in six digits.
-#[must_use]
 pub fn number(mark: DecimalMark, value: f64) -> String {
     exact_form(value).map_or_else(|| mark.number(value, 6), |form| form.text())
 }
 
 /// (a, b, c)
-#[must_use]
 pub fn tuple(mark: DecimalMark, values: &[f64]) -> String {
     let numbers: Vec<String> = values.iter().map(|value| number(mark, *value)).collect();
     format!("({})", numbers.join(mark.separator()))
 }
 
 /// [[a, b], [c, d]]
-#[must_use]
 pub fn matrix(mark: DecimalMark, table: &Table) -> String {
     let row = |row: &[f64]| {
         let numbers: Vec<String> = row.iter().map(|value| number(mark, *value)).collect();
@@ -481,7 +455,6 @@ pub fn matrix(mark: DecimalMark, table: &Table) -> String {
 }
 
 /// A number, or a matrix, in LaTeX. A vector is a column. `None` is a missing entry.
-#[must_use]
 pub fn table_latex(mark: DecimalMark, unit: Unit, columns: usize, entries: &[Option<f64>]) -> String {
     let unit = if unit == Unit::Degrees { r"^\circ" } else { "" };
     let decimal = |value: f64| mark.number(value, 6).replace('−', "-").replace(',', "{,}");

@@ -128,7 +128,6 @@ texts! {
 }
 
 /// A text with the numbers of a figure; as it is written where it has none.
-#[must_use]
 pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
     match lessons::numbers_of(figure) {
         Ok(report) => filled_from(lang, text, &report),
@@ -137,26 +136,22 @@ pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
 }
 
 /// A text with the numbers of a report; as it is written where the report lacks one of them.
-#[must_use]
 pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
     let text = told(lang, text);
     lessons::filled(text, report, lang.mark()).unwrap_or_else(|_| text.to_owned())
 }
 
 /// The text of a step, in Markdown.
-#[must_use]
 pub fn text(lang: Lang, step: &Step) -> String {
     filled(lang, &step.text, &step.figure)
 }
 
 /// The speaker's notes of a step, in Markdown.
-#[must_use]
 pub fn notes(lang: Lang, step: &Step) -> Option<String> {
     step.notes.as_ref().map(|notes| filled(lang, notes, &step.figure))
 }
 
 /// A lesson to read in a terminal.
-#[must_use]
 pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
     let t = texts(lang);
     let mut out = format!("{} ({})\n", told(lang, &lesson.title), lesson.id);
@@ -211,7 +206,6 @@ fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
 }
 
 /// The titles of the exercises to which a lesson leads, each once.
-#[must_use]
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
     lessons::exercises_of(lesson)
         .into_iter()
@@ -219,22 +213,54 @@ pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
         .collect()
 }
 
-/// A step was added to a file.
-#[must_use]
-pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
-    both!(lang; "Step {number} was added to {file}", "O passo {number} foi adicionado a {file}")
-}
+texts_with_values! {
+    /// A step was added to a file.
+    step_added(lang, file: &str, number: usize): "Step {number} was added to {file}",
+        "O passo {number} foi adicionado a {file}";
 
-/// Another program has changed the file of the lesson.
-#[must_use]
-pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
-    let again = texts(lang).read_again;
-    both!(lang; "Another program has changed {file}, so nothing was written to it. “{again}” shows the text that is in the file now",
-        "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora")
+    /// Another program has changed the file of the lesson.
+    changed_elsewhere(lang, file: &str): "Another program has changed {file}, so nothing was written to it. “{again}” shows the text that is in the file now",
+        "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora"
+        (again = texts(lang).read_again);
+
+    /// The tasks of a lesson that are done.
+    answered(lang, done: usize, all: usize): "{done} of {all} tasks done", "{done} de {all} tarefas feitas";
+
+    /// A key of a lesson names another lesson that does not exist.
+    no_lesson(lang, key: &str, id: &str): "{key}: there is no lesson {:?}", "{key}: não há lição {:?}" (escaped(id));
+
+    /// A key of a lesson names a note that does not exist.
+    no_note(lang, key: &str, id: &str): "{key}: there is no reference page {:?}",
+        "{key}: não há verbete {:?}" (escaped(id));
+
+    /// A message about a step, from 1.
+    of_step(lang, number: usize, why: &str): "step {number}: {why}", "passo {number}: {why}";
+
+    /// There is no step with this number.
+    no_step(lang, found: &str, count: usize): "--step is {found}; allowed: a number from 1 to {count}",
+        "--step é {found}; permitido: um número de 1 a {count}" (found = escaped(found));
+
+    /// A link names a step that its lesson doesn't have.
+    no_step_of(lang, key: &str, step: usize, count: usize): "{key}: the lesson has no step {step}; allowed: a step from 1 to {count}",
+        "{key}: a lição não tem o passo {step}; permitido: um passo de 1 a {count}";
+
+    /// The goal of a step holds from the start.
+    reached_already(lang, key: &str): "{key} holds already in the figure of the step; allowed: conditions that do not",
+        "{key} já vale na figura do passo; permitido: condições que ainda não valham";
+
+    /// The way of a goal does not lead to it.
+    not_reached(lang, key: &str): "{key} doesn't reach the goal in until", "{key} não alcança a meta de until";
+
+    /// A handout has another number of steps on a page.
+    per_page(lang, found: &str): "--per-page is {found}; allowed: 2 or 4",
+        "--per-page é {found}; permitido: 2 ou 4" (found = escaped(found));
+
+    /// Pictures of a lesson are asked for in a file that holds only one.
+    output_name(lang, path: &str): "{path} would be one image; allowed: a folder, or a name that ends in .pdf",
+        "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf";
 }
 
 /// The texts of the recorded step with this number.
-#[must_use]
 pub fn draft(number: usize) -> lessons::Draft {
     let both =
         |text: fn(&'static Texts) -> String| Bilingual { en: text(texts(Lang::En)), pt_br: text(texts(Lang::PtBr)) };
@@ -247,34 +273,24 @@ pub fn draft(number: usize) -> lessons::Draft {
 }
 
 /// The title of a lesson, and the minutes that it takes.
-#[must_use]
 pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
     let minutes = lesson.minutes.map_or_else(String::new, |minutes| format!(" ({} min)", significant(minutes, 3)));
     format!("{}{minutes}", told(lang, &lesson.title))
 }
 
 /// The step of how many.
-#[must_use]
 pub fn place(lang: Lang, number: usize, of: usize) -> String {
     let t = texts(lang);
     format!("{} {number} {} {of}", t.step, t.of)
 }
 
-/// The tasks of a lesson that are done.
-#[must_use]
-pub fn answered(lang: Lang, done: usize, all: usize) -> String {
-    both!(lang; "{done} of {all} tasks done", "{done} de {all} tarefas feitas")
-}
-
 /// The way on: the title of a lesson and a step of it, from 0.
-#[must_use]
 pub fn go_on(lang: Lang, lesson: &Lesson, step: usize) -> String {
     let step_word = texts(lang).step.to_lowercase();
     format!("{}, {step_word} {}", told(lang, &lesson.title), step + 1)
 }
 
 /// A line of the list of lessons, from its data.
-#[must_use]
 pub fn line(lang: Lang, line: &Value) -> String {
     let text = |key: &str| line[key].as_str().unwrap_or_default();
     let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| significant(minutes, 3) + " min");
@@ -283,7 +299,6 @@ pub fn line(lang: Lang, line: &Value) -> String {
 }
 
 /// There is no such lesson.
-#[must_use]
 pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
     match near {
@@ -296,20 +311,7 @@ pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
     }
 }
 
-/// A key of a lesson names another lesson that does not exist.
-#[must_use]
-pub fn no_lesson(lang: Lang, key: &str, id: &str) -> String {
-    both!(lang; "{key}: there is no lesson {:?}", "{key}: não há lição {:?}"; escaped(id))
-}
-
-/// A key of a lesson names a note that does not exist.
-#[must_use]
-pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
-    both!(lang; "{key}: there is no reference page {:?}", "{key}: não há verbete {:?}"; escaped(id))
-}
-
 /// A lesson lacks a part that another lecturer needs.
-#[must_use]
 pub fn no_part(lang: Lang, key: &str) -> String {
     let why = match key {
         "aims" => pick!(lang; "what you can do after the lesson, a list of texts",
@@ -322,29 +324,7 @@ pub fn no_part(lang: Lang, key: &str) -> String {
         "falta {key}: {why}. A lição funciona sem isso")
 }
 
-/// A message about a step, from 1.
-#[must_use]
-pub fn of_step(lang: Lang, number: usize, why: &str) -> String {
-    both!(lang; "step {number}: {why}", "passo {number}: {why}")
-}
-
-/// There is no step with this number.
-#[must_use]
-pub fn no_step(lang: Lang, found: &str, count: usize) -> String {
-    let found = escaped(found);
-    both!(lang; "--step is {found}; allowed: a number from 1 to {count}",
-        "--step é {found}; permitido: um número de 1 a {count}")
-}
-
-/// A link names a step that its lesson doesn't have.
-#[must_use]
-pub fn no_step_of(lang: Lang, key: &str, step: usize, count: usize) -> String {
-    both!(lang; "{key}: the lesson has no step {step}; allowed: a step from 1 to {count}",
-        "{key}: a lição não tem o passo {step}; permitido: um passo de 1 a {count}")
-}
-
 /// The name of a link to a step of a lesson. Its title, and the number of the step unless it is the first.
-#[must_use]
 pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
     let t = texts(lang);
     let title = told(lang, &lesson.title);
@@ -355,28 +335,7 @@ pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
     }
 }
 
-/// The goal of a step holds from the start.
-#[must_use]
-pub fn reached_already(lang: Lang, key: &str) -> String {
-    both!(lang; "{key} holds already in the figure of the step; allowed: conditions that do not",
-        "{key} já vale na figura do passo; permitido: condições que ainda não valham")
-}
-
-/// The way of a goal does not lead to it.
-#[must_use]
-pub fn not_reached(lang: Lang, key: &str) -> String {
-    both!(lang; "{key} doesn't reach the goal in until", "{key} não alcança a meta de until")
-}
-
-/// A handout has another number of steps on a page.
-#[must_use]
-pub fn per_page(lang: Lang, found: &str) -> String {
-    let found = escaped(found);
-    both!(lang; "--per-page is {found}; allowed: 2 or 4", "--per-page é {found}; permitido: 2 ou 4")
-}
-
 /// An option of handouts with a folder of pictures, or the other way round.
-#[must_use]
 pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
     if is_handout {
         return both!(lang; "{option} is for a folder of images; a handout takes --per-page and --answers",
@@ -386,15 +345,7 @@ pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
         "{option} vale para uma apostila; permitido: -o SAIDA.pdf")
 }
 
-/// Pictures of a lesson are asked for in a file that holds only one.
-#[must_use]
-pub fn output_name(lang: Lang, path: &str) -> String {
-    both!(lang; "{path} would be one image; allowed: a folder, or a name that ends in .pdf",
-        "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf")
-}
-
 /// All files hold good lessons.
-#[must_use]
 pub fn all_good(lang: Lang, count: usize) -> String {
     match count {
         1 => both!(lang; "the lesson has no errors\n", "a lição não tem erros\n"),

@@ -14,7 +14,6 @@ use crate::inspect::InspectError;
 use crate::sanitize::escaped;
 
 /// The reason why parameters are not a camera, with the keys concerned and the values allowed.
-#[must_use]
 pub fn camera(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).full
 }
@@ -96,7 +95,6 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
 }
 
 /// Why a text is not an operation.
-#[must_use]
 pub fn operation(lang: Lang, error: &OperationError) -> String {
     let names = || Operation::names().join(", ");
     translated! { lang, error;
@@ -120,7 +118,6 @@ fn amount_in_portuguese(descriptor: &Descriptor) -> String {
 }
 
 /// Why a camera has no matrices in a convention of NDC.
-#[must_use]
 pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
     translated! { lang, error;
         InfiniteParallel(ndc) =>
@@ -129,7 +126,6 @@ pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) ->
 }
 
 /// Why a depth belongs to no point.
-#[must_use]
 pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
     translated! { lang, error;
         NotProjectable::EmptyDepthRange { depth } =>
@@ -144,7 +140,6 @@ pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
 }
 
 /// Why there are no numbers to report.
-#[must_use]
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
     translated! { lang, error;
         InspectError::Camera(error) => "{}" (camera(lang, error));
@@ -160,7 +155,6 @@ pub fn inspect(lang: Lang, error: &InspectError) -> String {
 }
 
 /// A warning about a camera that is possible, but probably not meant.
-#[must_use]
 pub fn warning(lang: Lang, warning: &Warning) -> String {
     warning_wording(lang, warning).full
 }

@@ -11,7 +11,6 @@ pub(in crate::i18n) fn in_expression(lang: Lang, text: &str, error: &ExpressionE
 }
 
 /// Why an expression is not a number.
-#[must_use]
 pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
     translated! { lang, problem;
         ExpressionProblem::Empty => "falta um número";
@@ -27,19 +26,16 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
 }
 
 /// A number is not whole.
-#[must_use]
 pub fn not_whole(lang: Lang) -> &'static str {
     pick!(lang; "must be a whole number", "tem de ser um número inteiro")
 }
 
 /// A field is full.
-#[must_use]
 pub fn at_most_characters(lang: Lang, most: usize) -> String {
     both!(lang; "at most {most} characters", "no máximo {most} caracteres")
 }
 
 /// A number is outside a range, which may be that of all numbers greater than 0.
-#[must_use]
 pub fn outside(lang: Lang, low: f64, high: f64) -> String {
     let [least, greatest] = [low, high].map(|bound| lang.mark().printed(&bound.to_string()));
     if low == f64::MIN_POSITIVE {

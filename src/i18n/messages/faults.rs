@@ -8,19 +8,16 @@ use crate::i18n::Lang;
 use crate::scene::SceneError;
 
 /// Why camera parameters are not a camera.
-#[must_use]
 pub fn camera_error(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).in_symbols
 }
 
 /// A warning about a camera that is possible, but probably not meant.
-#[must_use]
 pub fn warning(lang: Lang, warning: &Warning) -> String {
     warning_wording(lang, warning).in_symbols
 }
 
 /// Why an object or a light cannot be so.
-#[must_use]
 pub fn scene_error(lang: Lang, error: &SceneError) -> String {
     scene_wording(lang, error).in_symbols
 }

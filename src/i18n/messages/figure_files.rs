@@ -12,7 +12,6 @@ use crate::limits::{MAX_FORMULA, MAX_TEXTURE_SCALE};
 use crate::sanitize::escaped;
 
 /// The reason why a text is not a figure: line, key, the value found, the values allowed.
-#[must_use]
 pub fn figure(lang: Lang, error: &FigureError) -> String {
     let line = both!(lang; "line {}", "linha {}"; error.line);
     format!("{line}: {}", without_line(lang, error))

@@ -13,7 +13,6 @@ use crate::scene::ReadProblem;
 use crate::share::{self, Held, ShareError};
 
 /// The name of an opened figure: its path, or a phrase for a link, which is long and meaningless to people.
-#[must_use]
 pub fn opened(lang: Lang, path: &Path) -> String {
     let held = share::link_of(path).and_then(share::held_in);
     match held {
@@ -24,7 +23,6 @@ pub fn opened(lang: Lang, path: &Path) -> String {
 }
 
 /// Why the file called `name` cannot be used.
-#[must_use]
 pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
     let after_name = |problem: &ReadProblem| format!("{name} {}", read_problem(lang, problem));
     match (lang, error) {
@@ -57,7 +55,6 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
 }
 
 /// Why there is no link to a figure, or no figure in a link.
-#[must_use]
 pub fn link(lang: Lang, error: ShareError) -> String {
     translated! { lang, error;
         ShareError::TooLong(length) =>
@@ -70,14 +67,12 @@ pub fn link(lang: Lang, error: ShareError) -> String {
 }
 
 /// Why a picture cannot be written in a format.
-#[must_use]
 pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
     both!(lang; "the image cannot be written as {format} ({why})",
         "a imagem não pode ser gravada como {format} ({why})")
 }
 
 /// Why a picture cannot be written or read.
-#[must_use]
 pub fn png(lang: Lang, error: &PngError) -> String {
     translated! { lang, error;
         PngError::Encode(why) => "a imagem não pode ser gravada como PNG ({why})";

@@ -9,7 +9,6 @@ use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
 
 /// Why the objects and lights of a figure make no scene. Names the object and the key.
-#[must_use]
 pub fn scene(lang: Lang, error: &SceneError) -> String {
     let (key, why) = (error.key(), scene_wording(lang, error).full);
     match error {
@@ -95,7 +94,6 @@ fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
 }
 
 /// The allowed numbers of segments, beside the field.
-#[must_use]
 pub fn segments_allowed(lang: Lang) -> String {
     both!(lang; "allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}",
         "permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}")

@@ -37,7 +37,6 @@ const fn named_by_in_portuguese(named_by: NamedBy) -> &'static str {
 }
 
 /// A material library that a mesh names and that could not be read.
-#[must_use]
 pub fn without_colors(lang: Lang, error: &ReadError) -> String {
     let why = unreadable(lang, error);
     both!(lang; "{why}. The mesh is drawn without the colours of its materials",

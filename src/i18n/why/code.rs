@@ -6,7 +6,6 @@ use crate::i18n::Lang;
 use crate::i18n::why::conventions::camera_axes;
 
 /// A convention that the code states about itself.
-#[must_use]
 pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) -> String {
     let name = target.name();
     match convention {
@@ -42,7 +41,6 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
 }
 
 /// The lines of comment above the code for a camera.
-#[must_use]
 pub fn comments(lang: Lang, target: CodeTarget, conventions: &[CodeConvention]) -> Vec<String> {
     conventions.iter().map(|said| convention(lang, target, *said)).collect()
 }

@@ -23,14 +23,12 @@ texts! {
 }
 
 /// The axes of a camera.
-#[must_use]
 pub fn camera_axes(lang: Lang, axes: Axes) -> String {
     let [x, y, z] = axes.camera.map(|toward| direction(lang, toward));
     format!("x {x}, y {y}, z {z}")
 }
 
 /// A row of the table of axes: camera and world.
-#[must_use]
 pub fn axes_row(lang: Lang, axes: Axes) -> String {
     let world = match axes.up {
         WorldUp::Y => pick!(lang; "y up in the world", "no mundo, y para cima"),
@@ -42,7 +40,6 @@ pub fn axes_row(lang: Lang, axes: Axes) -> String {
 }
 
 /// The table of axes, a line for each row, by their titles or by the names on the command line.
-#[must_use]
 pub fn axes_table(lang: Lang, name: fn(Axes) -> &'static str) -> String {
     let rows = Axes::ALL.map(|axes| format!("{}: {}", name(axes), axes_row(lang, axes)));
     rows.join("\n")
@@ -61,13 +58,11 @@ fn direction(lang: Lang, toward: Toward) -> &'static str {
 }
 
 /// A convention in words, as in the pictures.
-#[must_use]
 pub fn name(lang: Lang, ndc: Ndc) -> String {
     pictures::labels(lang).ndc_title(ndc)
 }
 
 /// The reason why the pictures still have a back plane.
-#[must_use]
 pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
     let name = error.0.api.title();
     both!(lang; "B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its back plane",
@@ -75,7 +70,6 @@ pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
 }
 
 /// The differences of a convention from the one in use, as the reasons for different entries.
-#[must_use]
 pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
     let (mine, other) = (name(lang, ndc), name(lang, compared));
     let mut reasons = Vec::new();

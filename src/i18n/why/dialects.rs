@@ -41,7 +41,6 @@ texts! {
 }
 
 /// The title of a vocabulary, and a name that no language changes.
-#[must_use]
 pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str) {
     match vocabulary {
         Vocabulary::OpenGl => ("OpenGL, GLU", "opengl"),
@@ -55,7 +54,6 @@ pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str)
 }
 
 /// A limitation of a vocabulary, or a difference to the notes.
-#[must_use]
 pub fn limitation(lang: Lang, limitation: Limitation) -> String {
     let text = match limitation {
         Limitation::SymmetricOnly => pick!(lang; "It can express only symmetric windows, and this one isn't.",
@@ -86,7 +84,6 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> String {
 }
 
 /// The effect of a number on the camera.
-#[must_use]
 pub fn number_hint(lang: Lang, quantity: CameraNumber) -> &'static str {
     match quantity {
         CameraNumber::Axis(..) => pick!(lang;
@@ -106,7 +103,6 @@ pub fn number_hint(lang: Lang, quantity: CameraNumber) -> &'static str {
 }
 
 /// The kind of a matrix.
-#[must_use]
 pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
     match kind {
         MatrixKind::View => pick!(lang; "M_v: view", "M_v: vista"),
@@ -120,7 +116,6 @@ pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
 }
 
 /// The order of the numbers.
-#[must_use]
 pub fn order(lang: Lang, order: Order) -> &'static str {
     match order {
         Order::Rows => pick!(lang; "by rows", "por linhas"),
@@ -134,7 +129,6 @@ pub fn order(lang: Lang, order: Order) -> &'static str {
 }
 
 /// How a matrix was read, and why.
-#[must_use]
 pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String {
     let Reading { kind: of, axes: whose, ndc, .. } = candidate.reading;
     let (kind, axes) = (kind(lang, of), whose.title);
@@ -163,7 +157,6 @@ pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String 
 }
 
 /// Evidence for a reading, or against it.
-#[must_use]
 pub fn reason(lang: Lang, reason: Reason) -> String {
     let text = match reason {
         Reason::Word(word) => return both!(lang; "the text says {word}", "o texto diz {word}"),
@@ -188,7 +181,6 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
 }
 
 /// A part of the first reading that was assumed, and the camera otherwise.
-#[must_use]
 pub fn assumed(lang: Lang, found: &Recognised, assumed: Assumed) -> String {
     let best = found.best();
     let other = |at: usize| found.readings.get(at).unwrap_or(best);
@@ -247,7 +239,6 @@ fn camera(lang: Lang, candidate: &Candidate) -> String {
 }
 
 /// A quantity that a matrix leaves open.
-#[must_use]
 pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     match unknown {
         Unknown::FocalDistance => {
@@ -316,7 +307,6 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
 }
 
 /// Why a text is not a matrix.
-#[must_use]
 pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
     translated! { lang, fault;
         MatrixTextError::Count(count) =>
@@ -337,7 +327,6 @@ const fn line(lines: Lines) -> &'static str {
 }
 
 /// Why a matrix is not that of a camera.
-#[must_use]
 pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     let number = |x: f64| lang.mark().number(x, 4);
     if let (Lang::En, RecoveryError::Length { row, length }) = (lang, error) {
@@ -381,7 +370,6 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
 }
 
 /// A camera that a file doesn't have, and those that it has.
-#[must_use]
 pub fn no_such_camera(lang: Lang, wanted: &str, names: &[String]) -> String {
     let (wanted, names) = (escaped(wanted), escaped(&names.join(", ")).to_string());
     if names.is_empty() {

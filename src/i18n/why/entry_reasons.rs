@@ -231,7 +231,6 @@ const PARALLEL: [[Both; 4]; 4] = [
 
 /// Why an entry is what it is, in Markdown. Rows and columns from 0. `None` for other matrices, and for M_p in another
 /// convention of NDC, whose depth and y are others.
-#[must_use]
 pub fn reason(lang: Lang, matrix: Matrix, setting: &Setting<'_>, [row, column]: [usize; 2]) -> Option<String> {
     let of_the_notes = setting.space().ndc() == Ndc::default();
     let all = match (matrix, setting.space().camera().projection()) {

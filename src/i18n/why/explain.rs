@@ -90,22 +90,23 @@ texts! {
     as_in_the_notes: "Here, as in the lecture notes, points are columns and view space is right-handed.", "Aqui, como nas notas de aula, pontos são colunas e o espaço de vista é de mão direita.";
 }
 
-/// The place of an entry. Rows and columns from 0.
-#[must_use]
-pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
-    let (row, column) = (row + 1, column + 1);
-    both!(lang; "{matrix}, row {row}, column {column}", "{matrix}, linha {row}, coluna {column}")
-}
+texts_with_values! {
+    /// The place of an entry. Rows and columns from 0.
+    entry(lang, matrix: &str, row: usize, column: usize): "{matrix}, row {row}, column {column}",
+        "{matrix}, linha {row}, coluna {column}" (row = row + 1, column = column + 1);
 
-/// The sum in which an entry occurs, for a point.
-#[must_use]
-pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
-    both!(lang; "for {point} it appears in the sum of {symbol}, in the term",
-        "para {point} aparece na soma de {symbol}, no termo")
+    /// The sum in which an entry occurs, for a point.
+    used_in(lang, point: &str, symbol: &str): "for {point} it appears in the sum of {symbol}, in the term",
+        "para {point} aparece na soma de {symbol}, no termo";
+
+    /// The matrix of a step. The first is 1.
+    factor(lang, step: usize): "The matrix of step {step}", "A matriz do passo {step}";
+
+    /// The handedness of the axes from here on.
+    handedness(lang, hand: &str): "from here on {hand}: z is reversed", "daqui em diante, {hand}: z se inverte";
 }
 
 /// The effect of a matrix.
-#[must_use]
 pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
     match matrix {
         Matrix::Model => pick!(lang; "object → world", "objeto → mundo"),
@@ -124,7 +125,6 @@ pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
 }
 
 /// Why this equation is the one in force.
-#[must_use]
 pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
     let (en, pt) = match formulas.equation {
         "(5.13)" => ("perspective, with any window", "perspectiva, com qualquer janela"),
@@ -143,7 +143,6 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
 }
 
 /// A symbol, in a few words.
-#[must_use]
 pub fn symbol(lang: Lang, symbol: Symbol) -> String {
     let of = |component: Component, en: &str, pt: &str| both!(lang; "{} of {en}", "{} de {pt}"; component.letter());
     let plain = |en: &str, pt: &str| pick!(lang; en.to_owned(), pt.to_owned());
@@ -191,7 +190,6 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
 }
 
 /// The matrices of a way to the canonical volume.
-#[must_use]
 pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static str {
     match decomposition {
         Decomposition::Notes => pick!(lang; "M_p M_v, ÷ w", "M_p M_v, ÷ w"),
@@ -201,14 +199,7 @@ pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static
     }
 }
 
-/// The matrix of a step. The first is 1.
-#[must_use]
-pub fn factor(lang: Lang, step: usize) -> String {
-    both!(lang; "The matrix of step {step}", "A matriz do passo {step}")
-}
-
 /// The product of the first steps.
-#[must_use]
 pub fn product(lang: Lang, steps: usize) -> String {
     match steps {
         1 => both!(lang; "The product so far is the first step alone", "O produto até aqui é só o primeiro passo"),
@@ -217,15 +208,8 @@ pub fn product(lang: Lang, steps: usize) -> String {
     }
 }
 
-/// The handedness of the axes from here on.
-#[must_use]
-pub fn handedness(lang: Lang, hand: &str) -> String {
-    both!(lang; "from here on {hand}: z is reversed", "daqui em diante, {hand}: z se inverte")
-}
-
 /// The product of all steps compared with M_p M_v in the convention in which they end: `ratio` times it, but for
 /// `rest`, relative to the greatest entry.
-#[must_use]
 pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f64) -> String {
     const ROUNDING: f64 = 1e-9;
     let number = |value: f64, digits| lang.mark().printed(&significant(value, digits));

@@ -52,7 +52,6 @@ texts! {
 }
 
 /// The depths that are compared for the shadow at a point.
-#[must_use]
 pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
     let number = |value: f64| lang.mark().printed(&significant(value, digits));
     let (light, own, size, [i, j]) = (at.light + 1, number(at.own), at.size, at.texel);
@@ -69,7 +68,6 @@ pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
 }
 
 /// The place of a point in a texture.
-#[must_use]
 pub fn on_texture(lang: Lang, at: &TexelAt, digits: usize) -> String {
     let number = |value: f64| lang.mark().printed(&significant(value, digits));
     let ([u, v], [i, j], [wide, high], object) = (at.uv.map(number), at.texel, at.size, escaped(&at.object));
@@ -79,7 +77,6 @@ pub fn on_texture(lang: Lang, at: &TexelAt, digits: usize) -> String {
 
 impl Texts {
     /// A space, by its name in `camera-lab inspect`.
-    #[must_use]
     pub fn space(&self, name: &str) -> &'static str {
         match name {
             "local" => self.local,

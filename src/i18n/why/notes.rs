@@ -47,19 +47,16 @@ pub struct Note {
 
 impl Note {
     /// Whether it says all words of `wanted`, however they are accented and capitalised. No words: it does.
-    #[must_use]
     pub fn says(&self, wanted: &str) -> bool {
         has_words(&self.searched, wanted)
     }
 
     /// All its words, without accents and capitals.
-    #[must_use]
     pub fn searched(&self) -> &str {
         &self.searched
     }
 
     /// Whether all words of `wanted` are in its heading.
-    #[must_use]
     pub fn is_headed(&self, wanted: &str) -> bool {
         has_words(&folded(self.title), wanted)
     }
@@ -90,13 +87,11 @@ static EN: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../as
 static PT_BR: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/pt-BR.md")));
 
 /// All notes, in the order in which they are read.
-#[must_use]
 pub fn notes(lang: Lang) -> &'static [Note] {
     pick!(lang; &EN, &PT_BR)
 }
 
 /// The note with this identifier.
-#[must_use]
 pub fn note(lang: Lang, id: &str) -> Option<&'static Note> {
     notes(lang).iter().find(|note| note.id == id)
 }
@@ -136,7 +131,6 @@ fn pieces(line: &'static str) -> Vec<Piece> {
 }
 
 /// A text in Markdown, with its mathematics between dollar signs.
-#[must_use]
 pub fn markdown(pieces: &[Piece]) -> String {
     let piece = |piece: &Piece| match piece {
         Piece::Words(words) => (*words).to_owned(),
@@ -146,7 +140,6 @@ pub fn markdown(pieces: &[Piece]) -> String {
 }
 
 /// LaTeX of the notes in a line: for screen readers, and to be found.
-#[must_use]
 pub fn plain(latex: &str) -> String {
     let (mut text, mut rest) = (String::new(), latex);
     while let Some(c) = rest.chars().next() {
@@ -210,7 +203,6 @@ fn argument(rest: &str) -> (&str, &str) {
 }
 
 /// The note on a symbol.
-#[must_use]
 pub const fn of_symbol(symbol: Symbol) -> &'static str {
     match symbol {
         Symbol::Axis(Axis::U, _) => "u",
@@ -249,7 +241,6 @@ pub const fn of_symbol(symbol: Symbol) -> &'static str {
 }
 
 /// The note on a matrix.
-#[must_use]
 pub const fn of_matrix(matrix: Matrix) -> &'static str {
     match matrix {
         Matrix::Model | Matrix::Parent => "M_m",
@@ -267,14 +258,12 @@ pub const fn of_matrix(matrix: Matrix) -> &'static str {
 }
 
 /// The note on the first equation of `[0]` that a text names: `5.7` for `(5.7), p − C`.
-#[must_use]
 pub fn of_equation(text: &str) -> Option<&'static str> {
     let number = text.split_once('(')?.1.split_once(')')?.0;
     note(Lang::En, number).map(|note| note.id)
 }
 
 /// The note on an operation.
-#[must_use]
 pub const fn of_operation(freedom: Freedom) -> &'static str {
     match freedom {
         Freedom::Elevation => "elevation",
@@ -289,7 +278,6 @@ pub const fn of_operation(freedom: Freedom) -> &'static str {
 }
 
 /// The note on a step to the canonical volume.
-#[must_use]
 pub const fn of_step(step: Step) -> &'static str {
     match step {
         Step::ToEye => "step-to-eye",
@@ -311,7 +299,6 @@ pub const fn of_step(step: Step) -> &'static str {
 }
 
 /// The note on a stage of the pipeline.
-#[must_use]
 pub fn of_stage(stage: Stage) -> &'static str {
     let of_it = |note: &&Note| note.id.strip_prefix("stage-") == Some(stage.name());
     notes(Lang::En).iter().find(of_it).map(|note| note.id).unwrap_or_default()

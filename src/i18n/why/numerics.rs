@@ -36,7 +36,6 @@ texts! {
 }
 
 /// The question of a study.
-#[must_use]
 pub const fn title(lang: Lang, study: Study) -> &'static str {
     match study {
         Study::VertexTransform => pick!(lang; "World points to view space, far from the origin",
@@ -65,7 +64,6 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
 }
 
 /// A study by a few words.
-#[must_use]
 pub const fn short_title(lang: Lang, study: Study) -> &'static str {
     match study {
         Study::VertexTransform => pick!(lang; "Worlds far away", "Mundos distantes"),
@@ -83,7 +81,6 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
 }
 
 /// The values at a point of a chart.
-#[must_use]
 pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> String) -> String {
     let (method, at) = (name(lang, row.method), lang.mark().printed(&value(row.parameter)));
     let error = lang.mark().printed(&short(row.error));
@@ -94,7 +91,6 @@ pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> Stri
 }
 
 /// The parameter of a study.
-#[must_use]
 pub const fn parameter(lang: Lang, study: Study) -> &'static str {
     match study {
         Study::VertexTransform => pick!(lang; "distance from the origin / scene units",
@@ -114,14 +110,12 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
 }
 
 /// A value of the parameter: whole thousands, as the sides of maps are, with all of their digits.
-#[must_use]
 pub fn value(parameter: f64) -> String {
     let is_whole = parameter.fract() == 0.0 && (1e3..1e4).contains(&parameter);
     significant(parameter, if is_whole { 4 } else { 3 })
 }
 
 /// The meaning of an error, with its unit.
-#[must_use]
 pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
     match unit {
         Unit::SceneUnits => pick!(lang; "error / scene units", "erro / unidades da cena"),
@@ -218,7 +212,6 @@ const PORTUGUESE: &[(&str, &str)] = &[
 ];
 
 /// A case or a method by its name.
-#[must_use]
 pub fn name(lang: Lang, name: &str) -> String {
     let found = PORTUGUESE.iter().find(|(english, _)| *english == name).filter(|_| lang == Lang::PtBr);
     found.map_or(name, |(_, portuguese)| portuguese).to_owned()
@@ -252,7 +245,6 @@ fn reference(study: Study) -> &'static str {
 }
 
 /// A study as a table: `*` marks the methods on the Pareto front.
-#[must_use]
 pub fn table(lang: Lang, findings: &Findings) -> String {
     let t = texts(lang);
     let number = |text: &str| lang.mark().typed(text);
@@ -281,7 +273,6 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
 }
 
 /// The cost of the camera model in double-double.
-#[must_use]
 pub fn price(lang: Lang, price: &Price) -> String {
     let micros = |nanos: f64| lang.mark().printed(&significant(nanos / 1e3, 3));
     let [(a, b), (c, d)] = [price.numbers, price.frame].map(|cost| (micros(cost.camera_lab), micros(cost.f64)));
@@ -291,7 +282,6 @@ pub fn price(lang: Lang, price: &Price) -> String {
 }
 
 /// An error with its size and little more.
-#[must_use]
 pub fn short(x: f64) -> String {
     if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") }
 }

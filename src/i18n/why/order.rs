@@ -41,7 +41,6 @@ texts! {
 }
 
 /// The kind of a call, as a name.
-#[must_use]
 pub fn kind(lang: Lang, call: Call) -> &'static str {
     match call {
         Call::Translate(_) => pick!(lang; "translate", "transladar"),
@@ -55,7 +54,6 @@ pub fn kind(lang: Lang, call: Call) -> &'static str {
 }
 
 /// The function of OpenGL.
-#[must_use]
 pub const fn function(call: Call) -> &'static str {
     match call {
         Call::Translate(_) => "glTranslate",
@@ -67,14 +65,12 @@ pub const fn function(call: Call) -> &'static str {
 }
 
 /// The step at a place, from 0, for screen readers.
-#[must_use]
 pub fn step(lang: Lang, place: usize, call: Call) -> String {
     let (number, symbol) = (place + 1, call.symbol());
     both!(lang; "Step {number}: {symbol}", "Passo {number}: {symbol}")
 }
 
 /// The effect of a call; `number` writes a number.
-#[must_use]
 pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -> String) -> String {
     let vector = |v: glam::DVec3| {
         let separator = if lang == Lang::PtBr { "; " } else { ", " };
@@ -114,7 +110,6 @@ pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -
 }
 
 /// A pop without a push.
-#[must_use]
 pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
     let number = call + 1;
     both!(lang; "Step {number} is a pop, and nothing was pushed before it.",
@@ -123,7 +118,6 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
 
 /// The reason why an object alone cannot hold a list, and the remedy. The call at `place`, from 0, comes too late for T
 /// Rz Ry Rx S, and `groups` groups are made.
-#[must_use]
 pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));
     match groups {

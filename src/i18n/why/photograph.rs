@@ -8,14 +8,12 @@ use crate::sanitize::escaped;
 const DIGITS: usize = 6;
 
 /// An argument that cannot be read, with an example.
-#[must_use]
 pub fn unreadable(lang: Lang, text: &str, example: &str) -> String {
     let text = escaped(text);
     both!(lang; "{text} cannot be read; for example: {example}", "{text} não pode ser lido; por exemplo: {example}")
 }
 
 /// Why there is no camera.
-#[must_use]
 pub fn error(lang: Lang, error: PhotographError) -> String {
     match error {
         PhotographError::TooFewLines => both!(lang; "at least two axes need two lines each",
@@ -44,7 +42,6 @@ pub fn error(lang: Lang, error: PhotographError) -> String {
 }
 
 /// A number that the photograph cannot say, and the one that stands for it.
-#[must_use]
 pub fn untold(lang: Lang, untold: Untold) -> &'static str {
     match untold {
         Untold::ViewAngle => pick!(lang; "θ cannot be known: of each pair of axes, one has lines that nearly meet at \
@@ -60,7 +57,6 @@ pub fn untold(lang: Lang, untold: Untold) -> &'static str {
 }
 
 /// The steps from the lines to the camera, one sentence each.
-#[must_use]
 pub fn steps(lang: Lang, found: &PhotographCamera) -> Vec<String> {
     let number = |x: f64| lang.mark().number(x, DIGITS);
     let mut steps: Vec<String> = found.vanishing.iter().map(|point| vanishing(lang, point)).collect();

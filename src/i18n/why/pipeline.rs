@@ -7,7 +7,6 @@ use crate::pipeline::{Containment, FacesDone, ObjectReport, Reason, Stage, Stage
 use crate::stage::Operations;
 
 /// The name of a stage, short enough for a column.
-#[must_use]
 pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
     match stage {
         Stage::Traverse => pick!(lang; "traversal", "percurso"),
@@ -33,7 +32,6 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
 }
 
 /// The report of a stage: counts in and out, time, and reason; or the reason why it was skipped.
-#[must_use]
 pub fn line(lang: Lang, report: &StageReport) -> String {
     let (name, reason) = (stage(lang, report.stage), reason(lang, report.reason));
     if !report.ran {
@@ -53,7 +51,6 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
 }
 
 /// The operations of a stage in short; `None` if none were counted.
-#[must_use]
 pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
     let Operations { float, integer, memory } = report.operations;
     let count = |n: u64| lang.mark().printed(&numbers::count(usize::try_from(n).unwrap_or(usize::MAX)));
@@ -65,7 +62,6 @@ pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
 }
 
 /// The action of a stage, in a sentence, with the place in the notes.
-#[must_use]
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     match stage {
         Stage::Traverse => pick!(lang;
@@ -118,7 +114,6 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
 }
 
 /// The unit of a stage's counts. A sample is a pixel, where there is one for each.
-#[must_use]
 pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     let (en, pt_br) = match (report.stage, report.reason) {
         (Stage::Traverse | Stage::CullObjects, _) => ("objects", "objetos"),
@@ -147,13 +142,11 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
 }
 
 /// "skipped": the mark of a stage that does not run.
-#[must_use]
 pub const fn left_out(lang: Lang) -> &'static str {
     pick!(lang; "skipped", "omitida")
 }
 
 /// The treatment of an object, and the reason.
-#[must_use]
 pub fn object(lang: Lang, report: &ObjectReport) -> String {
     let mut text = match report.containment {
         Containment::Empty => {

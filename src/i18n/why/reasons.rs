@@ -39,7 +39,6 @@ texts! {
 }
 
 /// Why a stage runs, or why it is skipped.
-#[must_use]
 pub fn reason(lang: Lang, reason: Reason) -> String {
     let t = texts(lang);
     let objects = |n: usize| match n {
@@ -130,7 +129,6 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
 }
 
 /// The names of planes: "left and near", "os planos da esquerda e da frente".
-#[must_use]
 pub fn planes(lang: Lang, planes: PlaneSet) -> String {
     let names = pick!(lang; ["left", "right", "bottom", "top", "near", "far"],
         ["da esquerda", "da direita", "de baixo", "de cima", "da frente", "de fundo"]);

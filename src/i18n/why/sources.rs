@@ -10,7 +10,6 @@ const SOURCES: [(&str, &str); 5] = [
 ];
 
 /// A text, and in lines below it the titles of the notes that it cites.
-#[must_use]
 pub fn with_titles(text: &str) -> String {
     let mut whole = text.to_owned();
     for (number, title) in SOURCES {

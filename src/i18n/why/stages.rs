@@ -41,7 +41,6 @@ texts! {
 }
 
 /// The display of a stage in a picture.
-#[must_use]
 pub const fn in_and_out(t: &Texts, stage: Stage) -> &'static str {
     match stage.works_on() {
         WorksOn::Objects => t.boxes,

@@ -47,7 +47,6 @@ texts! {
 }
 
 /// The name of a step.
-#[must_use]
 pub const fn step(t: &Texts, step: TriangleStep) -> &'static str {
     match step {
         TriangleStep::View => t.step_view,

@@ -148,7 +148,6 @@ texts! {
 }
 
 /// The observer of a picture went back. The first key fits the picture, undo of the camera brings it back.
-#[must_use]
 pub fn went_back(lang: Lang, view: View) -> String {
     let name = texts(lang).view(view);
     both!(lang; "{name} is seen from farther away, so that everything stays in the view (Alt+0 fits it)",
@@ -157,7 +156,6 @@ pub fn went_back(lang: Lang, view: View) -> String {
 
 impl CanvasTexts {
     /// The name of an arrangement; `None` means the automatic one.
-    #[must_use]
     pub fn arrangement(&self, arrangement: Option<Arrangement>) -> &'static str {
         match arrangement {
             None => self.arrange_auto,
@@ -171,7 +169,6 @@ impl CanvasTexts {
 
 impl Texts {
     /// The name of a picture.
-    #[must_use]
     pub fn view(&self, view: View) -> &'static str {
         match view {
             View::World => self.world,
@@ -182,7 +179,6 @@ impl Texts {
 }
 
 /// A picture in words: the camera's place of the world, the size of the image in pixels.
-#[must_use]
 pub fn describe(lang: Lang, view: View, camera: &Camera, image: ImageSize) -> String {
     match view {
         View::World => {

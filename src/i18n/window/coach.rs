@@ -59,7 +59,6 @@ texts! {
 }
 
 /// The word for a level.
-#[must_use]
 pub const fn level(lang: Lang, level: Level) -> &'static str {
     let t = texts(lang);
     match level {
@@ -70,13 +69,11 @@ pub const fn level(lang: Lang, level: Level) -> &'static str {
 }
 
 /// The level of the camera, in two words.
-#[must_use]
 pub fn camera_is(lang: Lang, level: Level) -> String {
     format!("{} {}", texts(lang).camera_is, self::level(lang, level))
 }
 
 /// The judged quantity, in a few words.
-#[must_use]
 pub const fn quantity(lang: Lang, quantity: HealthQuantity) -> &'static str {
     match quantity {
         HealthQuantity::VupAngle => pick!(lang; "angle between VUP and DOP", "ângulo entre VUP e DOP"),
@@ -89,7 +86,6 @@ pub const fn quantity(lang: Lang, quantity: HealthQuantity) -> &'static str {
 }
 
 /// A plain sentence about one quantity of a camera, with the equation of the notes that it comes from.
-#[must_use]
 pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat) -> String {
     let n = |x: f64| length(lang, x);
     let perspective = camera.projection() == Projection::Perspective;
@@ -176,7 +172,6 @@ fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
 }
 
 /// In whose NDC depths are.
-#[must_use]
 pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     let name = conventions::name(lang, ndc);
     let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
@@ -187,7 +182,6 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
 
 /// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is
 /// seen.
-#[must_use]
 pub fn two_planes(lang: Lang, share: f64) -> String {
     let percent = lang.mark().number(100.0 * share, 2);
     if share == 0.0 {
@@ -199,7 +193,6 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
 
 /// Explains a finding, with the names of the objects concerned as they are called in this language. `scene`: the
 /// figure's, whose own objects have their names from its author.
-#[must_use]
 pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
     if let Some(error) = &diagnosis.camera_error {
         return impossible_camera(lang, error);
@@ -327,7 +320,6 @@ fn not_seen(lang: Lang, cause: Cause, partly: bool, diagnosis: &Diagnosis) -> St
 }
 
 /// The changes of a repair: keys of the figure file with their new values.
-#[must_use]
 pub fn changes(changes: &[(&'static str, Value)]) -> String {
     let n = |x: f64| significant(x, 6);
     let of = |(key, value): &(&'static str, Value)| match value {
@@ -343,7 +335,6 @@ pub fn changes(changes: &[(&'static str, Value)]) -> String {
 }
 
 /// The changes of a repair as the panels write them: the notes' symbols, with the decimal mark of the language.
-#[must_use]
 pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> String {
     let n = |x: f64| lang.mark().number(x, 4);
     let mark = lang.mark();
@@ -386,7 +377,6 @@ fn style_word(lang: Lang, word: &'static str) -> &'static str {
 }
 
 /// The share of the image that the scene covers.
-#[must_use]
 pub fn seen(lang: Lang, visible: u64, covered: f64) -> String {
     let share = lang.mark().number(100.0 * covered, 3);
     both!(lang; "The scene covers {visible} pixels of the image, {share} %.",

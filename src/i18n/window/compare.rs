@@ -50,13 +50,11 @@ texts! {
 }
 
 /// Why there is no other side.
-#[must_use]
 pub fn impossible(lang: Lang, error: &FigureError) -> String {
     format!("{} {}", texts(lang).impossible, messages::without_line(lang, error))
 }
 
 /// The other figure has another scene.
-#[must_use]
 pub fn other_scene(lang: Lang, file: &str) -> String {
     both!(lang; "{file} has another scene, so its camera is compared in this one", "{file} tem outra cena, e a câmera dele é comparada nesta")
 }

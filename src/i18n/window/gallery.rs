@@ -44,7 +44,6 @@ texts! {
 }
 
 /// The heading of a topic.
-#[must_use]
 pub fn heading(lang: Lang, topic: Topic) -> &'static str {
     let t = texts(lang);
     match topic {

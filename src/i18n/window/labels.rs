@@ -48,7 +48,6 @@ texts! {
 }
 
 /// Why a text cannot be that of a label.
-#[must_use]
 pub fn refused(lang: Lang, error: &LabelTextError) -> String {
     match error {
         LabelTextError::Length => both!(lang; "A label has 1 to {MAX_LABEL_TEXT} characters on one line.",
@@ -59,7 +58,6 @@ pub fn refused(lang: Lang, error: &LabelTextError) -> String {
 }
 
 /// A name in `[labels]` that no label has.
-#[must_use]
 pub fn unknown(lang: Lang, name: &str, near: Option<&str>) -> String {
     let name = escaped(name);
     let meant = figure_files::meant(lang, near);

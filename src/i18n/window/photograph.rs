@@ -36,7 +36,6 @@ texts! {
 }
 
 /// The name of an end of a line: its number from 1 and its axis, and whether it is the first end.
-#[must_use]
 pub fn end(lang: Lang, (number, axis): (usize, WorldAxis), is_first: bool) -> String {
     let axis = axis.name();
     if is_first {
@@ -47,19 +46,16 @@ pub fn end(lang: Lang, (number, axis): (usize, WorldAxis), is_first: bool) -> St
 }
 
 /// A point on an axis with its coordinate: x = 2.
-#[must_use]
 pub fn length(lang: Lang, (axis, coordinate): (WorldAxis, f64)) -> String {
     format!("{} = {}", axis.name(), lang.mark().number(coordinate, 4))
 }
 
 /// The count of lines along each axis.
-#[must_use]
 pub fn counts(lang: Lang, [x, y, z]: [usize; 3]) -> String {
     both!(lang; "Lines along x: {x}, y: {y}, z: {z}", "Retas ao longo de x: {x}, y: {y}, z: {z}")
 }
 
 /// The size of the photograph.
-#[must_use]
 pub fn size(lang: Lang, [width, height]: [u32; 2]) -> String {
     both!(lang; "{width} × {height} pixels: it is stretched", "{width} × {height} pixels: está esticada")
 }

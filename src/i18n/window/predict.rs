@@ -1,7 +1,5 @@
 //! The words of *Predict first*: an operation asks what it will do before it does it.
 
-use crate::i18n::Lang;
-
 texts! {
     switch: "Predict first", "Prever antes";
     switch_hint: "An operation asks first where a point M will go in the image, or how the objects will change in size. Then it's done, and you compare both. The sliders are inactive meanwhile", "Uma operação pergunta antes aonde irá um ponto M na imagem, ou como mudará o tamanho dos objetos. Depois é feita, e você compara os dois. Enquanto isso os controles deslizantes ficam inativos";
@@ -19,30 +17,20 @@ texts! {
     no_point: "No vertex is in the image both before and after this operation, so it's done at once.", "Nenhum vértice está na imagem antes e depois desta operação, e ela é feita logo.";
 }
 
-/// The question of an operation about a point.
-#[must_use]
-pub fn where_to(lang: Lang, operation: &str) -> String {
-    both!(lang; "**{operation}**: where will M go?", "**{operation}**: aonde irá M?")
-}
+texts_with_values! {
+    /// The question of an operation about a point.
+    where_to(lang, operation: &str): "**{operation}**: where will M go?", "**{operation}**: aonde irá M?";
 
-/// The question of an operation about sizes.
-#[must_use]
-pub fn how_large(lang: Lang, operation: &str) -> String {
-    both!(lang; "**{operation}**: how large will the objects be in the image?",
-        "**{operation}**: de que tamanho ficarão os objetos na imagem?")
-}
+    /// The question of an operation about sizes.
+    how_large(lang, operation: &str): "**{operation}**: how large will the objects be in the image?",
+        "**{operation}**: de que tamanho ficarão os objetos na imagem?";
 
-/// The answer about a point: its pixel, and how far the mark is `off`.
-#[must_use]
-pub fn landed(lang: Lang, place: [f64; 2], off: &str) -> String {
-    let pixel = lang.mark().tuple(&place.map(f64::floor), 5);
-    both!(lang; "M is now at the pixel {pixel}. {off}", "M está agora no pixel {pixel}. {off}")
-}
+    /// The answer about a point: its pixel, and how far the mark is `off`.
+    landed(lang, place: [f64; 2], off: &str): "M is now at the pixel {pixel}. {off}",
+        "M está agora no pixel {pixel}. {off}" (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 
-/// The answer about sizes beside the outcome: how many times as large the objects are.
-#[must_use]
-pub fn sizes(lang: Lang, said: &str, happened: &str, times: f64) -> String {
-    let times = lang.mark().number(times, 3);
-    both!(lang; "You said {said}. They are {happened}: {times} times as large as before.",
-        "Você disse {said}. Ficaram {happened}: {times} vezes o tamanho de antes.")
+    /// The answer about sizes beside the outcome: how many times as large the objects are.
+    sizes(lang, said: &str, happened: &str, times: f64): "You said {said}. They are {happened}: {times} times as large as before.",
+        "Você disse {said}. Ficaram {happened}: {times} vezes o tamanho de antes."
+        (times = lang.mark().number(times, 3));
 }

@@ -17,7 +17,6 @@ texts! {
 }
 
 /// The present activity, and its share done, where it is known.
-#[must_use]
 pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
     let t = texts(lang);
     let doing = match doing {
@@ -34,7 +33,6 @@ pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
 }
 
 /// The exceeded budget. In English, the error's own words.
-#[must_use]
 pub fn over_budget(lang: Lang, over_budget: &OverBudget) -> String {
     translated! { lang, over_budget;
         OverBudget::Pieces { objects } =>

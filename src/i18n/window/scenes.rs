@@ -169,7 +169,6 @@ texts! {
 
 impl Texts {
     /// The name of a shape. A group has none.
-    #[must_use]
     pub fn shape(&self, shape: Option<&Shape>) -> &'static str {
         match shape {
             None => self.group,
@@ -189,7 +188,6 @@ impl Texts {
     }
 
     /// The name of a kind of light.
-    #[must_use]
     pub fn light(&self, kind: LightKind) -> &'static str {
         match kind {
             LightKind::Directional => self.directional,
@@ -199,7 +197,6 @@ impl Texts {
 }
 
 /// The displayed name of an object of a named scene. Figure files have the name itself.
-#[must_use]
 pub fn preset_object(lang: Lang, name: &str) -> String {
     pick!(lang; name.to_owned(), name.split(' ').map(in_portuguese).collect::<Vec<_>>().join(" "))
 }
@@ -241,14 +238,12 @@ fn in_portuguese(word: &str) -> &str {
 }
 
 /// The features that the list of a named scene's objects cannot express, as a sentence. Empty if it expresses all.
-#[must_use]
 pub fn lost(lang: Lang, preset: Preset) -> String {
     let lost = beyond(lang, preset.beyond_objects());
     if lost.is_empty() { lost } else { format!("{} {lost}.", texts(lang).lost) }
 }
 
 /// The features that a list of objects cannot express, as a list.
-#[must_use]
 pub fn beyond(lang: Lang, lost: &[LostFeature]) -> String {
     let word = |what: &LostFeature| match what {
         LostFeature::NumberedFaces => pick!(lang; "the colours of single faces and the numbers on them",

@@ -112,7 +112,6 @@ const SYNONYMS: &[&[&str]] = &[
 ];
 
 /// A text without accents and capitals.
-#[must_use]
 pub fn folded(text: &str) -> String {
     let plain = |c| match c {
         'á' | 'à' | 'â' | 'ã' => 'a',
@@ -127,13 +126,11 @@ pub fn folded(text: &str) -> String {
 }
 
 /// Whether a folded text has all words of `wanted`, however they are accented and capitalised. No words: it has.
-#[must_use]
 pub fn has_words(text: &str, wanted: &str) -> bool {
     folded(wanted).split_whitespace().all(|word| text.contains(word))
 }
 
 /// The typed words, folded, and the same in the other names of the field.
-#[must_use]
 pub fn also_called(wanted: &str) -> Vec<String> {
     let wanted = folded(wanted).split_whitespace().collect::<Vec<_>>().join(" ");
     let mut all = vec![wanted.clone()];

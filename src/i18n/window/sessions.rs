@@ -4,23 +4,34 @@ use std::time::Duration;
 
 use crate::i18n::Lang;
 
-/// The rest of a session is in the file at `path`, and cannot be read.
-#[must_use]
-pub fn damaged(lang: Lang, path: &str) -> String {
-    both!(lang; "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}",
-        "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}")
-}
+texts_with_values! {
+    /// The rest of a session is in the file at `path`, and cannot be read.
+    damaged(lang, path: &str): "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}",
+        "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}";
 
-/// The last session is back without some keys of its figure. The whole is in the file at `path`.
-#[must_use]
-pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
-    both!(lang; "The last session is restored, but this version does not know {keys}. Everything is kept in {path}. Saving asks for another file.",
-        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}. Salvar pede outro arquivo.")
+    /// The last session is back without some keys of its figure. The whole is in the file at `path`.
+    in_part(lang, keys: &str, path: &str): "The last session is restored, but this version does not know {keys}. Everything is kept in {path}. Saving asks for another file.",
+        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}. Salvar pede outro arquivo.";
+
+    /// All slots hold sessions of other windows.
+    no_slot(lang, slots: usize): "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of those in the list.",
+        "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.";
+
+    /// The preferences cannot be understood. They are in the file at `path` now.
+    preferences_set_aside(lang, path: &str): "The preferences can't be read. They're kept in {path}, and you begin with new ones.",
+        "As preferências não podem ser lidas. Estão guardadas em {path}, e você começa com novas.";
+
+    /// The progress in exercises cannot be read. It is in the file at `path` now.
+    progress_set_aside(lang, path: &str): "Your progress in exercises can't be read. It's kept in {path}, and you begin anew.",
+        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}, e você recomeça.";
+
+    /// Of several files that were dropped at once, only the first was taken.
+    first_of_dropped(lang, path: &str, count: usize): "Of {count} files, the window opens one: {path}",
+        "De {count} arquivos, a janela abre um: {path}";
 }
 
 /// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
 /// with the name of the file.
-#[must_use]
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (preferences, progress) {
         (false, false) => "",
@@ -39,41 +50,12 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
 }
 
 /// Nothing can be stored, because the system names no folder for it.
-#[must_use]
 pub const fn no_home(lang: Lang) -> &'static str {
     pick!(lang; "Your account has no home folder, so preferences and progress aren't saved, and a crash would lose your changes",
         "Sua conta não tem pasta pessoal. Preferências e progresso não são salvos, e uma falha do programa perderia suas mudanças")
 }
 
-/// All slots hold sessions of other windows.
-#[must_use]
-pub fn no_slot(lang: Lang, slots: usize) -> String {
-    both!(lang; "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of those in the list.",
-        "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.")
-}
-
-/// The preferences cannot be understood. They are in the file at `path` now.
-#[must_use]
-pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
-    both!(lang; "The preferences can't be read. They're kept in {path}, and you begin with new ones.",
-        "As preferências não podem ser lidas. Estão guardadas em {path}, e você começa com novas.")
-}
-
-/// The progress in exercises cannot be read. It is in the file at `path` now.
-#[must_use]
-pub fn progress_set_aside(lang: Lang, path: &str) -> String {
-    both!(lang; "Your progress in exercises can't be read. It's kept in {path}, and you begin anew.",
-        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}, e você recomeça.")
-}
-
-/// Of several files that were dropped at once, only the first was taken.
-#[must_use]
-pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
-    both!(lang; "Of {count} files, the window opens one: {path}", "De {count} arquivos, a janela abre um: {path}")
-}
-
 /// The age of something.
-#[must_use]
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);

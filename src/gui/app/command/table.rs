@@ -14,7 +14,6 @@ use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare as kept_camera;
 use crate::gui::inspector::state::compare::CompareForm;
-use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::action::AfterSave;
@@ -30,10 +29,14 @@ use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
 /// A row: command, keys, the names of label and hint, and what it does: by a flag or by one of several values that
-/// stand in the state, else by a function.
+/// stand in the state, else by a function. The names are those of texts of the window, or of the texts before `::`.
 macro_rules! row {
     ($command:expr, $keys:expr, $label:ident, $hint:ident, switch $($flag:tt)+) => {
         row!($command, $keys, $label, $hint, |s, _| s.$($flag)+ ^= true).on(|s| s.$($flag)+)
+    };
+    (world $flag:ident, $command:expr, $keys:expr, $label:ident, $hint:ident) => {
+        row!($command, $keys, $label, $hint, |s, _| s.model.document.edit(|figure| figure.world.$flag ^= true))
+            .on(|s| s.model.document.figure().world.$flag)
     };
     (tab $tab:ident, $keys:expr, $label:ident, $hint:ident) => {
         row!(Tab(layout::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(s, layout::Tab::$tab))
@@ -65,6 +68,9 @@ macro_rules! row {
     ($command:expr, $keys:expr, $label:ident, $hint:ident, $run:expr) => {
         Row::new($command, $keys, |t| (t.$label, t.$hint), $run)
     };
+    ($command:expr, $keys:expr, $texts:ident::$label:ident, $hint:ident, $run:expr) => {
+        Row::new($command, $keys, |t| ($texts::texts(t.lang).$label, $texts::texts(t.lang).$hint), $run)
+    };
 }
 
 /// The menus, in the order of the bar.
@@ -82,17 +88,22 @@ pub const MENUS: &[Menu] = &[
             ],
             &[
                 row!(Save, ctrl(Key::S), save, save_hint, save),
-                row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, save_as),
-                row!(Title, ctrl(Key::I), title_command, title_hint, show_title),
+                row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, |s, ctx| {
+                    file_flow::ask(ctx, s, Purpose::Save(None));
+                }),
+                row!(Title, ctrl(Key::I), title_command, title_hint, |s, _| {
+                    show_dialog(s, Dialog::Title(TitleForm::of(&s.model, None)));
+                }),
             ],
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| {
                     s.family.choose(Subject::Nothing);
                     show_export(s);
                 }),
-                Row::new(Handout, ctrl(Key::P), handout_words, |s, _| show_handout(s, true)).browsers_keys(),
-                Row::new(ExerciseSheet, alt(Key::K), sheet_words, |s, _| show_handout(s, false)),
-                Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
+                row!(Handout, ctrl(Key::P), handouts::handout, handout_hint, |s, _| show_handout(s, true))
+                    .browsers_keys(),
+                row!(ExerciseSheet, alt(Key::K), handouts::sheet, sheet_hint, |s, _| show_handout(s, false)),
+                row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
                 .not_in_browser()],
@@ -107,7 +118,7 @@ pub const MENUS: &[Menu] = &[
                 s.family = std::mem::take(&mut s.family).or_last();
                 show_export(s);
             }),
-            Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| show_code(s)),
+            row!(QrCode, ctrl_shift(Key::K), sharing::code, code_hint, |s, _| show_code(s)),
         ]],
     },
     Menu {
@@ -151,21 +162,22 @@ pub const MENUS: &[Menu] = &[
                     ViewHistory::forward
                 ))
                 .enabled(|s| s.model.views.can_go_forward(s.model.document.figure().observers)),
-                row!(Section, alt(Key::Num8), section_view, section_view_hint, |s, _| toggle_section(s))
-                    .on(|s| s.model.document.figure().world.section),
-                row!(Dimensions, alt(Key::Num9), dimensions, dimensions_hint, |s, _| toggle_dimensions(s))
-                    .on(|s| s.model.document.figure().world.dimensions)
+                row!(world section, Section, alt(Key::Num8), section_view, section_view_hint),
+                row!(world dimensions, Dimensions, alt(Key::Num9), dimensions, dimensions_hint)
                     .enabled(|s| !s.model.document.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
-                Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
-                Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| {
+                row!(Compare, ctrl_shift(Key::D), compare::command, command_hint, |s, _| {
+                    show_dialog(s, Dialog::Compare(CompareForm::of(s.model.document.figure())));
+                }),
+                row!(KeepCamera, shift(Key::F4), compare::keep, keep_hint, |s, _| {
                     kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
                 }),
-                Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| {
+                row!(SwapSides, plain(Key::F4), compare::swap_command, swap_command_hint, |s, _| {
                     kept_camera::swap(&mut s.model, &s.camera_a);
                 }),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
-                Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),
+                row!(Labels, alt(Key::T), labels::command, command_hint, |s, _| s.label_mode.toggle())
+                    .on(|s| s.label_mode.on),
             ],
         ],
     },
@@ -234,67 +246,33 @@ pub const MENUS: &[Menu] = &[
                 row!(Freeze, alt(Key::F), freeze, freeze_hint, switch annotations.frozen),
                 row!(Blank, alt(Key::B), blank, blank_hint, switch annotations.blank),
             ],
-            &[Row::new(
-                AddStep,
-                ctrl_shift(Key::A),
-                |t| lesson_words(t, |t| (t.add_step, t.add_step_hint)),
-                record_step,
-            )
-            .not_in_browser()],
+            &[row!(AddStep, ctrl_shift(Key::A), lessons::add_step, add_step_hint, record_step).not_in_browser()],
             &[
-                Row::new(
-                    StepAgain,
-                    alt(Key::Z),
-                    |t| lesson_words(t, |t| (t.again, t.again_hint)),
-                    |s, _| s.learn.step_again(&mut s.model),
-                )
-                .in_lesson(|s| s.learn.lesson.is_some()),
-                Row::new(
-                    StepText,
-                    alt(Key::C),
-                    |t| lesson_words(t, |t| (t.text_command, t.text_hint)),
-                    |s, _| {
-                        change_lesson(&mut s.learn, |playing| playing.shows_text ^= true);
-                    },
-                )
-                .in_lesson(|s| s.learn.lesson.is_some())
+                row!(StepAgain, alt(Key::Z), lessons::again, again_hint, |s, _| s.learn.step_again(&mut s.model))
+                    .in_lesson(),
+                row!(StepText, alt(Key::C), lessons::text_command, text_hint, |s, _| {
+                    change_lesson(s, |playing| playing.shows_text ^= true);
+                })
+                .in_lesson()
                 .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
-                Row::new(
-                    StepQuestion,
-                    alt(Key::A),
-                    |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
-                    |s, _| {
-                        let presents = s.model.settings.presentation;
-                        change_lesson(&mut s.learn, |playing| playing.go_on_asking(presents));
-                    },
-                )
-                .in_lesson(|s| s.learn.lesson.is_some())
+                row!(StepQuestion, alt(Key::A), lessons::question_command, question_hint, |s, _| {
+                    let presents = s.model.settings.presentation;
+                    change_lesson(s, |playing| playing.go_on_asking(presents));
+                })
+                .in_lesson()
                 .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
-                Row::new(
-                    StepNotes,
-                    alt(Key::N),
-                    |t| lesson_words(t, |t| (t.notes_command, t.notes_hint)),
-                    |s, _| {
-                        change_lesson(&mut s.learn, |playing| playing.shows_notes ^= true);
-                    },
-                )
-                .in_lesson(|s| s.learn.lesson.is_some())
+                row!(StepNotes, alt(Key::N), lessons::notes_command, notes_hint, |s, _| {
+                    change_lesson(s, |playing| playing.shows_notes ^= true);
+                })
+                .in_lesson()
                 .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
-                Row::new(
-                    WriteLesson,
-                    alt(Key::R),
-                    |t| lesson_words(t, |t| (t.write_command, t.write_hint)),
-                    write_lesson,
-                )
-                .not_in_browser()
-                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
-                Row::new(
-                    LeaveLesson,
-                    alt(Key::W),
-                    |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
-                    |s, ctx| file_flow::begin(ctx, s, AfterSave::LeaveLesson),
-                )
-                .in_lesson(|s| s.learn.lesson.is_some()),
+                row!(WriteLesson, alt(Key::R), lessons::write_command, write_hint, write_lesson)
+                    .not_in_browser()
+                    .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
+                row!(LeaveLesson, alt(Key::W), lessons::leave, leave_hint, |s, ctx| {
+                    file_flow::begin(ctx, s, AfterSave::LeaveLesson);
+                })
+                .in_lesson(),
             ],
             &[row!(ClearAnnotations, alt(Key::Backspace), clear_annotations, clear_annotations_hint, |s, _| s
                 .annotations
@@ -306,12 +284,7 @@ pub const MENUS: &[Menu] = &[
         title: |t| t.menu_help,
         in_bar: true,
         groups: &[&[
-            Row::new(
-                Lessons,
-                ctrl_shift(Key::L),
-                |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
-                |s, _| show_lessons(s),
-            ),
+            row!(Lessons, ctrl_shift(Key::L), lessons::lessons_command, lessons_hint, |s, _| show_lessons(s)),
             row!(Search, ctrl(Key::F), search, search_hint, |s, _| show_search(s))
                 .or(ctrl_shift(Key::P))
                 .browsers_keys(),
@@ -386,9 +359,9 @@ impl Row {
         Self { enabled, ..self }
     }
 
-    /// Its menu lists it only while it can be done.
-    const fn in_lesson(self, enabled: fn(&State) -> bool) -> Self {
-        Self { enabled, only_if_enabled: true, ..self }
+    /// It can be done, and its menu lists it, only while a lesson is played.
+    const fn in_lesson(self) -> Self {
+        Self { enabled: |s| s.learn.lesson.is_some(), only_if_enabled: true, ..self }
     }
 
     const fn disabled_because(self, hint: fn(&Texts) -> &'static str) -> Self {
@@ -402,50 +375,6 @@ impl Row {
     pub(super) fn all_keys(&self) -> impl Iterator<Item = KeyboardShortcut> + use<> {
         [Some(self.shortcut), self.second_shortcut].into_iter().flatten()
     }
-}
-
-fn link_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = sharing::texts(t.lang);
-    (t.copy_link, t.copy_link_hint)
-}
-
-fn handout_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = handouts::texts(t.lang);
-    (t.handout, t.handout_hint)
-}
-
-fn sheet_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = handouts::texts(t.lang);
-    (t.sheet, t.sheet_hint)
-}
-
-fn code_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = sharing::texts(t.lang);
-    (t.code, t.code_hint)
-}
-
-fn compare_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = compare::texts(t.lang);
-    (t.command, t.command_hint)
-}
-
-fn keep_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = compare::texts(t.lang);
-    (t.keep, t.keep_hint)
-}
-
-fn swap_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = compare::texts(t.lang);
-    (t.swap_command, t.swap_command_hint)
-}
-
-fn label_words(t: &Texts) -> (&'static str, &'static str) {
-    let t = labels::texts(t.lang);
-    (t.command, t.command_hint)
-}
-
-fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static str)) -> (&'static str, &'static str) {
-    of(lessons::texts(t.lang))
 }
 
 /// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
@@ -470,15 +399,10 @@ fn write_lesson(state: &mut State, ctx: &Context) {
     }
 }
 
-fn change_lesson(learn: &mut Learn, change: impl FnOnce(&mut Playing)) {
-    if let Some(playing) = &mut learn.lesson {
+fn change_lesson(state: &mut State, change: impl FnOnce(&mut Playing)) {
+    if let Some(playing) = &mut state.learn.lesson {
         change(playing);
     }
-}
-
-fn show_compare(state: &mut State) {
-    let form = CompareForm::of(state.model.document.figure());
-    show_dialog(state, Dialog::Compare(form));
 }
 
 /// Saves what is typed in the lesson, or the figure.
@@ -507,15 +431,6 @@ fn show_search(state: &mut State) {
 fn show_recent(state: &mut State) {
     state.gallery.part = Part::Recent;
     show_dialog(state, Dialog::Gallery);
-}
-
-fn save_as(state: &mut State, ctx: &Context) {
-    file_flow::ask(ctx, state, Purpose::Save(None));
-}
-
-fn show_title(state: &mut State, _: &Context) {
-    let form = TitleForm::of(&state.model, None);
-    show_dialog(state, Dialog::Title(form));
 }
 
 /// Opens the list of lessons, with those of the folder of figures too.
@@ -554,14 +469,6 @@ fn see_as(state: &mut State, find: fn(&mut ViewHistory, Observers) -> Option<Obs
     if let Some(observers) = find(&mut state.model.views, state.model.document.figure().observers) {
         *state.model.document.observers_mut() = observers;
     }
-}
-
-fn toggle_section(state: &mut State) {
-    state.model.document.edit(|figure| figure.world.section ^= true);
-}
-
-fn toggle_dimensions(state: &mut State) {
-    state.model.document.edit(|figure| figure.world.dimensions ^= true);
 }
 
 fn show_tab(state: &mut State, tab: layout::Tab) {

@@ -40,22 +40,27 @@ impl FileKind {
         let figure = named.or_else(|| state.model.document.name()).unwrap_or_else(|| t.untitled_file.to_owned());
         let figure = PathBuf::from(figure);
         let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let save_action = t.save_action;
+        let scene = scenes::texts(lang);
         let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
+        let formats = |name: &str, first: PictureFormat| {
+            let mut formats = PictureFormat::ALL;
+            formats.sort_by_key(|format| *format != first);
+            formats.map(|of| format(name, of)).to_vec()
+        };
+        let file = |title, action, filter: &str, endings| {
+            (Wanted::File, title, action, vec![(filter.to_owned(), endings)], String::new())
+        };
+        let folder = |title| (Wanted::Folder, title, t.open_action, Vec::new(), String::new());
+        let new_file = |title, filters, name| (Wanted::NewFile, title, t.save_action, filters, name);
         let (wanted, title, action, filters, name) = match purpose {
             Purpose::Open | Purpose::CompareWith => {
-                let filters = vec![(t.figure_filter.to_owned(), &["toml", "png", "svg", "pdf"][..])];
-                (Wanted::File, t.open_title, t.open_action, filters, String::new())
+                file(t.open_title, t.open_action, t.figure_filter, &["toml", "png", "svg", "pdf"][..])
             }
             Purpose::Save(_) => {
                 let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
-                let name = figure.with_extension("toml").display().to_string();
-                (Wanted::NewFile, t.save_title, t.save_action, filters, name)
+                new_file(t.save_title, filters, figure.with_extension("toml").display().to_string())
             }
             Purpose::Export(export) => {
-                let mut formats = PictureFormat::ALL;
-                formats.sort_by_key(|format| *format != export.format);
-                let filters = formats.map(|of| format(t.picture_filter, of)).to_vec();
                 let is_family = state.family.variations().is_some();
                 let what = match export.what {
                     _ if is_family => {
@@ -65,7 +70,7 @@ impl FileKind {
                     some => format!("-{}", some.name().replace(',', "-")),
                 };
                 let name = format!("{stem}{what}.{}", export.format.ending());
-                (Wanted::NewFile, t.export_title, t.save_action, filters, name)
+                new_file(t.export_title, formats(t.picture_filter, export.format), name)
             }
             Purpose::Animation(decomposition) => {
                 let mut filters = vec![
@@ -73,8 +78,7 @@ impl FileKind {
                     (format!("{} APNG", film.animation), &["apng"][..]),
                 ];
                 filters.extend(PictureFormat::ALL.map(|of| format(film.strip, of)));
-                let name = format!("{stem}-{}.gif", decomposition.name());
-                (Wanted::NewFile, t.export_title, t.save_action, filters, name)
+                new_file(t.export_title, filters, format!("{stem}-{}.gif", decomposition.name()))
             }
             Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText(_) => {
                 let t = lessons::texts(lang);
@@ -86,39 +90,29 @@ impl FileKind {
                 (Wanted::NewFile, title, action, filters, name.unwrap_or_else(|| t.step_file.to_owned()))
             }
             Purpose::Chart(_) => {
-                let mut formats = PictureFormat::ALL;
-                formats.sort_by_key(|format| *format != PictureFormat::Svg);
-                let filters = formats.map(|of| format(t.chart_filter, of)).to_vec();
-                (Wanted::NewFile, t.export_chart_title, t.save_action, filters, format!("{stem}-{}.svg", t.chart_file))
+                let filters = formats(t.chart_filter, PictureFormat::Svg);
+                new_file(t.export_chart_title, filters, format!("{stem}-{}.svg", t.chart_file))
             }
             Purpose::Handout(form) => {
                 let t = handouts::texts(lang);
                 let filters = vec![(format!("{} PDF", t.filter), &["pdf"][..])];
-                (Wanted::NewFile, t.title, save_action, filters, format!("{}.pdf", form.stem()))
+                new_file(t.title, filters, format!("{}.pdf", form.stem()))
             }
             Purpose::Progress => {
-                let (filters, name) = (vec![("CSV".to_owned(), &["csv"][..])], exercises.progress_file.to_owned());
-                (Wanted::NewFile, exercises.export_title, t.save_action, filters, name)
+                let filters = vec![("CSV".to_owned(), &["csv"][..])];
+                new_file(exercises.export_title, filters, exercises.progress_file.to_owned())
             }
-            Purpose::Mesh(_) => {
-                let t = scenes::texts(lang);
-                let filters = vec![(t.mesh_filter.to_owned(), MESH_ENDINGS)];
-                (Wanted::File, t.mesh_title, t.mesh_action, filters, String::new())
-            }
+            Purpose::Mesh(_) => file(scene.mesh_title, scene.mesh_action, scene.mesh_filter, MESH_ENDINGS),
             Purpose::Texture(_) => {
-                let t = scenes::texts(lang);
-                let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
-                (Wanted::File, t.texture_title, t.texture_action, filters, String::new())
+                file(scene.texture_title, scene.texture_action, scene.texture_filter, TEXTURE_ENDINGS)
             }
             Purpose::Photograph => {
-                let (words, t) = (photograph::texts(lang), scenes::texts(lang));
-                let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
-                (Wanted::File, words.choose_title, words.choose_action, filters, String::new())
+                let t = photograph::texts(lang);
+                file(t.choose_title, t.choose_action, scene.texture_filter, TEXTURE_ENDINGS)
             }
-            Purpose::Folder => (Wanted::Folder, gallery::texts(lang).choose, t.open_action, Vec::new(), String::new()),
-            Purpose::Exercises => (Wanted::Folder, exercises.own_open, t.open_action, Vec::new(), String::new()),
+            Purpose::Folder => folder(gallery::texts(lang).choose),
+            Purpose::Exercises => folder(exercises.own_open),
         };
-        // A figure without a folder goes to that of the last file.
         let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
         let folder = state.model.document.folder().or_else(|| last.and_then(|path| path.parent()));
         let folder = folder.map(Path::to_owned).unwrap_or_default();

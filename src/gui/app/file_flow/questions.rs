@@ -96,7 +96,6 @@ pub struct Agreed {
 
 impl Agreed {
     /// The files that saving may replace.
-    #[must_use]
     pub fn overwrite(&self) -> Overwrite {
         if self.read_only { Overwrite::ReadOnlyToo } else { Overwrite::Writable }
     }
@@ -231,7 +230,6 @@ pub(in crate::gui) struct Asking {
 
 impl Dialog {
     /// True if something typed or a decision is lost when the dialog is closed.
-    #[must_use]
     pub fn is_question(&self) -> bool {
         match self {
             Self::Unsaved(_)
@@ -267,7 +265,6 @@ impl FileFlow {
 
     /// True while a dialog waits for an answer, in the window or of the system. The comparison stands beside the
     /// pictures and waits for none.
-    #[must_use]
     pub fn is_asking(&self) -> bool {
         self.waits_for_system() || self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
     }
@@ -285,7 +282,6 @@ impl FileFlow {
     }
 
     /// Work with files, with nothing pending.
-    #[must_use]
     pub fn new(native: bool) -> Self {
         Self { native, ..Self::default() }
     }

@@ -84,7 +84,6 @@ pub struct Preferences {
 
 impl Preferences {
     /// Sets a window up from the file in `folder`. The options in `asked` are for this window only, and are not saved.
-    #[must_use]
     pub fn begin(folder: &Path, state: &mut State, asked: LaunchOptions) -> Self {
         files::remove_left_over(folder);
         let (file, content) = SharedFile::open(

@@ -72,14 +72,12 @@ impl Numerics {
     }
 
     /// The study that is being measured, and which share of it is done.
-    #[must_use]
     pub fn measuring(&self) -> Option<(Study, Option<f32>)> {
         let share = self.measured.running().and_then(|Running { now, .. }| now).and_then(|(_, share)| share);
         self.measured.waiting().map(|(study, _)| (*study, share))
     }
 
     /// The results of a study.
-    #[must_use]
     pub fn found(&self, study: Study) -> Option<&Findings> {
         self.found.get(study.name())
     }

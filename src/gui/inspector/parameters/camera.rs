@@ -3,7 +3,7 @@
 use eframe::egui;
 
 use super::free_window::{closed, opened};
-use super::{Number, ParameterForm, VectorParameter, lens_menu, row};
+use super::{ParameterForm, lens_menu, row};
 use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
@@ -21,39 +21,9 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
     // A drag of a hundred points moves by about the distance to PF.
     let step = power_of_ten(form.good.distance() / 10.0).unwrap_or(1.0);
     section(ui, t.camera, "placement", true, |ui| {
-        form.vector(
-            ui,
-            VectorParameter {
-                key: ParameterKey::Position,
-                symbol: "C",
-                name: t.position,
-                hint: t.position_hint,
-                step,
-                value: |p| &mut p.position,
-            },
-        );
-        form.vector(
-            ui,
-            VectorParameter {
-                key: ParameterKey::FocalPoint,
-                symbol: "PF",
-                name: t.focal_point,
-                hint: t.focal_point_hint,
-                step,
-                value: |p| &mut p.focal_point,
-            },
-        );
-        form.vector(
-            ui,
-            VectorParameter {
-                key: ParameterKey::ViewUp,
-                symbol: "VUP",
-                name: t.view_up,
-                hint: t.view_up_hint,
-                step: 0.1,
-                value: |p| &mut p.view_up,
-            },
-        );
+        form.vector(ui, ParameterKey::Position, [t.position, t.position_hint], step, |p| &mut p.position);
+        form.vector(ui, ParameterKey::FocalPoint, [t.focal_point, t.focal_point_hint], step, |p| &mut p.focal_point);
+        form.vector(ui, ParameterKey::ViewUp, [t.view_up, t.view_up_hint], 0.1, |p| &mut p.view_up);
         if form.preset == Preset::Exercise51 {
             erratum(ui, t, t.erratum_51);
         }
@@ -72,43 +42,15 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Mo
             }
             let follows = model.settings.aspect_follows_image;
             ui.add_enabled_ui(!follows, |ui| {
-                form.number(
-                    ui,
-                    Number {
-                        key: ParameterKey::Aspect,
-                        symbol: "A",
-                        name: t.aspect,
-                        hint: t.aspect_hint,
-                        field: NumberField::new("A", Step::Multiply(1.1)).fractions().greyed(t.aspect_greyed),
-                        value: |p| &mut p.aspect,
-                    },
-                );
+                let field = NumberField::new("A", Step::Multiply(1.1)).fractions().greyed(t.aspect_greyed);
+                form.number(ui, ParameterKey::Aspect, [t.aspect, t.aspect_hint], field, |p| &mut p.aspect);
             });
         } else {
             derived(ui, form);
         }
-        form.number(
-            ui,
-            Number {
-                key: ParameterKey::Near,
-                symbol: "F",
-                name: t.near,
-                hint: t.near_hint,
-                field: NumberField::new("F", Step::Multiply(1.1)),
-                value: |p| &mut p.near,
-            },
-        );
-        form.number(
-            ui,
-            Number {
-                key: ParameterKey::Far,
-                symbol: "B",
-                name: t.far,
-                hint: t.far_hint,
-                field: NumberField::new("B", Step::Multiply(1.1)),
-                value: |p| &mut p.far,
-            },
-        );
+        let [near, far] = ["F", "B"].map(|symbol| NumberField::new(symbol, Step::Multiply(1.1)));
+        form.number(ui, ParameterKey::Near, [t.near, t.near_hint], near, |p| &mut p.near);
+        form.number(ui, ParameterKey::Far, [t.far, t.far_hint], far, |p| &mut p.far);
     });
 }
 
@@ -155,27 +97,15 @@ fn kind(ui: &mut egui::Ui, form: &mut ParameterForm) {
 
 fn angle_or_height(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
-    let number = match form.parameters.projection {
-        Projection::Perspective => Number {
-            key: ParameterKey::ViewAngle,
-            symbol: "θ",
-            name: t.view_angle,
-            hint: t.view_angle_hint,
-            field: NumberField::angle("θ", 5.0),
-            value: |p| &mut p.view_angle,
-        },
-        Projection::Parallel => Number {
-            key: ParameterKey::Height,
-            symbol: "H",
-            name: t.height,
-            hint: t.height_hint,
-            field: NumberField::new("H", Step::Multiply(1.1)),
-            value: |p| &mut p.height,
-        },
-    };
     match form.parameters.projection {
-        Projection::Perspective => form.number_beside(ui, number, lens_menu::button),
-        Projection::Parallel => form.number(ui, number),
+        Projection::Perspective => {
+            let (words, field) = ([t.view_angle, t.view_angle_hint], NumberField::angle("θ", 5.0));
+            form.number(ui, ParameterKey::ViewAngle, words, field, |p| &mut p.view_angle);
+        }
+        Projection::Parallel => {
+            let (words, field) = ([t.height, t.height_hint], NumberField::new("H", Step::Multiply(1.1)));
+            form.number(ui, ParameterKey::Height, words, field, |p| &mut p.height);
+        }
     }
 }
 

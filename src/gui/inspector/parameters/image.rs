@@ -4,12 +4,12 @@ use std::ops::RangeInclusive;
 
 use eframe::egui;
 
-use super::{complaint, photograph, row};
+use super::{complain, photograph, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
 use crate::gui::inspector::{more, section};
 use crate::gui::kit::context_help::{has_focus, help_topic_row};
-use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::photograph::PhotographTool;
@@ -46,11 +46,9 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
             symbols.push(Symbol::Aspect);
         }
         point_at(ui, &mut model.hover.pointed, size.response.rect, &symbols);
-        complain(ui, t, &size.inner);
-        let size = ImageSize { width: to_side(m), height: to_side(n) };
-        if size != model.document.figure().image {
-            model.document.edit(|figure| figure.image = size);
-        }
+        complain(ui, t.lang, &size.inner);
+        let size = ImageSize { width: whole(m), height: whole(n) };
+        model.document.set(|figure| &mut figure.image, size);
         let symmetric = model.document.draft().window.is_none();
         let mut follows = model.settings.aspect_follows_image && symmetric;
         let follow = ui.add_enabled(symmetric, egui::Checkbox::new(&mut follows, t.aspect_follows));
@@ -85,18 +83,6 @@ fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: 
     }
 }
 
-fn complain(ui: &mut egui::Ui, t: &Texts, outputs: &[FieldOutput]) {
-    for error in outputs.iter().filter_map(|output| output.error.as_ref()) {
-        complaint(ui, &error.text(t.lang));
-    }
-}
-
-/// A number of pixels: its field takes whole numbers of 1 … [`MAX_SIDE`] alone.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-fn to_side(value: f64) -> u32 {
-    value as u32
-}
-
 /// A place in pixels: its field takes whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`] alone.
 #[expect(clippy::cast_possible_truncation, reason = "a whole number that fits")]
 fn to_corner(value: f64) -> i32 {
@@ -106,11 +92,11 @@ fn to_corner(value: f64) -> i32 {
 fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let figure = model.document.figure();
     let image = figure.image;
-    let whole = Viewport { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 };
+    let of_image = Viewport { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 };
     let old = figure.viewport;
     let mut is_whole = old.is_none();
     ui.checkbox(&mut is_whole, t.whole_image).explained(t.whole_image_hint);
-    let mut new = old.unwrap_or(whole);
+    let mut new = old.unwrap_or(of_image);
     if !is_whole {
         let mut pair = |of: [(Symbol, &str); 2],
                         name: &str,
@@ -131,7 +117,7 @@ fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
                 })
             });
             point_at(ui, &mut model.hover.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
-            complain(ui, t, &pair.inner);
+            complain(ui, t.lang, &pair.inner);
         };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];
         let [mut width, mut height] = [f64::from(new.width), f64::from(new.height)];
@@ -146,10 +132,8 @@ fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
             0.0..=1.0,
             [&mut new.depth_near, &mut new.depth_far],
         );
-        new = Viewport { x: to_corner(x), y: to_corner(y), width: to_side(width), height: to_side(height), ..new };
+        new = Viewport { x: to_corner(x), y: to_corner(y), width: whole(width), height: whole(height), ..new };
     }
     let new = (!is_whole).then_some(new);
-    if new != old {
-        model.document.edit(|figure| figure.viewport = new);
-    }
+    model.document.set(|figure| &mut figure.viewport, new);
 }

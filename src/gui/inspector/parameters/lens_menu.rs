@@ -4,9 +4,9 @@
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 
 use super::free_window::closed;
-use super::{ParameterForm, complaint, row};
+use super::{ParameterForm, complain, row};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
-use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
+use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::window::lens::{self, Texts};
 use crate::numbers::EXACT_DIGITS;
@@ -109,7 +109,7 @@ fn angles(ui: &mut egui::Ui, form: &ParameterForm, lens: LensNumbers, t: &Texts)
         let output = ui.add_enabled_ui(form.parameters.window.is_none(), |ui| {
             row(ui, "", name, t.angle_hint, |ui| field.show(ui, form.t, &mut degrees))
         });
-        complain(ui, form, &[output.inner]);
+        complain(ui, form.lang, &[output.inner]);
         if degrees.to_bits() != before.to_bits() {
             change = Some(of_degrees.map_or(Change::Zoom(zoom(before, degrees)), |form| Change::Form(form(degrees))));
         }
@@ -150,7 +150,7 @@ fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), v
     let before = *value;
     let field = NumberField::new(name, Step::Multiply(1.1)).positive().hint(hint).width(92.0);
     let output = row(ui, "", name, hint, |ui| field.show(ui, form.t, value));
-    complain(ui, form, &[output]);
+    complain(ui, form.lang, &[output]);
     value.to_bits() != before.to_bits()
 }
 
@@ -167,14 +167,8 @@ fn pair(
         let fields = fields.into_iter().zip(values.iter_mut());
         fields.map(|(field, value)| field.hint(hint).width(70.0).show(ui, form.t, value)).collect::<Vec<_>>()
     });
-    complain(ui, form, &outputs);
+    complain(ui, form.lang, &outputs);
     values.map(f64::to_bits) != before.map(f64::to_bits)
-}
-
-fn complain(ui: &mut egui::Ui, form: &ParameterForm, fields: &[FieldOutput]) {
-    for error in fields.iter().filter_map(|field| field.error.as_ref()) {
-        complaint(ui, &error.text(form.lang));
-    }
 }
 
 /// Makes the parameters those with another lens.

@@ -12,7 +12,7 @@ mod world_section;
 use eframe::egui;
 use glam::DVec3;
 
-use super::{complaint, row};
+use super::{complain, complaint, row};
 use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
@@ -168,9 +168,7 @@ impl ParameterForm {
 
     /// Shows the fault of a value below its field: that of the typed text, or of the value.
     fn complain(&mut self, ui: &mut egui::Ui, key: ParameterKey, fields: &[FieldOutput]) {
-        for error in fields.iter().filter_map(|field| field.error.as_ref()) {
-            complaint(ui, &error.text(self.t.lang));
-        }
+        complain(ui, self.lang, fields);
         if self.error.as_ref().is_some_and(|error| error.parameters().first() == Some(&key)) {
             self.problem(ui);
         }
@@ -195,9 +193,15 @@ impl ParameterForm {
     }
 
     /// A vector: its name, and below it three fields side by side.
-    fn vector(&mut self, ui: &mut egui::Ui, vector: VectorParameter) {
-        let VectorParameter { key, symbol, name, hint, step, value } = vector;
-        let marked = self.is_marked(key);
+    fn vector(
+        &mut self,
+        ui: &mut egui::Ui,
+        key: ParameterKey,
+        [name, hint]: [&'static str; 2],
+        step: f64,
+        value: fn(&mut Parameters) -> &mut DVec3,
+    ) {
+        let (symbol, marked) = (key.symbol(), self.is_marked(key));
         let shown = super::VectorField { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
         let outputs = ui.scope(|ui| shown.show(ui, self.t, value(&mut self.parameters)));
         self.point_at(ui, key, outputs.response.rect);
@@ -205,17 +209,20 @@ impl ParameterForm {
     }
 
     /// One number: its name on the left, its field on the right.
-    fn number(&mut self, ui: &mut egui::Ui, number: Number) {
-        self.number_beside(ui, number, |_, _| {});
-    }
-
-    /// The same with something to the left of the field.
-    fn number_beside(&mut self, ui: &mut egui::Ui, number: Number, beside: impl FnOnce(&mut egui::Ui, &mut Self)) {
-        let Number { key, symbol, name, hint, field, value } = number;
+    fn number(
+        &mut self,
+        ui: &mut egui::Ui,
+        key: ParameterKey,
+        [name, hint]: [&'static str; 2],
+        field: NumberField<'static>,
+        value: fn(&mut Parameters) -> &mut f64,
+    ) {
         let marked = self.is_marked(key);
         let output = ui.scope(|ui| {
-            row(ui, symbol, name, hint, |ui| {
-                beside(ui, self);
+            row(ui, key.symbol(), name, hint, |ui| {
+                if key == ParameterKey::ViewAngle {
+                    lens_menu::button(ui, self);
+                }
                 field.hint(hint).width(92.0).marked(marked).show(ui, self.t, value(&mut self.parameters))
             })
         });
@@ -321,24 +328,6 @@ impl ParameterForm {
             ui.label(format!("{}{unit}", number(6))).explained(format!("= {exact}{unit}"));
         });
     }
-}
-
-struct VectorParameter {
-    key: ParameterKey,
-    symbol: &'static str,
-    name: &'static str,
-    hint: &'static str,
-    step: f64,
-    value: fn(&mut Parameters) -> &mut DVec3,
-}
-
-struct Number {
-    key: ParameterKey,
-    symbol: &'static str,
-    name: &'static str,
-    hint: &'static str,
-    field: NumberField<'static>,
-    value: fn(&mut Parameters) -> &mut f64,
 }
 
 /// The length or angle that a parameter is, or sets.

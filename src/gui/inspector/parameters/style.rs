@@ -5,7 +5,7 @@ use eframe::egui;
 use super::row;
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
-use crate::gui::inspector::{choice, more, section};
+use crate::gui::inspector::{choice_row, more, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::i18n::window;
@@ -13,8 +13,7 @@ use crate::i18n::window;
 /// Shading, hidden surfaces and lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().style;
-    let mut style = old;
+    let mut style = model.document.figure().style;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
         let shadings = [
@@ -23,9 +22,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
             (Shading::Gouraud, t.shading_gouraud),
             (Shading::Phong, t.shading_phong),
         ];
-        row(ui, "", t.shading, t.shading_hint, |ui| {
-            choice(ui, t.shading, t.shading_hint, &mut style.shading, &shadings)
-        });
+        choice_row(ui, t.shading, t.shading_hint, &mut style.shading, &shadings);
         row(ui, "", t.visibility, t.visibility_hint, |ui| {
             let by = match style.visibility {
                 Visibility::DepthBuffer => t.visibility_depth_buffer,
@@ -39,23 +36,15 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
             (HiddenLines::Hidden, t.hidden_hidden),
             (HiddenLines::Shown, t.hidden_shown),
         ];
-        row(ui, "", t.hidden_lines, t.hidden_lines_hint, |ui| {
-            choice(ui, t.hidden_lines, t.hidden_lines_hint, &mut style.hidden_lines, &lines)
-        });
+        choice_row(ui, t.hidden_lines, t.hidden_lines_hint, &mut style.hidden_lines, &lines);
         more(ui, t, &format!("{}, {}", t.antialias, t.file_theme), |ui| {
             let samples = [(1, "1"), (4, "4"), (16, "16")];
-            row(ui, "", t.antialias, t.antialias_hint, |ui| {
-                choice(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples)
-            });
+            choice_row(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples);
             let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
-            row(ui, "", t.file_theme, t.file_theme_hint, |ui| {
-                choice(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes)
-            });
+            choice_row(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes);
         });
     });
-    if style != old {
-        model.document.edit(|figure| figure.style = style);
-    }
+    model.document.set(|figure| &mut figure.style, style);
     if opens {
         model.show_explanation(Explanation::HiddenSurfaces);
     }

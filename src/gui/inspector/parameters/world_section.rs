@@ -2,9 +2,8 @@
 
 use eframe::egui;
 
-use super::row;
 use crate::figure::{WorldPart, WorldParts};
-use crate::gui::inspector::{choice, section};
+use crate::gui::inspector::{choice_row, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::i18n::pictures::labels;
@@ -45,17 +44,13 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
         let names: Vec<_> = steps.iter().map(|share| format!("{} %", significant(share * 100.0, 3))).collect();
         let mut all = vec![(None, t.opacity_automatic)];
         all.extend(steps.iter().zip(&names).map(|(share, name)| (Some(*share), name.as_str())));
-        row(ui, "", t.window_opacity, t.window_opacity_hint, |ui| {
-            choice(ui, t.window_opacity, t.window_opacity_hint, &mut world.window_opacity, &all)
-        });
+        choice_row(ui, t.window_opacity, t.window_opacity_hint, &mut world.window_opacity, &all);
         let mut lengths = LENGTHS.to_vec();
         lengths.extend(old.axes_length.filter(|length| !lengths.contains(length)));
         let names: Vec<_> = lengths.iter().map(|length| format!("× {}", significant(*length, 3))).collect();
         let mut all = vec![(None, t.axes_usual)];
         all.extend(lengths.iter().zip(&names).map(|(length, name)| (Some(*length), name.as_str())));
-        row(ui, "", t.axes_length, t.axes_length_hint, |ui| {
-            choice(ui, t.axes_length, t.axes_length_hint, &mut world.axes_length, &all)
-        });
+        choice_row(ui, t.axes_length, t.axes_length_hint, &mut world.axes_length, &all);
         ui.add_enabled(!world.section, egui::Checkbox::new(&mut world.dimensions, t.dimensions))
             .explained(t.dimensions_hint)
             .explained_disabled(t.dimensions_in_section);
@@ -63,7 +58,5 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
         ui.label(t.world_parts).explained(t.world_parts_hint);
         parts(ui, model.settings.lang, &mut world.parts);
     });
-    if world != old {
-        model.document.edit(|figure| figure.world = world);
-    }
+    model.document.set(|figure| &mut figure.world, world);
 }

@@ -5,8 +5,8 @@ use glam::DVec3;
 
 use super::{Edit, SceneForm};
 use crate::figure::ShadowReveal;
-use crate::gui::inspector::{VectorField, choice, complaint, row};
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::inspector::{VectorField, choice_row, complain, row};
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::i18n::window::scenes::Texts;
@@ -17,10 +17,8 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
     let mut kind = light.kind;
-    row(ui, "", t.kind, t.light_kind_hint, |ui| {
-        let kinds = [(LightKind::Directional, t.directional), (LightKind::Point, t.point)];
-        choice(ui, t.kind, t.light_kind_hint, &mut kind, &kinds)
-    });
+    let kinds = [(LightKind::Directional, t.directional), (LightKind::Point, t.point)];
+    choice_row(ui, t.kind, t.light_kind_hint, &mut kind, &kinds);
     let mut vector = light.vector;
     let (key, _) = light.kind.vector();
     let (name, hint, step) = match light.kind {
@@ -50,20 +48,15 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
 
 /// The inner work of shadows, in all pictures.
 fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
-    let now = model.document.figure().reveal.shadows;
-    let mut chosen = now;
+    let mut chosen = model.document.figure().reveal.shadows;
     let all = [
         (None, t.shadow_plain),
         (Some(ShadowReveal::Map), t.shadow_of_light),
         (Some(ShadowReveal::Acne), t.shadow_acne),
         (Some(ShadowReveal::Truth), t.shadow_truth),
     ];
-    row(ui, "", t.shadow_reveal, t.shadow_reveal_hint, |ui| {
-        choice(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
-    });
-    if chosen != now {
-        model.document.edit(|figure| figure.reveal.shadows = chosen);
-    }
+    choice_row(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
+    model.document.set(|figure| &mut figure.reveal.shadows, chosen);
 }
 
 /// The switch, and the numbers where it is on.
@@ -77,18 +70,14 @@ fn shadows(ui: &mut egui::Ui, form: &SceneForm, owner: &str, mut now: Shadows) -
         |ui: &mut egui::Ui, [name, hint]: [&'static str; 2], step, [least, most]: [f64; 2], value: &mut f64| {
             let output = row(ui, "", name, hint, |ui| {
                 let field = NumberField::new(name, step).of(owner).within(least..=most).width(92.0).hint(hint);
-                let whole = if matches!(step, Step::Multiply(_)) { field.whole() } else { field };
-                whole.show(ui, form.window, value)
+                let field = if matches!(step, Step::Multiply(_)) { field.whole() } else { field };
+                field.show(ui, form.window, value)
             });
-            if let Some(error) = &output.error {
-                complaint(ui, &error.text(form.lang));
-            }
+            complain(ui, form.lang, [&output]);
         };
     let mut map = f64::from(now.map);
     number(ui, [t.shadow_map, t.shadow_map_hint], Step::Multiply(2.0), Shadows::MAPS.map(f64::from), &mut map);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-    let whole = map as u32;
-    now.map = whole;
+    now.map = whole(map);
     number(ui, [t.shadow_bias, t.shadow_bias_hint], Step::Add(0.25), Shadows::BIASES, &mut now.bias);
     number(ui, [t.shadow_softness, t.shadow_softness_hint], Step::Add(0.25), Shadows::SOFTNESSES, &mut now.softness);
     now

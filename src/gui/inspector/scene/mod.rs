@@ -8,14 +8,14 @@ mod tree;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, Key, RichText};
 
-use super::{choice, row, section};
+use super::{choice_row, row, section};
 use crate::explain::{Component, Symbol};
 use crate::figure::Measured;
 use crate::gui::kit::context_help::{has_focus, help_topic_row};
 use crate::gui::kit::focus::keep_in_sight;
-use crate::gui::kit::number_field::FieldOutput;
+use crate::gui::kit::number_field::{FieldOutput, whole};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -28,7 +28,7 @@ use crate::i18n::why::notes;
 use crate::i18n::window;
 use crate::i18n::window::scenes;
 use crate::i18n::window::scenes::Texts;
-use crate::limits::MAX_SIDE;
+use crate::limits::{MAX_SIDE, MAX_TYPED};
 use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
@@ -85,7 +85,7 @@ fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
         (Preset::Exercise52, t.scene_exercise_52),
         (Preset::Exercise53, t.scene_exercise_53),
     ];
-    row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
+    choice_row(ui, t.preset, t.preset_hint, &mut preset, &presets);
     if preset != old {
         model.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
         // An empty scene has nothing to frame: the viewpoint stays.
@@ -104,8 +104,7 @@ fn show_from_its_best_side(model: &mut Model, preset: Preset) {
         let m = (f64::from(n) * camera.aspect).round();
         // An image that would be too wide stays as it is, and A follows it.
         if (1.0..=f64::from(MAX_SIDE)).contains(&m) {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-            model.document.edit(|figure| figure.image.width = m as u32);
+            model.document.edit(|figure| figure.image.width = whole(m));
         }
         camera.aspect = f64::from(model.document.figure().image.width) / f64::from(n);
     }
@@ -219,9 +218,7 @@ impl SceneForm {
 
     /// Shows the fault of a value below its field: that of the typed text, or of the value.
     fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
-        for error in fields.iter().filter_map(|field| field.error.as_ref()) {
-            super::complaint(ui, &error.text(self.window.lang));
-        }
+        super::complain(ui, self.lang, fields);
         if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
             super::complaint(ui, &faults::scene_error(self.lang, error));
         }
@@ -328,6 +325,35 @@ fn text_field(
         edit.margin(egui::Margin::symmetric(4, 2))
     });
     field.show(ui, lang)
+}
+
+/// A row with a file of an object, by its key in a figure file: typed, or chosen by what the button begins.
+fn file_row(
+    ui: &mut egui::Ui,
+    model: &mut Model,
+    (owner, key): (&str, &'static str),
+    [name, hint]: [&str; 2],
+    path: &mut String,
+    browse: Action,
+) {
+    let t = scenes::texts(model.settings.lang);
+    let mut typing = typing(model, owner, key).unwrap_or_else(|| Typing::of(owner, key, path));
+    let mut left = false;
+    row(ui, "", t.path, hint, |ui| {
+        let id = egui::Id::unique(("file of an object", owner, key));
+        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0));
+        let response = response.explained(hint).accessible_name(name);
+        if ui.button(t.browse).clicked() {
+            model.actions.push(browse);
+        }
+        left = response.lost_focus();
+    });
+    let text = typing.text.trim().to_owned();
+    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
+        *path = text;
+    } else if !left && text != *path {
+        model.tree.typing = Some(typing);
+    }
 }
 
 /// The text being typed for an object.

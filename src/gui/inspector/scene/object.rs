@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
-use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, text_field, texture, typing};
+use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, file_row, text_field, texture, typing};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::inspector::{VectorField, complaint, row};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::number_field::{FieldError, NumberField, Step};
+use crate::gui::kit::number_field::{FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, MeshFor};
@@ -20,7 +20,7 @@ use crate::i18n::messages::faults;
 use crate::i18n::why::notes;
 use crate::i18n::window::scenes;
 use crate::i18n::window::scenes::{Texts, preset_object};
-use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED, MAX_TYPED_NAME, MIN_SEGMENTS};
+use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED_NAME, MIN_SEGMENTS};
 use crate::numbers::without_rests;
 use crate::sanitize::escaped;
 use crate::scene::edit::{self, Children, descendants, placement};
@@ -296,9 +296,7 @@ fn segments(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
         let field = NumberField::new(t.segments, Step::Add(1.0)).of(&owner).whole().within(allowed).width(92.0);
         field.hint(t.segments_hint).marked(marked).show(ui, form.window, &mut value)
     });
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
-    let whole = value as u32;
-    form.scene.objects[index].segments = whole;
+    form.scene.objects[index].segments = whole(value);
     if matches!(output.error, Some(FieldError::Outside(_))) {
         complaint(ui, &faults::segments_allowed(form.lang));
     } else {
@@ -379,24 +377,8 @@ fn point_list(
 }
 
 fn mesh_file(ui: &mut egui::Ui, model: &mut Model, t: &Texts, owner: &str, path: &mut String) {
-    let mut typing = typing(model, owner, "path").unwrap_or_else(|| Typing::of(owner, "path", path));
-    let mut left = false;
-    row(ui, "", t.path, t.path_hint, |ui| {
-        let id = egui::Id::unique(("object file", owner));
-        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0))
-            .explained(t.path_hint)
-            .accessible_name(t.path);
-        if ui.button(t.browse).clicked() {
-            model.actions.push(Action::Mesh(MeshFor::Object(owner.to_owned())));
-        }
-        left = response.lost_focus();
-    });
-    let text = typing.text.trim().to_owned();
-    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
-        *path = text;
-    } else if !left && text != *path {
-        model.tree.typing = Some(typing);
-    }
+    let browse = Action::Mesh(MeshFor::Object(owner.to_owned()));
+    file_row(ui, model, (owner, "path"), [t.path, t.path_hint], path, browse);
     let problem = model.scene_cache.problem_of(owner);
     let unread = model.scene_cache.unread_of(owner);
     let mut is_outside = matches!(&problem, Some(SceneError::Mesh { error, .. }) if error.is_outside());

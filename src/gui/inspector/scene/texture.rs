@@ -1,17 +1,16 @@
 //! The texture of an object: where it comes from, and how it lies on the surface.
 
-use eframe::egui::{self, Key, RichText};
+use eframe::egui::{self, RichText};
 
-use super::{SceneForm, text_field, typing};
+use super::{SceneForm, file_row};
 use crate::appearance::{Filter, TextureReveal, Wrap};
-use crate::gui::inspector::{choice, row};
+use crate::gui::inspector::{choice_row, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
-use crate::gui::model::scene_tree::Typing;
 use crate::i18n::messages;
-use crate::limits::{MAX_TEXTURE_SCALE, MAX_TYPED};
+use crate::limits::MAX_TEXTURE_SCALE;
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
 
 /// The fields of the texture of the object at this place of the list.
@@ -109,24 +108,8 @@ fn file(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let Some(TextureSource::File(path)) = &mut form.scene.objects[index].texture else { return };
-    let mut typing = typing(model, &owner, "texture").unwrap_or_else(|| Typing::of(&owner, "texture", path));
-    let mut left = false;
-    row(ui, "", t.path, t.texture_file_hint, |ui| {
-        let id = egui::Id::unique(("texture file", &owner));
-        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0))
-            .explained(t.texture_file_hint)
-            .accessible_name(t.texture_file);
-        if ui.button(t.browse).clicked() {
-            model.actions.push(Action::Texture(owner.clone()));
-        }
-        left = response.lost_focus();
-    });
-    let text = typing.text.trim().to_owned();
-    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
-        *path = text;
-    } else if !left && text != *path {
-        model.tree.typing = Some(typing);
-    }
+    let browse = Action::Texture(owner.clone());
+    file_row(ui, model, (&owner, "texture"), [t.texture_file, t.texture_file_hint], path, browse);
 }
 
 fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) {
@@ -134,20 +117,16 @@ fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mes
     let object = &mut form.scene.objects[index];
     let wraps = [(Wrap::Repeat, t.wrap_repeat), (Wrap::Clamp, t.wrap_clamp), (Wrap::Mirror, t.wrap_mirror)];
     let unsaid = if is_mesh { t.texture_of_file } else { t.wrap_repeat };
-    row(ui, "", t.wrap, t.wrap_hint, |ui| {
-        let all = or_unsaid(unsaid, wraps, object.wrap);
-        choice(ui, t.wrap, t.wrap_hint, &mut object.wrap, &all);
-    });
+    let all = or_unsaid(unsaid, wraps, object.wrap);
+    choice_row(ui, t.wrap, t.wrap_hint, &mut object.wrap, &all);
     let filters = [
         (Filter::Nearest, t.filter_nearest),
         (Filter::Bilinear, t.filter_bilinear),
         (Filter::Trilinear, t.filter_trilinear),
     ];
     let unsaid = if is_mesh { t.texture_of_file } else { t.filter_trilinear };
-    row(ui, "", t.filter, t.filter_hint, |ui| {
-        let all = or_unsaid(unsaid, filters, object.filter);
-        choice(ui, t.filter, t.filter_hint, &mut object.filter, &all);
-    });
+    let all = or_unsaid(unsaid, filters, object.filter);
+    choice_row(ui, t.filter, t.filter_hint, &mut object.filter, &all);
 }
 
 /// Some words to choose from, and before them the one that leaves it open. The same word stands there once, unless the
@@ -164,20 +143,15 @@ fn or_unsaid<T: Copy + PartialEq>(
 
 /// The inner work of texturing, in all pictures.
 fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &crate::i18n::window::scenes::Texts) {
-    let now = model.document.figure().reveal.texture;
-    let mut chosen = now;
+    let mut chosen = model.document.figure().reveal.texture;
     let all = [
         (TextureReveal::Affine, t.texture_affine),
         (TextureReveal::Levels, t.texture_levels),
         (TextureReveal::Texels, t.texture_texels),
     ];
-    row(ui, "", t.texture_reveal, t.texture_reveal_hint, |ui| {
-        let all = or_unsaid(t.texture_plain, all, chosen);
-        choice(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
-    });
-    if chosen != now {
-        model.document.edit(|figure| figure.reveal.texture = chosen);
-    }
+    let all = or_unsaid(t.texture_plain, all, chosen);
+    choice_row(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
+    model.document.set(|figure| &mut figure.reveal.texture, chosen);
 }
 
 /// Repetitions along u and v.

@@ -23,6 +23,7 @@ use crate::scene::{LightKind, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec}
 const INDENT: f32 = 13.0;
 
 /// A line of the tree.
+#[derive(Default)]
 struct TreeRow {
     /// `None` means the world, on which everything hangs.
     what: Option<Selected>,
@@ -36,6 +37,13 @@ struct TreeRow {
     open: Option<bool>,
     color: Option<Rgba>,
     hint: &'static str,
+}
+
+impl TreeRow {
+    /// Of the program, not of the figure.
+    fn named(name: String) -> Self {
+        Self { shown: name.clone(), name, ..Self::default() }
+    }
 }
 
 /// Rows farther out of sight than this are left out, for keys and screen readers too. Each costs time in each frame.
@@ -275,16 +283,8 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         children.entry(parent).or_default().push((true, object));
     }
     let count = preset.len() + scene.objects.len();
-    let world = TreeRow {
-        what: None,
-        name: t.root.to_owned(),
-        shown: t.root.to_owned(),
-        kind: "",
-        depth: 0,
-        open: (count > 0).then_some(true),
-        color: None,
-        hint: t.root_hint,
-    };
+    let open = (count > 0).then_some(true);
+    let world = TreeRow { open, hint: t.root_hint, ..TreeRow::named(t.root.to_owned()) };
     let mut rows = vec![world];
     let of = |key: Option<(bool, &str)>| children.get(&key).into_iter().flatten().rev().copied().collect::<Vec<_>>();
     let mut open: Vec<(u16, Node<'_>)> = of(None).into_iter().map(|child| (1, child)).collect();
@@ -309,24 +309,15 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
     }
     rows.extend(scene.lights.iter().enumerate().map(|(i, light)| TreeRow {
         what: Some(Selected::Light(i)),
-        name: format!("{} {}", t.light, i + 1),
-        shown: format!("{} {}", t.light, i + 1),
         kind: t.light(light.kind),
-        depth: 0,
-        open: None,
-        color: None,
         hint: t.row_hint,
+        ..TreeRow::named(format!("{} {}", t.light, i + 1))
     }));
     if scene.lights.is_empty() {
         rows.push(TreeRow {
-            what: None,
-            name: t.default_light.to_owned(),
-            shown: t.default_light.to_owned(),
             kind: t.light(LightKind::Directional),
-            depth: 0,
-            open: None,
-            color: None,
             hint: t.default_light_hint,
+            ..TreeRow::named(t.default_light.to_owned())
         });
     }
     rows

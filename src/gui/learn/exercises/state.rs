@@ -37,7 +37,6 @@ pub struct Typed {
 
 impl Typed {
     /// True if nothing was typed.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         let fields = self.answers.values().chain(self.guesses.values());
         let mut all = fields.flatten().chain(self.free.values());
@@ -45,7 +44,6 @@ impl Typed {
     }
 
     /// The numbers chosen where the source leaves them open. Texts that are not numbers are left out.
-    #[must_use]
     pub fn chosen_numbers(&self) -> Free {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
         self.free.iter().filter_map(|(name, text)| Some((name.clone(), number(text)?))).collect()
@@ -121,7 +119,6 @@ pub struct Opened {
 
 impl Opened {
     /// True for a step that is still to be done.
-    #[must_use]
     pub fn is_to_do(&self, step: usize) -> bool {
         step >= self.given && !self.filled.contains(&step)
     }
@@ -207,7 +204,6 @@ impl Exercises {
     }
 
     /// The exercise or family with an identifier.
-    #[must_use]
     pub fn entry(&self, id: &str) -> Option<&Entry> {
         self.entries().chain(&self.of_lesson).find(|entry| entry.id == id)
     }
@@ -380,7 +376,6 @@ impl Exercises {
     }
 
     /// True for a question of a lesson that is answered by a guess first: before its picture is shown.
-    #[must_use]
     pub fn asks_for_guess(&self, ask: &Ask) -> bool {
         let id = self.open.as_ref().map(|open| open.id.as_str());
         let is_of_lesson = self.of_lesson.iter().any(|entry| Some(&*entry.id) == id);
@@ -406,7 +401,6 @@ impl Exercises {
     }
 
     /// The guess at a question, once it's made.
-    #[must_use]
     pub fn guess_at(&self, ask: &Ask) -> Option<&Vec<String>> {
         self.typed.get(self.open.as_ref()?)?.guesses.get(&ask.name)
     }
@@ -452,7 +446,6 @@ impl Exercises {
     }
 
     /// The stage of an exercise or a family: that of its most advanced member.
-    #[must_use]
     pub fn stage(&self, id: &str) -> Stage {
         match self.progress.stage(id) {
             Stage::Untouched if self.typed.iter().any(|(chosen, typed)| chosen.id == id && !typed.is_empty()) => {
@@ -463,7 +456,6 @@ impl Exercises {
     }
 
     /// The seed with which a family is gone on with: the greatest that was worked on.
-    #[must_use]
     pub fn seed_of(&self, entry: &Entry) -> u64 {
         let seeds = self.typed.iter().filter(|(chosen, typed)| chosen.id == entry.id && !typed.is_empty());
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
@@ -471,7 +463,6 @@ impl Exercises {
 
     /// The next exercise to practise, and the reason. Never the current one. `now`: seconds since the beginning of
     /// 1970.
-    #[must_use]
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
         let all = in_order_of_lessons(self.entries());
         let next = self.next_of(&all, now).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
@@ -513,7 +504,6 @@ impl Exercises {
     }
 
     /// The names of the asks with right answers.
-    #[must_use]
     pub fn right(&self) -> BTreeSet<&str> {
         self.checked.iter().filter(|(_, checked)| checked.judged.right).map(|(name, _)| name.as_str()).collect()
     }
@@ -521,7 +511,6 @@ impl Exercises {
 
 /// The answer in the fields, as one text. Empty if nothing was typed. If the first field holds a whole list or
 /// matrix in brackets, it is the answer.
-#[must_use]
 pub fn joined(ask: &Ask, fields: &[String]) -> String {
     let first = fields.first().map_or("", |field| field.trim());
     if fields.iter().all(|field| field.trim().is_empty()) {
@@ -545,7 +534,6 @@ pub fn joined(ask: &Ask, fields: &[String]) -> String {
 
 /// Whether the first field holds a whole list or matrix: in brackets, or a list of the required count with nothing in
 /// the other fields. Two numbers may be one with a decimal comma.
-#[must_use]
 pub fn is_whole(ask: &Ask, fields: &[String]) -> bool {
     let first = fields.first().map_or("", |field| field.trim());
     let alone = fields.iter().skip(1).all(|field| field.trim().is_empty());

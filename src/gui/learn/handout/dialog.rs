@@ -3,7 +3,7 @@
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::{HandoutForm, MAX_SEED, played};
@@ -107,9 +107,7 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
                 let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
                 let shown = window::texts(model.settings.lang);
                 field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
-                let whole = seed as u32;
-                form.seed = whole;
+                form.seed = whole(seed);
             });
             ui.add_space(4.0);
             ui.label(t.choose);
@@ -176,37 +174,34 @@ fn page(ui: &mut Ui, t: &Texts, learn: &Learn, shown: &mut Option<PagesPreview>,
         let choices = (form.lesson.clone(), form.exercises.clone(), form.seed, form.options);
         pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn));
     }
-    let count = pages.count().max(1);
+    let count = pages.count.max(1);
     form.page = form.page.min(count - 1);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(egui::accesskit::Role::Image, true, t.preview));
     ui.painter().rect_filled(rect, 0.0, Color32::WHITE);
     ui.painter().rect_stroke(rect, 0.0, ui.visuals().widgets.noninteractive.bg_stroke, egui::StrokeKind::Outside);
-    match pages.texture().filter(|_| form.is_whole()) {
+    match pages.texture.as_ref().filter(|_| form.is_whole()) {
         Some(texture) => {
             let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
             ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
         }
         None => {
             let drawing = || if form.is_whole() { t.drawing.to_owned() } else { t.nothing.to_owned() };
-            let why = pages.fault().map_or_else(drawing, |error| error.text(t.lang, &form.stem()));
+            let why = pages.fault.as_ref().map_or_else(drawing, |error| error.text(t.lang, &form.stem()));
             let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
             let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
             ui.new_child(place).add(egui::Label::new(RichText::new(why).color(Color32::DARK_GRAY)).wrap());
         }
     }
     ui.horizontal(|ui| {
-        if ui
-            .add_enabled(form.page > 0, Button::new("◀"))
-            .explained(t.page_before)
-            .accessible_name(t.page_before)
-            .clicked()
-        {
+        let turns = |ui: &mut Ui, sign, name, is_possible| {
+            ui.add_enabled(is_possible, Button::new(sign)).explained(name).accessible_name(name).clicked()
+        };
+        if turns(ui, "◀", t.page_before, form.page > 0) {
             form.page -= 1;
         }
         ui.label(format!("{} {} {} {count}", t.page, form.page + 1, t.of));
-        let more = form.page + 1 < count;
-        if ui.add_enabled(more, Button::new("▶")).explained(t.page_after).accessible_name(t.page_after).clicked() {
+        if turns(ui, "▶", t.page_after, form.page + 1 < count) {
             form.page += 1;
         }
     });

@@ -36,9 +36,12 @@ pub(in crate::gui) type Choices = (Option<OpenLesson>, Vec<String>, u32, Handout
 pub struct PagesPreview {
     worker: Worker<PageJob, Done>,
     asked: Option<(Choices, usize)>,
-    texture: Option<TextureHandle>,
-    count: usize,
-    fault: Option<ExportError>,
+    /// The page, once there is one.
+    pub(in crate::gui) texture: Option<TextureHandle>,
+    /// The number of pages; 0 as long as it isn't known.
+    pub count: usize,
+    /// Why there are no pages.
+    pub(in crate::gui) fault: Option<ExportError>,
 }
 
 impl std::fmt::Debug for PagesPreview {
@@ -95,20 +98,5 @@ impl PagesPreview {
         }
         self.worker.ask(ctx, 0, PageJob { choices: choices.clone(), handout: job(), page, width });
         self.asked = Some((choices, page));
-    }
-
-    /// The page, once there is one.
-    pub(in crate::gui) const fn texture(&self) -> Option<&TextureHandle> {
-        self.texture.as_ref()
-    }
-
-    /// The number of pages; 0 as long as it isn't known.
-    pub const fn count(&self) -> usize {
-        self.count
-    }
-
-    /// Why there are no pages.
-    pub(in crate::gui) const fn fault(&self) -> Option<&ExportError> {
-        self.fault.as_ref()
     }
 }

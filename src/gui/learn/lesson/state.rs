@@ -77,19 +77,16 @@ pub struct Playing {
 
 impl Playing {
     /// The step that is shown.
-    #[must_use]
     pub fn now(&self) -> Option<&Step> {
         self.lesson.steps.get(self.step)
     }
 
     /// True if the step has nothing to be done any more.
-    #[must_use]
     pub fn is_done(&self) -> bool {
         self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
     }
 
     /// True if the next step may be shown. The task is done, or was passed over.
-    #[must_use]
     pub fn may_go_on(&self) -> bool {
         self.is_done() || self.passed.contains(&self.step)
     }
@@ -104,7 +101,6 @@ impl Playing {
     /// points, labels, titles. It's treated as in every other figure. It's marked (•), survives a crash, waits in its
     /// step while other steps are shown, and whatever would end it asks first. Once the lesson has been written here,
     /// every change is work, because it may become a step.
-    #[must_use]
     pub(in crate::gui) fn is_work(&self, document: &Document) -> bool {
         if self.was_written { document.is_changed() } else { document.is_built_on() }
     }
@@ -144,7 +140,6 @@ impl Playing {
     }
 
     /// True if this step is the last one.
-    #[must_use]
     pub fn is_last(&self) -> bool {
         self.step + 1 >= self.lesson.steps.len()
     }
@@ -153,7 +148,6 @@ impl Playing {
 impl Learn {
     /// Whether the figure has changes that must not be lost; in a step of a lesson not all are, see
     /// `Playing::is_work`.
-    #[must_use]
     pub fn has_unsaved(&self, model: &Model) -> bool {
         self.is_work(&model.document) || model.is_rearranged(self.lesson.is_some())
     }
@@ -201,13 +195,11 @@ impl Learn {
     }
 
     /// The panels at the sides as the user wants them without a lesson.
-    #[must_use]
     pub fn own_panels<'a>(&'a self, model: &'a Model) -> &'a Panels {
         self.lesson.as_ref().map_or(&model.settings.panels, |playing| &playing.panels_before)
     }
 
     /// The number of steps of a lesson that ask for something, and of those that are done.
-    #[must_use]
     pub fn done_of(&self, lesson: &Lesson) -> (usize, usize) {
         let done = self.done.get(&lesson.id);
         let tasks = lesson.steps.iter().enumerate().filter(|(_, step)| step.task.is_some());
@@ -217,7 +209,6 @@ impl Learn {
     }
 
     /// Whether all that a lesson asks for is done.
-    #[must_use]
     pub fn is_finished(&self, lesson: &Lesson) -> bool {
         let (done, all) = self.done_of(lesson);
         done == all && self.taken.contains_key(&lesson.id)
@@ -225,7 +216,6 @@ impl Learn {
 
     /// The lesson of the program to be taken next, by its place: the first that was begun and isn't finished, else the
     /// first that isn't finished.
-    #[must_use]
     pub fn next_lesson(&self) -> Option<usize> {
         let open = || shipped().iter().enumerate().filter(|(_, shipped)| !self.is_finished(&shipped.lesson));
         let mut begun = open().filter(|(_, shipped)| self.taken.contains_key(&shipped.lesson.id));
@@ -234,7 +224,6 @@ impl Learn {
 
     /// The step with which a lesson is gone on with: the first that asks for something that isn't done, where it was
     /// left or before.
-    #[must_use]
     pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
         let furthest = self.taken.get(&lesson.id).copied().unwrap_or_default();
         let done = self.done.get(&lesson.id);

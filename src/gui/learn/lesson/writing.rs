@@ -22,7 +22,7 @@ use crate::share;
 const MOST_EARLIER: usize = 100;
 
 /// The writing of the step that is shown.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Writing {
     /// The text of the file as it was read or written last.
     text: String,
@@ -51,9 +51,10 @@ pub struct Writing {
 }
 
 /// A group of fields.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fields {
     /// Title, text and notes of the step.
+    #[default]
     Step,
     /// The question or goal of the step.
     Task,
@@ -73,20 +74,7 @@ pub struct Typed {
 
 impl Writing {
     fn new(text: String, lang: Lang) -> Self {
-        Self {
-            text,
-            step: usize::MAX,
-            typed: Default::default(),
-            kept: Default::default(),
-            ahead: None,
-            fault: None,
-            lang,
-            shows: Fields::Step,
-            typed_at: 0.0,
-            earlier: Vec::new(),
-            later: Vec::new(),
-            unsaved: None,
-        }
+        Self { text, step: usize::MAX, lang, ..Self::default() }
     }
 
     /// The changes of the file that can be undone, or redone.
@@ -95,13 +83,11 @@ impl Writing {
     }
 
     /// True if a change of the file can be undone, or redone.
-    #[must_use]
     pub fn can_undo(&self, back: bool) -> bool {
         !if back { &self.earlier } else { &self.later }.is_empty()
     }
 
     /// True if the typed text isn't in the file.
-    #[must_use]
     pub fn is_ahead(&self) -> bool {
         self.typed != self.kept
     }
@@ -168,14 +154,12 @@ pub(crate) enum StepChange {
 
 impl Learn {
     /// True if the lesson that is played is a file that can be written.
-    #[must_use]
     pub fn plays_own_lesson(&self, model: &Model) -> bool {
         let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
         path.is_some_and(|path| share::link_of(path).is_none()) && !model.in_browser
     }
 
     /// True if the step is written: in a presentation the class sees it as it will be.
-    #[must_use]
     pub fn writes_lesson(&self, model: &Model) -> bool {
         !model.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
     }
@@ -227,7 +211,6 @@ impl Learn {
     }
 
     /// The text of the lesson that is not in its file.
-    #[must_use]
     pub fn unsaved_text(&self) -> Option<&Arc<UnsavedText>> {
         self.lesson.as_ref()?.writing.as_ref()?.unsaved.as_ref()
     }
@@ -389,7 +372,6 @@ impl Learn {
     }
 
     /// True if the lesson that is written has a change to undo, or to redo: after those of the figure on the screen.
-    #[must_use]
     pub fn can_undo_lesson(&self, model: &Model, back: bool) -> bool {
         self.writes_lesson(model)
             && self.lesson.as_ref().and_then(|playing| playing.writing.as_ref()).is_some_and(|w| w.can_undo(back))

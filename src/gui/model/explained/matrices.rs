@@ -52,7 +52,6 @@ impl Default for Matrices {
 
 impl Matrices {
     /// The matrix that is shown.
-    #[must_use]
     pub fn shown(&self) -> Matrix {
         if self.inverse { self.matrix.inverse() } else { self.matrix }
     }

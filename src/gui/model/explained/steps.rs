@@ -22,33 +22,28 @@ pub struct Steps {
 }
 
 /// Number of steps for a camera; 0 where the source has none.
-#[must_use]
 pub fn count(way: Decomposition, camera: &Camera) -> usize {
     camera.decomposed(way).map_or(0, |factors| factors.len())
 }
 
 /// The time at which all steps of a camera are done.
-#[must_use]
 #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
 pub fn end_of(way: Decomposition, camera: &Camera) -> f64 {
     count(way, camera) as f64
 }
 
 /// The way after a time in steps.
-#[must_use]
 pub fn step_at(way: Decomposition, time: f64, camera: &Camera) -> ShownStep {
     ShownStep { way, at: Some(time.max(0.0)).filter(|time| *time < end_of(way, camera)) }
 }
 
 /// The number of steps applied, 0 … all.
-#[must_use]
 pub fn time_of(step: ShownStep, camera: &Camera) -> f64 {
     Normalizing::of(step, camera).map_or(0.0, |way| way.time)
 }
 
 impl Steps {
     /// True while it is played.
-    #[must_use]
     pub fn plays(&self) -> bool {
         self.played.is_some()
     }

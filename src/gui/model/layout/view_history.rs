@@ -64,13 +64,11 @@ impl ViewHistory {
     }
 
     /// True if there is a view to go back to from `observers`.
-    #[must_use]
     pub fn can_go_back(&self, observers: Observers) -> bool {
         !self.past.is_empty() || observers != self.now
     }
 
     /// True if there is a view to go forward to from `observers`.
-    #[must_use]
     pub fn can_go_forward(&self, observers: Observers) -> bool {
         !self.future.is_empty() && observers == self.now
     }

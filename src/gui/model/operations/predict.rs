@@ -86,7 +86,6 @@ impl Change {
     pub const ALL: [Self; 3] = [Self::Larger, Self::Smaller, Self::Same];
 
     /// The change by a factor.
-    #[must_use]
     pub fn of(times: f64) -> Self {
         match times {
             _ if times > 1.0 + SAME => Self::Larger,
@@ -99,7 +98,6 @@ impl Change {
 impl About {
     /// The question of an operation, by what it does to the scene; `None` if the image shows nothing before and
     /// after it that could be followed.
-    #[must_use]
     pub fn of(
         (camera, image, scene): (&Camera, ImageSize, &Scene),
         (freedom, amount): (Freedom, f64),
@@ -123,7 +121,6 @@ impl About {
     }
 
     /// True once it is said what is expected.
-    #[must_use]
     pub fn is_said(&self) -> bool {
         match self {
             Self::Place { mark, .. } => mark.is_some(),
@@ -132,14 +129,12 @@ impl About {
     }
 
     /// How far a mark is from where the point goes, pixels to the right and down.
-    #[must_use]
     pub fn off(&self) -> Option<[f64; 2]> {
         let Self::Place { to, mark, .. } = self else { return None };
         mark.map(|mark| [mark[0] - to[0], mark[1] - to[1]])
     }
 
     /// True if the prediction was right.
-    #[must_use]
     pub fn is_right(&self) -> bool {
         match self {
             Self::Place { image, .. } => {

@@ -70,7 +70,7 @@ impl Title<'_> {
         let galley = WidgetText::from(self.name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.view, View::World | View::Canonical);
-        let word = self.menu_width(ui);
+        let word = button_width(ui, self.menu_text());
         let room_beside = |extra: f32, buttons: u8| {
             rect.width() >= galley.size().x + f32::from(buttons) * (side + 1.0) + 18.0 + extra
         };
@@ -81,7 +81,7 @@ impl Title<'_> {
             (true, false) => 2,
         };
         let buttons = observer_buttons + 1 + u8::from(self.can_hide);
-        let room_for_switch = self.undistorted.map_or(0.0, |_| self.switch_width(ui));
+        let room_for_switch = self.undistorted.map_or(0.0, |_| button_width(ui, self.switch_text()));
         let room_for_word = if worded { word } else { 0.0 };
         let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 } + room_for_switch + room_for_word;
 
@@ -109,7 +109,7 @@ impl Title<'_> {
                 ui.add_space(4.0);
             }
             if let Some(on) = self.undistorted {
-                let switch = egui::Button::selectable(on, RichText::new(self.texts.undistorted).small());
+                let switch = egui::Button::selectable(on, self.switch_text());
                 if ui.add(switch.frame_when_inactive(true)).explained(self.texts.undistorted_hint).clicked() {
                     action = Some(TitleAction::ToggleUndistorted);
                 }
@@ -133,23 +133,12 @@ impl Title<'_> {
         action
     }
 
-    /// Width of the switch of the image.
-    fn switch_width(&self, ui: &Ui) -> f32 {
-        let text = RichText::new(self.texts.undistorted).small();
-        let extend = Some(egui::TextWrapMode::Extend);
-        let galley = WidgetText::from(text).into_galley(ui, extend, f32::INFINITY, TextStyle::Small);
-        galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
+    fn switch_text(&self) -> RichText {
+        RichText::new(self.texts.undistorted).small()
     }
 
     fn menu_text(&self) -> RichText {
         RichText::new(format!("{} ▾", self.texts.look)).small()
-    }
-
-    /// Width of the menu with its word.
-    fn menu_width(&self, ui: &Ui) -> f32 {
-        let extend = Some(egui::TextWrapMode::Extend);
-        let galley = WidgetText::from(self.menu_text()).into_galley(ui, extend, f32::INFINITY, TextStyle::Small);
-        galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
     }
 
     fn changes(&self) -> impl Iterator<Item = ObserverChange> + use<> {
@@ -225,6 +214,13 @@ impl Title<'_> {
         }
         action
     }
+}
+
+/// Width of a button with a small text.
+fn button_width(ui: &Ui, text: RichText) -> f32 {
+    let extend = Some(egui::TextWrapMode::Extend);
+    let galley = WidgetText::from(text).into_galley(ui, extend, f32::INFINITY, TextStyle::Small);
+    galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
 }
 
 fn change_name(texts: &CanvasTexts, change: ObserverChange) -> &'static str {

@@ -14,7 +14,8 @@ const POLE: f64 = 1.0;
 /// A camera that is moved by its image.
 #[derive(Clone, Debug)]
 pub(in crate::gui::pictures) struct CameraDrag {
-    start: Camera,
+    /// The camera that Esc restores.
+    pub(super) start: Camera,
     /// Units of the window for a pixel to the right and for one down, at PF: what is there stays below the pointer.
     /// `None` means the camera turns about PF.
     pans: Option<DVec2>,
@@ -56,11 +57,6 @@ impl CameraDrag {
             }
         }
         true
-    }
-
-    /// The camera before the drag.
-    pub(in crate::gui::pictures) fn before(self) -> Camera {
-        self.start
     }
 
     /// Whether it pans.

@@ -15,16 +15,16 @@ pub(in crate::gui) const REACH: f32 = 10.0;
 /// A handle that is held.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct HandleDrag {
-    handle: Handle,
+    pub(super) handle: Handle,
     /// The picture and the pointer (pixels) from which the motion is measured: those of the press, or, with the camera
     /// of the moment, those in which the modifier changed.
     pressed: Request,
     from: DVec2,
     vertical: bool,
     /// The camera that Esc restores.
-    before: Camera,
+    pub(super) before: Camera,
     /// Why the handle does not follow the pointer.
-    stopped: Option<CameraError>,
+    pub(super) stopped: Option<CameraError>,
 }
 
 impl HandleDrag {
@@ -32,21 +32,6 @@ impl HandleDrag {
     pub(in crate::gui) fn new(handle: Handle, pressed: Request, from: DVec2, modifiers: Modifiers) -> Self {
         let before = pressed.camera.clone();
         Self { handle, pressed, from, vertical: vertical(modifiers), before, stopped: None }
-    }
-
-    /// The dragged handle.
-    pub(in crate::gui) fn handle(&self) -> Handle {
-        self.handle
-    }
-
-    /// Why the handle does not follow the pointer.
-    pub(in crate::gui) fn stopped(&self) -> Option<&CameraError> {
-        self.stopped.as_ref()
-    }
-
-    /// The camera when the handle was taken.
-    pub(in crate::gui) fn before(&self) -> Camera {
-        self.before.clone()
     }
 
     /// The parameters with the pointer at `to` (pixels); `None` if they are not a camera, so that the last one stays

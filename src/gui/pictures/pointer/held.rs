@@ -28,22 +28,22 @@ use crate::views::{GizmoPart, Handle, Picture, Transforming, View};
 /// Distance within which the pointer catches a part of the gizmo, in points.
 pub(in crate::gui::pictures) const GIZMO_REACH: f32 = 7.0;
 
-/// A drag of the pointer.
+/// A drag of the pointer in a picture.
 pub(in crate::gui::pictures) enum Drag {
-    /// The eye of a three-dimensional picture turns.
-    Orbit { picture: usize, pressed: Vec<Option<Observer>> },
-    /// The eye of a three-dimensional picture moves.
-    Pan { picture: usize, pressed: Observer },
+    /// The eye of a three-dimensional picture turns. As it was, and those that turn with it, by picture.
+    Orbit(Vec<Option<Observer>>),
+    /// The eye of a three-dimensional picture moves. As it was.
+    Pan(Observer),
     /// Something in the world is moved.
-    Handle(usize, Box<HandleDrag>),
+    Handle(Box<HandleDrag>),
     /// The selection is moved, turned or scaled.
-    Gizmo(usize, Box<GizmoDrag>),
+    Gizmo(Box<GizmoDrag>),
     /// A point that is followed is moved.
-    Point(usize, Box<PointDrag>),
+    Point(Box<PointDrag>),
     /// A label is moved.
-    Label(usize, Box<LabelDrag>),
+    Label(Box<LabelDrag>),
     /// The camera is moved by its image.
-    Camera(usize, Box<CameraDrag>),
+    Camera(Box<CameraDrag>),
 }
 
 /// A part of the gizmo that is held.
@@ -58,20 +58,6 @@ pub(in crate::gui::pictures) struct GizmoDrag {
     is_sheared: bool,
 }
 
-impl Drag {
-    /// In which picture.
-    pub(in crate::gui::pictures) fn picture(&self) -> usize {
-        match self {
-            Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
-            Self::Handle(picture, _)
-            | Self::Gizmo(picture, _)
-            | Self::Point(picture, _)
-            | Self::Label(picture, _)
-            | Self::Camera(picture, _) => *picture,
-        }
-    }
-}
-
 impl Canvas {
     pub(in crate::gui::pictures) fn drag(
         &mut self,
@@ -84,9 +70,9 @@ impl Canvas {
         if pane.response.drag_started()
             && let Some(origin) = origin
         {
-            self.drag = self.taken(ui, model, label_mode, pane, origin);
+            self.drag = self.taken(ui, model, label_mode, pane, origin).map(|drag| (pane.picture, drag));
         }
-        if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
+        if self.drag.as_ref().is_none_or(|(picture, _)| *picture != pane.picture) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -111,38 +97,38 @@ impl Canvas {
         if label_mode.on && primary {
             let labels = &self.pictures[picture].labels;
             if let Some(held) = LabelDrag::taken(labels, *view, from, model) {
-                return Some(Drag::Label(picture, Box::new(held)));
+                return Some(Drag::Label(Box::new(held)));
             }
         }
         let is_own = pane.is_own(origin) && !label_mode.on;
         if *view == View::Image {
             if let Some(held) = (primary && is_own).then(point).flatten() {
-                return Some(Drag::Point(picture, Box::new(held)));
+                return Some(Drag::Point(Box::new(held)));
             }
             let pans = !primary || modifiers.shift;
             let held = is_own.then(|| CameraDrag::taken(request, model.document.camera(), from, pans));
-            return held.flatten().map(|held| Drag::Camera(picture, Box::new(held)));
+            return held.flatten().map(|held| Drag::Camera(Box::new(held)));
         }
         if *view == View::World && primary && is_own {
             if let Some(handle) = handle_at(request, from, pane.rect.pixels(handle_drag::REACH)) {
                 let held = HandleDrag::new(handle, request.clone(), from, modifiers);
-                return Some(Drag::Handle(picture, Box::new(held)));
+                return Some(Drag::Handle(Box::new(held)));
             }
             if let Some(movable) = Movable::selected(model)
                 && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
             {
                 let (observer, before) = (request.observer, model.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
-                return Some(Drag::Gizmo(picture, Box::new(held)));
+                return Some(Drag::Gizmo(Box::new(held)));
             }
             if let Some(held) = point() {
-                return Some(Drag::Point(picture, Box::new(held)));
+                return Some(Drag::Point(Box::new(held)));
             }
         }
         Some(if primary && !modifiers.shift {
-            Drag::Orbit { picture, pressed: self.shot.pictures.iter().map(|picture| picture.observer).collect() }
+            Drag::Orbit(self.shot.pictures.iter().map(|picture| picture.observer).collect())
         } else {
-            Drag::Pan { picture, pressed: self.seen(picture)? }
+            Drag::Pan(self.seen(picture)?)
         })
     }
 
@@ -159,20 +145,16 @@ impl Canvas {
         let request = &pane.request;
         match &mut self.drag {
             None => {}
-            Some(Drag::Orbit { picture, pressed }) => {
+            Some((picture, Drag::Orbit(pressed))) => {
                 let (picture, pressed) = (*picture, pressed.clone());
-                for other in self.turning_with(picture, model) {
-                    if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(model, other, orbit::orbited(pressed, motion));
-                    }
-                }
+                self.turn_with(model, picture, &pressed, |pressed| orbit::orbited(pressed, motion));
             }
-            Some(Drag::Pan { picture, pressed }) => {
+            Some((picture, Drag::Pan(pressed))) => {
                 let (picture, pressed) = (*picture, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
                 self.turn(model, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
             }
-            Some(Drag::Handle(_, held)) => {
+            Some((_, Drag::Handle(held))) => {
                 let modifiers = ui.input(|i| i.modifiers);
                 let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
                 if let Some(parameters) = moved.filter(|p| p != model.document.draft()) {
@@ -180,17 +162,17 @@ impl Canvas {
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Point(_, held)) => held.follow(model, pane.rect.pixel(pointer), ui.ctx()),
-            Some(Drag::Label(_, held)) => {
+            Some((_, Drag::Point(held))) => held.follow(model, pane.rect.pixel(pointer), ui.ctx()),
+            Some((_, Drag::Label(held))) => {
                 held.follow(model, label_mode, pane.rect.pixel(pointer), ui.ctx());
             }
-            Some(Drag::Camera(_, held)) => {
+            Some((_, Drag::Camera(held))) => {
                 let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));
                 if held.follow(model, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Gizmo(_, held)) => {
+            Some((_, Drag::Gizmo(held))) => {
                 let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
                 let request = request.clone().seen_by(*observer);
                 let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
@@ -215,23 +197,32 @@ impl Canvas {
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
+    /// Turns a picture and those that turn with it, from how each was seen.
+    fn turn_with(
+        &mut self,
+        model: &mut Model,
+        picture: usize,
+        pressed: &[Option<Observer>],
+        turned: impl Fn(Observer) -> Observer,
+    ) {
+        for other in self.turning_with(picture, model) {
+            if let Some(pressed) = pressed.get(other).copied().flatten() {
+                self.turn(model, other, turned(pressed));
+            }
+        }
+    }
+
     /// Restores the state before the press.
     pub(in crate::gui::pictures) fn give_up(&mut self, model: &mut Model) {
         match self.drag.take() {
             None => {}
-            Some(Drag::Orbit { pressed, picture }) => {
-                for other in self.turning_with(picture, model) {
-                    if let Some(pressed) = pressed.get(other).copied().flatten() {
-                        self.turn(model, other, pressed);
-                    }
-                }
-            }
-            Some(Drag::Pan { picture, pressed }) => self.turn(model, picture, pressed),
-            Some(Drag::Handle(_, held)) => model.document.set_camera(held.before()),
-            Some(Drag::Gizmo(_, held)) => model.document.edit(|figure| figure.scene = held.before),
-            Some(Drag::Point(_, held)) => held.give_up(model),
-            Some(Drag::Label(_, held)) => held.give_up(model),
-            Some(Drag::Camera(_, held)) => model.document.set_camera(held.before()),
+            Some((picture, Drag::Orbit(pressed))) => self.turn_with(model, picture, &pressed, |pressed| pressed),
+            Some((picture, Drag::Pan(pressed))) => self.turn(model, picture, pressed),
+            Some((_, Drag::Handle(held))) => model.document.set_camera(held.before),
+            Some((_, Drag::Gizmo(held))) => model.document.edit(|figure| figure.scene = held.before),
+            Some((_, Drag::Point(held))) => held.give_up(model),
+            Some((_, Drag::Label(held))) => held.give_up(model),
+            Some((_, Drag::Camera(held))) => model.document.set_camera(held.start),
         }
     }
 
@@ -245,49 +236,46 @@ impl Canvas {
         let digits = model.settings.digits.min(6);
         match &self.drag {
             None => {}
-            Some(Drag::Orbit { picture, .. }) => {
+            Some((picture, Drag::Orbit(_))) => {
                 let Some(Observer { azimuth, elevation, .. }) = self.seen(*picture) else { return };
                 let angles = [azimuth, elevation].map(|a| texts.lang.mark().number(a, 4));
                 status.message = format!("{}: {}° · {}°", texts.turning, angles[0], angles[1]);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
-            Some(Drag::Pan { .. }) => {
+            Some((_, Drag::Pan(_))) => {
                 texts.moving.clone_into(&mut status.message);
                 ui.set_cursor_icon(CursorIcon::Move);
             }
-            Some(Drag::Handle(_, held)) => {
-                self.hover.hovered = Some(held.handle());
+            Some((_, Drag::Handle(held))) => {
+                self.hover.hovered = Some(held.handle);
                 let camera = model.document.camera();
-                let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
-                status.message = match held.stopped() {
+                let mut lines = vec![handle_drag::readout(held.handle, camera, digits, texts)];
+                status.message = match &held.stopped {
                     Some(error) => {
                         let reason = format!("{} {}", texts.stopped, camera_error(model.settings.lang, error));
                         lines.push(reason.clone());
                         status.warning = true;
                         reason
                     }
-                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle(), camera, digits, texts)),
+                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle, camera, digits, texts)),
                 };
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
-            Some(Drag::Point(_, held)) => {
-                let lines = held.lines(model);
-                status.message = lines.join(" · ");
-                tooltip(ui, &lines);
-                ui.set_cursor_icon(handle_drag::cursor(true));
+            Some((_, Drag::Point(held))) => {
+                tell(ui, status, &held.lines(model), handle_drag::cursor(true));
             }
-            Some(Drag::Label(_, held)) => {
+            Some((_, Drag::Label(held))) => {
                 status.message = held.line(model);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
-            Some(Drag::Camera(_, held)) => {
+            Some((_, Drag::Camera(held))) => {
                 let camera = model.document.camera();
                 let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
                 status.message = handle_drag::readout(moved, camera, digits, texts);
                 ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
             }
-            Some(Drag::Gizmo(_, held)) => {
+            Some((_, Drag::Gizmo(held))) => {
                 if let Some(gizmo) = &mut self.hover.gizmo {
                     gizmo.hovered = Some(held.part);
                 }
@@ -296,12 +284,17 @@ impl Canvas {
                     scenes::texts(model.settings.lang).sheared.clone_into(&mut lines[1]);
                     status.warning = true;
                 }
-                status.message = lines.join(" · ");
-                tooltip(ui, &lines);
-                ui.set_cursor_icon(handle_drag::cursor(true));
+                tell(ui, status, &lines, handle_drag::cursor(true));
             }
         }
     }
+}
+
+/// Says the lines beside the pointer and in the status line.
+pub(in crate::gui::pictures) fn tell(ui: &Ui, status: &mut Status, lines: &[String], cursor: CursorIcon) {
+    status.message = lines.join(" · ");
+    tooltip(ui, lines);
+    ui.set_cursor_icon(cursor);
 }
 
 /// A note beside the pointer.

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::camera_drag;
 use super::followed;
-use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
+use super::held::{GIZMO_REACH, gizmo_lines, tell};
 use super::keyboard_probe::{ProbeStep, Probing};
 use super::other_camera;
 use super::picking::{self, PickQuery, PickRequest};
@@ -43,14 +43,13 @@ impl Canvas {
         &mut self,
         ui: &Ui,
         model: &mut Model,
-        label_mode: &mut LabelMode,
-        photograph: &mut PhotographTool,
+        (label_mode, photograph): (&mut LabelMode, &mut PhotographTool),
         placing: &mut Option<Placing>,
         panes: &[Pane],
         texts: &'static CanvasTexts,
     ) -> Status {
         let mut status = Status::default();
-        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.picture() == pane.picture)) {
+        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|(picture, _)| *picture == pane.picture)) {
             self.drag = None;
         }
         let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
@@ -199,9 +198,7 @@ impl Canvas {
         {
             let lines =
                 [handle_drag::readout(handle, camera, digits, texts), handle_drag::hint(handle, camera, digits, texts)];
-            tooltip(ui, &lines);
-            status.message = lines.join(" · ");
-            ui.set_cursor_icon(handle_drag::cursor(false));
+            tell(ui, status, &lines, handle_drag::cursor(false));
             self.hover.hovered = Some(handle);
             return probed(handle, model);
         }
@@ -209,26 +206,18 @@ impl Canvas {
             && is_own
             && let Some(part) = part_at(request, pointer, pane.rect.pixels(GIZMO_REACH))
         {
-            let lines = gizmo_lines(model, digits);
-            tooltip(ui, &lines);
-            status.message = lines.join(" · ");
-            ui.set_cursor_icon(handle_drag::cursor(false));
+            tell(ui, status, &gizmo_lines(model, digits), handle_drag::cursor(false));
             if let Some(gizmo) = &mut self.hover.gizmo {
                 gizmo.hovered = Some(part);
             }
             return None;
         }
         if let Some((p, lines)) = followed::hovered(request, pointer, pane, model) {
-            tooltip(ui, &lines);
-            status.message = lines.join(" · ");
-            ui.set_cursor_icon(handle_drag::cursor(false));
+            tell(ui, status, &lines, handle_drag::cursor(false));
             return Some(Probe::Point(p));
         }
         if is_own && let Some(index) = other_camera::hovered(request, pointer, pane) {
-            let lines = other_camera::lines(index, model);
-            tooltip(ui, &lines);
-            status.message = lines.join(" · ");
-            ui.set_cursor_icon(egui::CursorIcon::PointingHand);
+            tell(ui, status, &other_camera::lines(index, model), egui::CursorIcon::PointingHand);
             return None;
         }
         status.message = match pane.view {

@@ -38,8 +38,8 @@ pub(in crate::gui) struct Movable {
 #[derive(Clone, Debug, PartialEq)]
 enum MovedThing {
     Objects(BTreeSet<String>),
-    Lamp(usize),
-    ParallelLight(usize),
+    /// A light, by its place in the list.
+    Light(usize),
 }
 
 impl Movable {
@@ -80,12 +80,12 @@ impl Movable {
 
     /// A lamp is moved, parallel light turned about `middle`.
     fn light(index: usize, light: Light, middle: DVec3) -> Self {
-        let (what, does, origin) = match light.kind {
-            LightKind::Point => (MovedThing::Lamp(index), Transforming::Move, light.vector),
-            LightKind::Directional => (MovedThing::ParallelLight(index), Transforming::Turn, middle),
+        let (does, origin) = match light.kind {
+            LightKind::Point => (Transforming::Move, light.vector),
+            LightKind::Directional => (Transforming::Turn, middle),
         };
         Self {
-            what,
+            what: MovedThing::Light(index),
             gizmo: TransformGizmo { does, origin, axes: DVec3::AXES, hovered: None },
             units: [1.0; 3],
             place: light.vector,
@@ -123,19 +123,17 @@ impl Movable {
         let mut scene = before.clone();
         let all = match (&self.what, change) {
             (MovedThing::Objects(names), change) => transform(&mut scene, names, change)?,
-            (MovedThing::Lamp(index), Transform::Move(way)) => {
+            (MovedThing::Light(index), change) => {
+                let vector = match change {
+                    Transform::Move(way) => self.place + way,
+                    Transform::Turn { axis, angle, .. } => turned(self.place, axis, angle),
+                    Transform::Scale(_) => return Ok(None),
+                };
                 if let Some(light) = scene.lights.get_mut(*index) {
-                    light.vector = self.place + way;
+                    light.vector = vector;
                 }
                 true
             }
-            (MovedThing::ParallelLight(index), Transform::Turn { axis, angle, .. }) => {
-                if let Some(light) = scene.lights.get_mut(*index) {
-                    light.vector = turned(self.place, axis, angle);
-                }
-                true
-            }
-            (MovedThing::Lamp(_) | MovedThing::ParallelLight(_), _) => return Ok(None),
         };
         Ok(Some((scene, all)))
     }

@@ -52,7 +52,7 @@ pub struct LeftOver {
 }
 
 /// The sessions of this user: that of this window, and those left by others.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Sessions {
     folder: PathBuf,
     own: Option<Writer>,
@@ -72,19 +72,8 @@ pub struct Sessions {
 
 impl Sessions {
     /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
-    #[must_use]
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Restored>) {
-        let mut sessions = Self {
-            folder: folder.to_owned(),
-            own: None,
-            shown: None,
-            others: Vec::new(),
-            left: Vec::new(),
-            news: Vec::new(),
-            restored_at: None,
-            failed_at: None,
-            told: false,
-        };
+        let mut sessions = Self { folder: folder.to_owned(), ..Self::default() };
         files::remove_left_over(folder);
         sessions.look();
         let safe = sessions.left.iter().filter(|left| !left.did_not_survive);
@@ -97,7 +86,6 @@ impl Sessions {
     }
 
     /// The sessions of other windows that are still undecided.
-    #[must_use]
     pub fn left(&self) -> &[LeftOver] {
         &self.left
     }

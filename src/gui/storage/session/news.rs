@@ -71,7 +71,6 @@ impl NotKept {
     }
 
     /// Whether this kind cannot be stored.
-    #[must_use]
     pub fn is_about(&self, what: Keeping) -> bool {
         self.what.contains(&what)
     }
@@ -79,7 +78,6 @@ impl NotKept {
 
 impl News {
     /// A failure of this kind, with its reason.
-    #[must_use]
     pub fn not_kept(what: Keeping, path: PathBuf, error: FileError) -> Self {
         Self::NotKept(NotKept { what: vec![what], path, error })
     }
@@ -100,7 +98,6 @@ impl NewsList {
     }
 
     /// True if nothing is.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.shown.is_empty()
     }

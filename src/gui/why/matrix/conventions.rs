@@ -3,7 +3,7 @@
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
-use crate::gui::kit::form::{choice, complaint, row};
+use crate::gui::kit::form::{choice_row, complaint};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
@@ -42,7 +42,7 @@ fn one(ui: &mut egui::Ui, t: &Texts, (name, hint): (&str, &str), value: &mut Opt
         options.insert(0, (None, t.nobody));
     }
     let mut api = value.map(|ndc| ndc.api);
-    row(ui, "", name, hint, |ui| choice(ui, name, hint, &mut api, &options));
+    choice_row(ui, name, hint, &mut api, &options);
     *value = api.map(|api| Ndc { api, ..value.unwrap_or_default() });
     let Some(ndc) = value else { return };
     ui.horizontal(|ui| {

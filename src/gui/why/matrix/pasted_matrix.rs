@@ -8,8 +8,8 @@ use crate::camera::{
 };
 use crate::explain::vocabulary::Vocabulary;
 use crate::gui::kit::context_help::help_topic;
-use crate::gui::kit::form::{choice, complaint, row};
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::form::{choice_row, complaint, row};
+use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
@@ -102,7 +102,7 @@ fn which_camera(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts, names: &[St
     }
     let names: Vec<_> = names.iter().map(|name| sanitize::escaped(name).to_string()).collect();
     let options: Vec<(usize, &str)> = names.iter().map(String::as_str).enumerate().collect();
-    row(ui, "", t.camera, t.camera_hint, |ui| choice(ui, t.camera, t.camera_hint, chosen, &options));
+    choice_row(ui, t.camera, t.camera_hint, chosen, &options);
 }
 
 /// The part of the reading that is chosen.
@@ -124,12 +124,12 @@ fn choices(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts) {
     let pasted = &mut explain.pasted;
     let mut kinds = vec![(None, t.recognise)];
     kinds.extend(MatrixKind::ALL.map(|kind| (Some(kind), dialects::kind(t.lang, kind))));
-    row(ui, "", t.kind, t.kind_hint, |ui| choice(ui, t.kind, t.kind_hint, &mut pasted.kind, &kinds));
+    choice_row(ui, t.kind, t.kind_hint, &mut pasted.kind, &kinds);
     if pasted.kind.is_none_or(MatrixKind::has_pose) {
         let mut axes = vec![(None, t.recognise)];
         axes.extend(Axes::ALL.map(|axes| (Some(axes), axes.title)));
         let hint = format!("{}\n{}", t.axes_hint, conventions::axes_table(t.lang, |axes| axes.title));
-        row(ui, "", t.axes, &hint, |ui| choice(ui, t.axes, &hint, &mut pasted.axes, &axes));
+        choice_row(ui, t.axes, &hint, &mut pasted.axes, &axes);
     }
     ui.checkbox(&mut pasted.transposed, t.transposed).explained(t.transposed_hint);
 }
@@ -231,12 +231,7 @@ fn image(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, t: &Texts) {
             field.hint(t.image_hint).width(62.0).show(ui, window::texts(t.lang), side);
         }
     });
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the fields take whole numbers that fit"
-    )]
-    let [width, height] = sides.map(|side| side as u32);
+    let [width, height] = sides.map(whole);
     let new = ImageSize { width, height };
     if new != old {
         explain.pasted.image = (new != own).then_some(new);

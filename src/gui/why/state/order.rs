@@ -68,7 +68,6 @@ impl Order {
     }
 
     /// The calls, from left to right.
-    #[must_use]
     pub fn calls(&self) -> Vec<Call> {
         self.list.iter().map(|listed| listed.call).collect()
     }
