@@ -30,7 +30,7 @@ const LEAST_NAME: f32 = 48.0;
 /// A switch at the right end of the bar.
 struct Switch {
     command: Command,
-    /// What stands for the word in a window that is narrower than a width, in points.
+    /// The sign in place of the word in a window that is narrower than a width, in points.
     sign: Option<(&'static str, f32)>,
     word: fn(&Texts) -> &'static str,
 }
