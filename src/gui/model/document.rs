@@ -204,7 +204,7 @@ impl Document {
         self.has_scene(Revision::new());
     }
 
-    /// Sets a part of the figure but its camera, where it is another one.
+    /// Sets a part of the figure, but not its camera, if it differs.
     pub fn set<T: PartialEq>(&mut self, part: fn(&mut Figure) -> &mut T, value: T) {
         if *part(&mut self.figure) != value {
             self.edit(|figure| *part(figure) = value);
