@@ -325,7 +325,7 @@ fn read(ctx: &egui::Context, state: &mut State, wanted: ToRead) {
 fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
     let Some((content, is_changed)) = state.file_flow.reading.take(&state.model, patience) else { return };
     match content {
-        // It would be lost, and nobody was asked about that.
+        // The user changed the figure after the question about changes.
         Content::Lesson(path, _) | Content::Figure(path, _) if is_changed && state.learn.has_unsaved(&state.model) => {
             begin(ctx, state, AfterSave::OpenPath(path));
         }

@@ -290,7 +290,7 @@ impl App {
     }
 }
 
-/// Shows the pictures, with what they show of other features, and does what they ask of those.
+/// Shows the pictures with the parts that other features give them, then does the actions that they leave.
 pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
     let State { model, learn, annotations, explain, file_flow, label_mode, photograph, .. } = state;
     let inputs = Inputs {

@@ -327,7 +327,7 @@ fn text_field(
     field.show(ui, lang)
 }
 
-/// A row with a file of an object, by its key in a figure file: typed, or chosen by what the button begins.
+/// A row for a file of an object, named as in a figure file. You type its path, or the button asks for one.
 fn file_row(
     ui: &mut egui::Ui,
     model: &mut Model,

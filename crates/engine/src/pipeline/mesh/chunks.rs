@@ -11,7 +11,7 @@ pub(crate) fn each_chunk<T: Send>(values: &mut [T], work: impl Fn(&mut [T], usiz
     each(count, values.chunks_mut(CHUNK).enumerate(), |(k, chunk)| work(chunk, k * CHUNK));
 }
 
-/// Calls `work` for all chunks of so many vertices or triangles. Many over all threads.
+/// Calls `work` for each chunk of the vertices or triangles, on all threads if there are many.
 pub(crate) fn each<T: Send>(count: usize, chunks: impl Iterator<Item = T>, work: impl Fn(T) + Sync + Send) {
     if count > 2 * CHUNK {
         chunks.collect::<Vec<_>>().into_par_iter().for_each(work);

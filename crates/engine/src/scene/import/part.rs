@@ -34,8 +34,8 @@ pub struct PartTexture {
 }
 
 impl PartTexture {
-    /// A picture that was read. If it can't be used, a notice says so, unless whoever reads the files says which were
-    /// missing.
+    /// A picture that was read. If it can't be used, a notice says so, unless the reader of the
+    /// files lists those that are missing.
     pub(super) fn new(
         image: Result<Arc<Texture>, TextureError>,
         sampler: Sampler,
