@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Rgba, Shading};
 use camera_lab::camera::{Camera, Parameters, Projection};
+use camera_lab::pipeline::canonical::{clipped_scene, legible_clipped_scene};
 use camera_lab::pipeline::clip_parts::clip_parts;
-use camera_lab::pipeline::project::{clipped_scene, legible_clipped_scene};
 use camera_lab::scene::{Mesh, Object, ObjectPaint, Scene};
 use glam::{DMat4, DVec3};
 

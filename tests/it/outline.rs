@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use camera_lab::appearance::{HiddenLines, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::Drawing;
-use camera_lab::pipeline::project::clipped_scene;
+use camera_lab::pipeline::canonical::clipped_scene;
 use camera_lab::pipeline::{Stage, draw};
 use camera_lab::scene::{Adjacency, Mesh, ObjectSpec, Preset, Scene, SceneSpec, Shape, build, no_files, primitives};
 use glam::DVec3;

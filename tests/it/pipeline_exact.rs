@@ -5,7 +5,7 @@
 
 use camera_lab::appearance::Shading;
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
-use camera_lab::pipeline::project::clipped_scene;
+use camera_lab::pipeline::canonical::clipped_scene;
 use camera_lab::scene::Mesh;
 use glam::{DMat4, DVec3};
 use num_bigint::{BigInt, Sign};

@@ -5,7 +5,7 @@
 use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::figure::read::parse;
-use camera_lab::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
+use camera_lab::pipeline::canonical::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use camera_lab::pipeline::{Options, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene, build, no_files};

@@ -3,6 +3,7 @@
 //!
 //! | space | unit | axes |
 //! | --- | --- | --- |
+//! | object | of its own | local coordinates, before the model matrix |
 //! | world | scene units | right-handed, y up |
 //! | view (VRC) | scene units | right-handed, x right, y up, z towards the viewer |
 //! | clip | homogeneous | x, y, z in \[−w, w\] inside the volume |
@@ -10,8 +11,8 @@
 //! | window | scene units | on the plane z_c = −F, x right, y up |
 //! | image | pixels | (0, 0) is the top-left corner, y down |
 //!
-//! Start reading at [`camera`] for the model of the notes, and at [`pipeline`] for the way from a scene to a drawing,
-//! which [`raster`] paints.
+//! Start with [`raster::textbook`], a whole rasterizer without tricks, and with [`camera`] for the model of the notes.
+//! [`pipeline`] leads from a scene to a drawing, which [`raster`] paints.
 //!
 //! # A mesh on an image
 //!
@@ -49,8 +50,8 @@
 //! let camera = Camera::new(&Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() })?;
 //! let image = ImageSize { width: 100, height: 100 };
 //! let p = camera.stations(DVec3::new(1.0, -1.0, 3.0), image, &Viewport::whole(image));
-//! assert_eq!(p.view, DVec3::new(1.0, -1.0, -2.0)); // M_v, (5.7)
-//! assert_eq!(p.clip.w, 2.0); // M_p, (5.14): w is the distance from the eye
+//! assert_eq!(p.view, DVec3::new(1.0, -1.0, -2.0)); // M_v, `[0]` (5.7)
+//! assert_eq!(p.clip.w, 2.0); // M_p, (5.14): the distance from the plane through the eye
 //! let projected = p.projected.expect("w isn't 0");
 //! assert_eq!(projected.ndc, DVec3::new(0.5, -0.5, 0.5)); // x, y and z divided by w, (5.6)
 //! assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22)

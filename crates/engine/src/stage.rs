@@ -1,7 +1,7 @@
 //! The stages of the pipeline by name, for plans, files and windows, and the operations that each of them costs.
 
 crate::listed! {
-    /// A stage of the pipeline, in the order of `[3]` §1.1.
+    /// A stage of the pipeline. The order is that of `[3]` §1.1, with our own stages between its steps.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Stage {
         /// Walk through the scene.
@@ -12,7 +12,7 @@ crate::listed! {
         Normals = "normals",
         /// The reflection model: light on faces or vertices.
         Light = "light",
-        /// World → view, each vertex once.
+        /// Object → world → view, each vertex once.
         Transform = "transform",
         /// Drop faces that turn their back.
         CullFaces = "cull-faces",
@@ -22,7 +22,7 @@ crate::listed! {
         Oblique = "oblique-window",
         /// The perspective divide.
         Divide = "divide",
-        /// Ndc → pixels.
+        /// NDC → pixels.
         Viewport = "viewport",
         /// Find the pixels of each face.
         Fill = "fill",
@@ -75,9 +75,8 @@ impl Stage {
 
     /// The file that shows how it works, from the root of the project. It has a function of the stage's name.
     ///
-    /// The stages of geometry are what pictures are made with. For the stages of the rasterizer it's the textbook, to
-    /// which the fast files are equal to the byte. Hidden surfaces are there too: the order in which faces are painted
-    /// without a depth buffer is in `crates/engine/src/pipeline/stage/hidden_surfaces.rs`.
+    /// A stage of geometry has the code that pictures use. A stage of the rasterizer has the textbook's, and the fast
+    /// path gives the same bytes. Without a depth buffer, see `crates/engine/src/pipeline/stage/hidden_surfaces.rs`.
     pub fn source(self) -> String {
         let file = match self {
             Self::Oblique => "oblique".to_owned(),
@@ -103,8 +102,8 @@ impl Stage {
         self.row().0
     }
 
-    /// The stage in whose loop this one runs, so that it has no time of its own: working on a number while it is at
-    /// hand costs less than a pass over all numbers for each stage.
+    /// The stage in whose loop this one runs. It then has no time of its own. One loop for several stages costs less
+    /// than a pass over the array for each of them.
     #[must_use]
     pub const fn timed_with(self) -> Option<Self> {
         self.row().1
@@ -156,7 +155,7 @@ impl Operations {
         Self { float, integer, memory }
     }
 
-    /// Both together.
+    /// The sum of both.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self::new(self.float + other.float, self.integer + other.integer, self.memory + other.memory)

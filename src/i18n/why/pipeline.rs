@@ -71,11 +71,11 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
             "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1",
             "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de vista. [3] §1.1"),
         Stage::Normals => pick!(lang;
-            "Transforms the normals of vertices to view space, for lighting. [3] §1.8; §1.1, step 2",
-            "Leva as normais dos vértices ao espaço de vista, para a iluminação. [3] §1.8; §1.1, passo 2"),
+            "Transforms the normals of vertices to view space, for lighting. [3] §1.1, step 2",
+            "Leva as normais dos vértices ao espaço de vista, para a iluminação. [3] §1.1, passo 2"),
         Stage::Light => pick!(lang;
-            "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.8; §1.1, step 2",
-            "O modelo de reflexão: luz ambiente, difusa e especular. [2]; [3] §1.8; §1.1, passo 2"),
+            "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.1, step 2",
+            "O modelo de reflexão: luz ambiente, difusa e especular. [2]; [3] §1.1, passo 2"),
         Stage::Transform => pick!(lang; "World → view, each vertex of the faces once. [0] Eq. (5.7); [3] §1.1, step 3",
             "Mundo → vista, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"),
         Stage::CullFaces => pick!(lang; "Drops faces that are turned away from the eye. [3] §1.1, step 4",

@@ -1,20 +1,22 @@
-//! scene + camera → [`Drawing`]: the stages in the order of the notes `[3]` §1.1.
+//! scene + camera → [`Drawing`]: the stages of the notes `[3]` §1.1.
 //!
 //! [`Pipeline::frame`] is the pipeline on one page. Each stage is a function under its own name in `stage`, one file
 //! each, and the head of a file says what the notes have, what the textbook does, and what we do instead. Start with
-//! `stage/vertices.rs`: what happens to a vertex.
+//! `stage/vertices.rs`, the way of a vertex. The rasterizer's half begins with [`textbook`](crate::raster::textbook).
 //!
 //! | folder | holds |
 //! | --- | --- |
-//! | `stage` | what runs: traverse, cull objects, transform, … light, hidden surfaces, lines |
+//! | `stage` | the stages: traverse, cull objects, transform, … light, hidden surfaces, lines |
 //! | `plan` | which stages a picture needs, and the reason for each |
 //! | `order` | the order in which faces and strokes are painted if no depth buffer decides |
 //! | `space` | the spaces of a point as types, the camera between them, the planes of the volume, the scale of depths |
-//! | `mesh` | what stages share: bounds, cutting by a plane, attributes of new vertices, outlines |
-//! | `report` | what a picture did: counts, times, operations, rounding |
-//! | `show` | what reveals the inner work; no picture needs it: the canonical volume ([`project`]), [`clip_parts`], [`cull_result`], [`one_triangle`], [`divide_before_clip`], [`shadow_rays`] |
+//! | `mesh` | parts that stages share: bounds, cutting by a plane, attributes of new vertices, outlines |
+//! | `report` | the report of a picture: counts, times, operations, rounding |
+//! | `show` | the inner work made visible; no picture needs it: the canonical volume ([`canonical`]), [`clip_parts`], [`cull_result`], [`one_triangle`], [`divide_before_clip`], [`shadow_rays`] |
 //!
 //! A folder uses those that come before it in this order: `space`, `mesh`, `plan`, `order`, `stage`, `show`, `report`.
+//! `object_pass` takes one object through its stages. `scenes` holds the objects of a picture, `budget` the limits that
+//! a picture may exceed.
 //!
 //! Light comes last of an object's stages although the notes have it second: only the faces that are left need any.
 //! Filling, hidden surfaces by depth, blending and smoothing are the rasterizer's ([`raster`](crate::raster)).
@@ -52,8 +54,7 @@ use report::rounding_check::Misplaced;
 pub use report::work::{ObjectWork, StageWork, VertexWork};
 pub use report::{FollowedTriangle, Frame, StageReport};
 pub use scenes::Scenes;
-pub use show::canonical as project;
-pub use show::{clip_parts, cull_result, divide_before_clip, one_triangle, shadow_rays};
+pub use show::{canonical, clip_parts, cull_result, divide_before_clip, one_triangle, shadow_rays};
 pub use space::depths;
 use space::depths::InView;
 pub use space::planes::{NEAR, PlaneSet};
@@ -64,7 +65,7 @@ use stage::faces::Faces;
 use stage::hidden_surfaces::{Unordered, hidden_surfaces};
 use stage::lines::{self, Strokes, lines};
 use stage::pool::Pool;
-pub use stage::reflection as light;
+pub use stage::reflection;
 use stage::reflection::Lights;
 pub use stage::shadow_maps::{ShadowMaps, light_cameras};
 use stage::traverse::traverse;
@@ -106,7 +107,7 @@ pub struct Pipeline {
     bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
-    /// The most pieces of faces that a BSP may make, if they are not [`MAX_PIECES`].
+    /// The most pieces into which the BSP may split faces. `None` means [`MAX_PIECES`].
     pub max_pieces: Option<usize>,
 }
 
@@ -146,8 +147,8 @@ impl Pipeline {
         let misplaced = Misplaced::new(camera, &screen, in_view);
         let plan = Plan::new(scenes, &projector, style, &extents, options);
         let lights = Lights::new(scenes.lights, &projector, style.shading);
-        let is_dark = style.shading == Shading::Wireframe;
-        let shadows = if is_dark { Vec::new() } else { self.shadows.of(scenes) };
+        let is_wireframe = style.shading == Shading::Wireframe;
+        let shadows = if is_wireframe { Vec::new() } else { self.shadows.of(scenes) };
         let context = PassContext {
             plan: &plan,
             projector: &projector,
@@ -183,8 +184,8 @@ impl Pipeline {
             recorder.drawn(&pass, ends);
         }
 
-        if style.shading == Shading::Wireframe {
-            // Forced, but only edges were requested.
+        if is_wireframe {
+            // All stages were forced, but a wireframe shows no faces.
             unordered = Unordered::default();
         }
         let max_pieces = self.max_pieces.unwrap_or(MAX_PIECES);

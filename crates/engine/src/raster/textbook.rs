@@ -4,15 +4,15 @@
 //! [stage](crate::stage::Stage): `fill` finds the samples of a triangle, `hidden_surfaces` is the z-buffer of `[2]`,
 //! `interpolate` finds the share of each vertex in a pixel, `texture` and `shadow` add the effects, `blend` lays a
 //! translucent colour over what is there, `antialias` averages the samples of a pixel, and `write` stores the result.
-//! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next.
-//! `triangle` holds the edge and plane equations, `colors` the shading, `texels` the filters, `lamp` the view of a
-//! lamp.
+//! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next. One
+//! step comes early: hidden surfaces (8) before the colour (7), so that hidden pixels cost no colour. `triangle` holds
+//! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
 //!
 //! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes 25 to 300 times faster on one
 //! thread. It cuts the picture into bands of rows, one at a time for each thread, and looks at a triangle only in the
-//! bands that it touches. One instruction works on eight triangles, or on eight pixels. Edge functions aren't evaluated
-//! but grow by a constant from pixel to pixel, and no colour is computed that a depth test discards. None of this may
-//! change a picture: `tests/textbook.rs` paints random drawings both ways and demands the same bytes.
+//! bands that it touches. One instruction works on eight triangles, or on eight pixels. Edge functions grow by a
+//! constant from pixel to pixel instead of being evaluated. None of this may change a picture:
+//! `crates/engine/tests/textbook.rs` paints random drawings both ways and demands the same bytes.
 //!
 //! So the order of operations is part of what this file says, because `a·x + (b·y + c)` isn't `(a·x + b·y) + c` in
 //! floating point. Two choices of the fast path show: small triangles take their gradients in single precision
@@ -110,8 +110,8 @@ fn paint_shadow_maps(drawing: &Drawing) {
 }
 
 /// The triangles in the order of painting. Opaque ones come as they're listed, because the z-buffer sorts them.
-/// Translucent ones follow from back to front, by the depths of their centroids, as in the painter's model of `[2]`.
-/// Those without a depth test come last.
+/// Translucent ones follow from back to front, by the depths of their centroids, as in the painter's model of `[2]`; of
+/// these, the ones without a depth test come last. A drawing that is painted in order keeps its own order.
 fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
     let all = drawing.surfaces.iter().flat_map(|surface| (0..surface.triangles.len()).map(move |k| (surface, k)));
     if drawing.painted_in_order {
@@ -129,8 +129,8 @@ fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
 
 /// **Fill**: finds the samples of a pixel inside a triangle. The edge function E(p) = (b − a) × (p − a) of an edge a →
 /// b is positive on its inner side (Pineda 1988). If E = 0, the sample lies on the edge. The top-left rule then gives
-/// it to one of the two triangles at this edge: the one for which the edge is on the left, or level with the triangle
-/// below. All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
+/// it to one of the two triangles at this edge: the one on the right of the edge, or below it if the edge is horizontal.
+/// All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
 fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize> {
     let is_inside = |place: [i32; 2]| {
         let p = [0, 1].map(|k| i64::from(pixel[k] * STEPS + HALF + place[k]));
@@ -143,8 +143,10 @@ fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize>
     (0..places.len()).filter(|&s| is_inside(places[s])).collect()
 }
 
-/// **Hidden surfaces**: the z-buffer of `[2]`. Keeps the samples at which the triangle is nearer than everything
-/// painted before, and stores its depth there. Of equal depths the first one stays. `[3]` §1.1, step 8
+/// **Hidden surfaces**: the z-buffer of `[2]`. Depths are reversed, so the greater one is nearer. A sample stays if the
+/// triangle is nearer there than the stored depth. An opaque triangle then stores its own depth, a translucent one
+/// doesn't. Of equal depths the first one stays, while `<=` in `[2]` lets the last one win. In a drawing that is painted
+/// in order, every sample stays. `[3]` §1.1, step 8
 fn hidden_surfaces(
     covered: &mut Vec<usize>,
     pixel: &mut [Sample],
@@ -174,9 +176,9 @@ fn stored(z: f32, format: DepthFormat) -> f32 {
     format.greatest().map_or(z, |greatest| (z * greatest).round_ties_even() * (1.0 / greatest))
 }
 
-/// **Interpolate**: finds the share of each vertex at a point, and w there. On the picture not an attribute is affine,
-/// but the attribute divided by w, and 1/w itself: so each vertex counts with its affine share times its own 1/w, and
-/// the sum of the three is 1/w of the point. `[3]` §1.1, step 7
+/// **Interpolate**: finds the share of each vertex at a point, and w there. An attribute isn't affine on the picture,
+/// but the attribute divided by w is, and so is 1/w. So each vertex counts with its affine share times its own 1/w. The
+/// sum of the three is 1/w of the point, and dividing by it makes the shares add up to 1. `[3]` §1.1, step 7
 fn interpolate(triangle: &Triangle, center: [f32; 2]) -> ([f32; 3], f32) {
     let planes = triangle.share_planes();
     let shares: [f32; 3] = from_fn(|k| triangle.inverse_w[k] * planes[k].hold(planes[k].at(center)));
@@ -189,8 +191,10 @@ fn mix<const N: usize>(shares: [f32; 3], [a, b, c]: [[f32; N]; 3]) -> [f32; N] {
     from_fn(|k| shares[0] * a[k] + shares[1] * b[k] + shares[2] * c[k])
 }
 
-/// **Texture**: reads the colour of a picture at interpolated coordinates, premultiplied, 0 … 255. `None` if the
-/// triangle has no picture. `[3]` §1.1, step 9
+/// **Texture**: reads a picture at interpolated coordinates, and multiplies by the tint. The result is premultiplied,
+/// 0 … 255. The bilinear filter mixes the four texels around the point. The trilinear one does so in the two levels of
+/// the mipmap whose texels are about as large as the pixel, and mixes those (Williams 1983). `None` if the triangle has
+/// no picture. `[3]` §1.1, step 9
 fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
     let Base::Texture { image, sampler, uv, tint } = &triangle.surface.base else { return None };
     let uv = near_zero(triangle.of(uv)?, sampler);
@@ -217,18 +221,18 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
     Some(from_fn(|k| color[k] * tint[k]))
 }
 
-/// The part of a texel's length, and of the depth's change within a texel, that counts as equal at a bias of 1.
+/// What a bias of 1 tolerates: half a texel's length, and 1/32 of the change of depth within a texel.
 const BIAS: [f32; 2] = [0.5, 1.0 / 32.0];
 
 /// **Shadow**: finds the share of a lamp's light that arrives at a point. A texel of the shadow map hides the point if
-/// the depth that the lamp sees there is nearer to it (Williams 1978). The texels under a square around the point, the
+/// its depth is nearer to the lamp, that is greater, than the point's own with some tolerance (Williams 1978). The texels under a square around the point, the
 /// soft edge, are averaged (Reeves 1987). `[3]` §1.1, step 9
 fn shadow(triangle: &Triangle, shadow: &Shadow, shares: [f32; 3]) -> f32 {
     let (map, bias, softness) = (&shadow.map, shadow.bias, shadow.map.softness.max(0.0));
     let Some(MapPoint { depths, x, y, z, slope: [dx, dy], step }) = MapPoint::new(triangle, shadow, shares) else {
         return 1.0;
     };
-    let nearest = z + (step * BIAS[0] + (dx.abs() + dy.abs()) * BIAS[1]) * bias;
+    let limit = z + (step * BIAS[0] + (dx.abs() + dy.abs()) * BIAS[1]) * bias;
     let (left, top) = ((x - 0.5 * softness).floor(), (y - 0.5 * softness).floor());
     #[expect(clippy::cast_possible_truncation, reason = "8 at most")]
     let side = if softness > 0.0 { softness.ceil() as u8 + 1 } else { 1 };
@@ -242,7 +246,7 @@ fn shadow(triangle: &Triangle, shadow: &Shadow, shares: [f32; 3]) -> f32 {
             let occluder = texel.and_then(|texel| depths.get(texel)).copied().unwrap_or(f32::NEG_INFINITY);
             // From the point to the middle of the texel the depth follows the plane of the triangle.
             let change = (column + 0.5 - x) * dx + (row + 0.5 - y) * dy;
-            if occluder <= nearest + change * bias.min(1.0) {
+            if occluder <= limit + change * bias.min(1.0) {
                 sum += under(row, y, softness) * under(column, x, softness);
             }
         }

@@ -25,8 +25,8 @@ pub(crate) struct FromEye(pub(crate) DVec3);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ViewPoint(pub(crate) DVec3);
 
-/// A point in clip space: x_r, y_r and w_r of `[0]` Eq. (5.8), with the distance from the eye instead of z_r. Clip z
-/// crowds the far depths together, the distance doesn't.
+/// A point in clip space: x_r, y_r and w_r of `[0]` Eq. (5.8), with the distance from the eye instead of z_r. Far
+/// away z_r differs from w_r by less and less, and rounding loses that. The distance keeps it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ClipPoint {
     /// x, in \[−w, w\] inside the volume.

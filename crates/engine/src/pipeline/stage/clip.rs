@@ -1,8 +1,8 @@
 //! **Clip**: cut the faces that cross a plane of the volume, before the divide.
 //!
-//! *Notes*: `[2]`, *Clipping em coordenadas homogêneas*: inside means −w ≤ x, y, z ≤ w, and a cut lies at
-//! P = (d₁ P₂ + d₂ P₁)/(d₁ + d₂); `[3]` §1.1 step 5. It comes before the divide because a point behind the eye has
-//! w < 0, and the divide would put it in front. *Textbook*: Sutherland and Hodgman, every polygon against six planes.
+//! *Notes*: `[2]`, *Clipping em coordenadas homogêneas*: inside means −w ≤ x, y, z ≤ w. *Interseção de reta com plano*:
+//! a cut lies at P = (d₁ P₂ + d₂ P₁)/(d₁ + d₂). `[3]` §1.1 step 5 and §1.7. It comes before the divide because a point
+//! behind the eye has w < 0, and the divide would put it in front. *Textbook*: Sutherland and Hodgman, every polygon against six planes.
 //! *Here*: the same for the few triangles that an outcode says cross a plane, and only against those planes; leaving
 //! out the others changes no bit. A cut is computed from the end inside to the end outside and set exactly onto its
 //! plane, so two triangles that share an edge get the same corner to the last bit, and no crack opens. [`distances`]
@@ -22,7 +22,7 @@ use crate::pipeline::space::screen::Screen;
 /// Cuts the triangles that cross a plane and adds the rest of each, a convex polygon, as a fan of triangles. With
 /// `all_planes`, also cuts them at the planes that they don't cross.
 pub(crate) fn clip(faces: &mut Faces, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
-    let Vertices { projector, .. } = *vertices;
+    let projector = vertices.projector;
     let Faces { image, triangles, source: sources, cuts, chunks, .. } = faces;
     let (mut clipper, mut fan) = (Clipper::default(), Vec::new());
     cuts.clear();
@@ -89,12 +89,11 @@ impl ClippedCorner {
         }
     }
 
-    /// The point where an edge meets `plane`: quantities known from the plane are exact, the others are means.
+    /// The point where an edge meets `plane`. A coordinate that the plane fixes is exact, the others are means.
     ///
-    /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the front
-    /// plane is anywhere next to the window there, although both distances from its sides, which are means too, are
-    /// positive. The distances decide, so that neighbours agree and planes that both ends are inside of need no test,
-    /// and the point is moved to agree with them.
+    /// The rounding error of a mean is as large as that of the greater end. At the front plane w_r can be far smaller
+    /// than that, so x_r can land outside −w_r … w_r although both distances say inside. The distances win, because
+    /// triangles that share an edge compute them alike, and the point is moved to agree with them.
     fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
         let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
         let (a, b) = (inside.point, outside.point);
@@ -150,7 +149,7 @@ impl Clipper {
         corners: [ClipPoint; 3],
         planes: PlaneSet,
     ) -> &[ClippedCorner] {
-        self.polygon(projector, &corners, planes)
+        self.watched(projector, &corners, planes, |_, _, _| {})
     }
 
     /// The part of a segment inside the volume: its two ends, each with `true` if it's a cut; `None` if no point
@@ -164,15 +163,10 @@ impl Clipper {
         if codes[0] & codes[1] != 0 || either & NOT_A_NUMBER != 0 {
             return None;
         }
-        match self.polygon(projector, &ends, either) {
+        match self.watched(projector, &ends, either, |_, _, _| {}) {
             &[a, b] => Some([a, b].map(|end| (end.point, end.original().is_none()))),
             _ => None,
         }
-    }
-
-    #[inline]
-    fn polygon(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[ClippedCorner] {
-        self.watched(projector, points, planes, |_, _, _| {})
     }
 
     /// The part of a triangle, or of a segment, inside `planes`. Calls `watch` for each corner that a plane leaves,

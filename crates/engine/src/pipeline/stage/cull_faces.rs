@@ -22,7 +22,7 @@ use crate::pipeline::space::projector::Projector;
 pub(crate) struct FaceTask {
     /// Drop the faces that turn their back.
     pub(crate) cull_back: bool,
-    /// Find out whether a triangle turned over.
+    /// Count the triangles that turn over on the grid ([`Faces::turned_over`]).
     pub(crate) watch_turning: bool,
     /// Say which triangle of the mesh each one comes from.
     pub(crate) want_source: bool,
@@ -85,8 +85,7 @@ fn gather(faces: &mut Faces, triangles: &[[u32; 3]], want_source: bool) {
 /// Twice the area of a triangle on the image, positive if its corners run counter-clockwise as they are seen (y is
 /// down).
 ///
-/// Exact: corners on the grid of subpixels have few enough digits for every product and sum. So neighbours agree on
-/// which side of a silhouette they lie, and a closed mesh shows no holes.
+/// Exact: corners on the grid of subpixels have few enough digits for every product and sum.
 #[inline(always)]
 pub(crate) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
     let edge = |p: [f32; 3]| [f64::from(p[0]) - f64::from(a[0]), f64::from(p[1]) - f64::from(a[1])];
@@ -111,7 +110,7 @@ struct Culling<'a> {
 }
 
 impl Culling<'_> {
-    /// Sets the bits of triangles that are left and cross no plane.
+    /// Classifies a chunk of triangles and sets the bits of those to draw. Puts those that cross a plane aside.
     fn chunk(&self, chunk: &mut CulledChunk, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
         *chunk = CulledChunk { crossing: std::mem::take(&mut chunk.crossing), ..CulledChunk::default() };
         chunk.crossing.clear();
@@ -172,7 +171,7 @@ impl Culling<'_> {
         if self.task.cull_back { front } else { front | behind }
     }
 
-    /// The planes that every vertex of the triangles is outside of, and those that any is.
+    /// The planes that all vertices of the triangles are outside of, and the planes that any vertex is outside of.
     #[inline(always)]
     fn outcodes(&self, triangles: &[[u32; 3]]) -> [PlaneSet; 2] {
         let codes = &self.image.outcodes[..];
@@ -209,9 +208,9 @@ impl Culling<'_> {
             return false;
         }
         let positions = &self.image.positions;
-        let in_world = || facing(projector, triangle.map(|i| self.vertices.view(i)));
-        let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_world() };
-        if self.task.watch_turning && planes == 0 && area * in_world() < 0.0 {
+        let in_view = || facing(projector, triangle.map(|i| self.vertices.view(i)));
+        let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_view() };
+        if self.task.watch_turning && planes == 0 && area * in_view() < 0.0 {
             chunk.turned_over += 1;
         }
         if area == 0.0 || (self.task.cull_back && area * view_from_object.outward() < 0.0) {

@@ -2,7 +2,7 @@
 //!
 //! *Notes*: `[3]` §1.2 names the removal of what can't be seen before clipping, without saying how; there each polygon
 //! is tested. *Textbook*: the eight corners of an object's bounding box against the six planes: if all are outside one
-//! plane, so is the object. *Here*: the same, and a ball around the object as well, which is tighter than a box that
+//! plane, so is the object. *Here*: the same, and the bounding sphere as well, which is tighter than a box that
 //! stands askew. The test has a third answer, "inside these planes", which spares the object's faces the comparison
 //! with them. The depths of the boxes also say how the depth buffer's range is best spent
 //! ([`DepthScale`](crate::pipeline::space::depths::DepthScale)).
@@ -24,7 +24,8 @@ use crate::scene::Object;
 /// Objects that one task tests.
 const TASK: usize = 256;
 
-/// Compares each object with the volume, in the order of the scene.
+/// Compares each object with the volume, in the order of the scene. [`Plan`](crate::pipeline::plan::Plan) marks those
+/// outside, and [`traverse`](super::traverse::traverse) leaves them out.
 pub(crate) fn cull_objects(scenes: Scenes, projector: &Projector, known: &mut KnownBounds) -> Vec<Extent> {
     let bounded = |object: &Object| (object.world_from_object, known.of(&object.mesh));
     let objects: Vec<(DMat4, Option<Bounds>)> = scenes.objects().map(bounded).collect();
@@ -36,12 +37,10 @@ pub(crate) fn cull_objects(scenes: Scenes, projector: &Projector, known: &mut Kn
     objects.par_iter().with_min_len(TASK).map(extent).collect()
 }
 
-/// Tests the box and the ball around an object against the six planes: a bound that holds for the corners of a box
-/// holds for all of it, because the distances are linear before the divide; of a ball, the middle and the radius
-/// decide.
+/// Tests the bounding box and the bounding sphere against the six planes. Before the divide a distance is linear, so
+/// its extremes over a box lie at corners. Over a sphere they are the middle's distance ± the radius times the slope.
 ///
-/// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by
-/// clipping.
+/// Inside needs a margin for rounding. Only then would clipping leave the object as it is.
 pub(crate) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Extent {
     const MARGIN: f64 = 1e-13;
     let corners = bounds.aabb.corners();
@@ -123,7 +122,7 @@ mod tests {
         )
     }
 
-    /// Of a box around `middle`, with a ball as large as given.
+    /// The containment of a box around `middle`, with a sphere of this radius.
     fn of_box(projector: &Projector, middle: DVec3, half: DVec3, radius: f64) -> Containment {
         let bounds = Bounds { aabb: Aabb { min: middle - half, max: middle + half }, radius, finite: true };
         containment(projector, &projector.view_from_object(DMat4::IDENTITY), &bounds).containment
@@ -131,7 +130,7 @@ mod tests {
 
     #[test]
     fn the_slack_is_the_size_of_the_terms_that_a_distance_is_summed_up_from() {
-        // 4 wide and 6 high on F = 1: x_c = ½ x − ½ w, y_c = ⅓ y − ⅓ w. Of coordinates no larger than 6, in perspective
+        // 4 wide and 6 high on F = 1: x_r = ½ x − ½ w, y_r = ⅓ y − ⅓ w. Of coordinates no larger than 6, in perspective
         // w too: x: 3 + (1 + ½) · 6, y: 2 + (1 + ⅓) · 6, z: 6 + 9.
         let near = |found: [f64; 3], expected: [f64; 3]| {
             for (found, expected) in found.into_iter().zip(expected) {

@@ -4,13 +4,13 @@
 //! *Textbook*: three divisions. *Here*: one division, 1/w, and products with it. The depth isn't z_n, which is −1 at F
 //! and crowds nearly everything next to 1, but the reversed depth of [`DepthScale`]: linear in 1/w too, so that it's
 //! linear over a face on the image, but 0 at the far end, where floating-point numbers are densest. Vertices outside
-//! the volume are divided as well, since that is faster than asking. No face uses their results. In parallel projection
+//! the volume are divided as well, since that is faster than a test. No face uses their results. In parallel projection
 //! w is 1, and the division changes nothing.
 
 use crate::pipeline::space::depths::DepthScale;
 use crate::pipeline::space::point::{ClipPoint, NdcPoint};
 
-/// Divides a point inside the volume by its w.
+/// Divides by w. The depth is clamped to its range, for rounding and for points outside the volume.
 #[inline(always)]
 pub(crate) fn divide(depths: &DepthScale, p: ClipPoint) -> NdcPoint {
     let inverse_w = 1.0 / p.w;
@@ -21,7 +21,7 @@ pub(crate) fn divide(depths: &DepthScale, p: ClipPoint) -> NdcPoint {
     }
 }
 
-/// Into 0 … limit; 0 if it's not a number.
+/// Clamps to 0 … limit. Not a number becomes 0.
 #[inline(always)]
 pub(crate) fn clamp(value: f64, limit: f64) -> f64 {
     let v = if value > 0.0 { value } else { 0.0 };

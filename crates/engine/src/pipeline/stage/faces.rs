@@ -8,7 +8,7 @@ use super::vertices::OnImage;
 use crate::pipeline::mesh::resample::VertexOrigin;
 use crate::pipeline::space::planes::{NEAR, NOT_A_NUMBER, PlaneSet};
 
-/// Vertices that are lit together: whether any of them is needed is known of the group.
+/// Vertices that are lit together. [`Faces::used`] has one entry for each such group.
 pub(crate) const LANES: usize = 8;
 
 /// A triangle that crosses planes of the volume.
@@ -44,12 +44,11 @@ pub(crate) struct Faces {
     pub(crate) source: Vec<u32>,
     /// The vertices that clipping made.
     pub(crate) cuts: Vec<VertexOrigin>,
-    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them. Empty if not
-    /// requested.
+    /// For each group of [`LANES`] vertices, whether a remaining triangle uses one of them. Empty if not requested.
     pub(crate) used: Vec<AtomicBool>,
     /// Triangles that were dropped because they turn away.
     pub(crate) back: usize,
-    /// Triangles that turn the other way on the grid of the image than they do in the world: thin ones, at silhouettes.
+    /// Triangles whose orientation on the grid of the image differs from that in view space: thin ones, at silhouettes.
     pub(crate) turned_over: usize,
     /// A bit for each triangle of the mesh that is left and crosses no plane, the first in the lowest bit.
     pub(super) kept: Vec<u8>,

@@ -3,14 +3,15 @@
 //! *Notes*: `[3]` §1.1 step 2; `[2]` on flat, Gouraud and Phong shading. *Textbook*: second in the list, right after
 //! the walk through the scene: every face or vertex of every object is lit before anything is dropped. *Here*: last of
 //! the stages of an object, because light costs most and half of all faces were dropped meanwhile. The formula is in
-//! [`reflection`](super::reflection), for eight points at a time; this file decides which points those are ([`LitAt`]):
-//! one for each face (flat), the vertices of the remaining faces (Gouraud), or none, if the pixels are lit by the
-//! rasterizer (Phong), which then needs normals and positions. Light stays apart from the colours under a texture, and
-//! if a shadow may take some of it away. Elsewhere it's multiplied in.
+//! [`lighting`](crate::lighting), and [`reflection`](super::reflection) applies it to eight points at a time. This file
+//! decides which points those are ([`LitAt`]): one for each face (flat), the vertices of the remaining faces (Gouraud),
+//! or none, if the pixels are lit by the rasterizer (Phong), which then needs normals and positions. Light is multiplied
+//! into the colours. It stays apart from them under a texture, and if a shadow may take part of it away, because the
+//! pixel then needs both.
 
 use glam::{DMat4, DVec3};
 
-use super::faces::Faces;
+use super::faces::{Faces, to_u32};
 use super::pool::Pool;
 use super::reflection::{Lights, ObjectLight};
 use super::shadow_maps::{SeenByLight, ShadowLight};
@@ -40,7 +41,7 @@ pub(crate) struct Shaded<'a> {
     pub(crate) textured: bool,
     /// Both sides of the faces may be seen, and are lit.
     pub(crate) both_sides: bool,
-    /// The surfaces ask for depth, or write it.
+    /// The surfaces test depth, or write it.
     pub(crate) depth_test: bool,
 }
 
@@ -147,13 +148,13 @@ impl Shaded<'_> {
         }
     }
 
-    /// 1/w of the vertices of the object if it's the image of another one under a perspective, else empty.
+    /// 1/w of the vertices in the world's perspective, if the object is its image in the canonical view. Else empty.
     fn inverse_w(&self) -> &[f32] {
         self.object.in_world.as_ref().map_or(&[], |in_world| &in_world.inverse_w)
     }
 
-    /// Multiplies 1/w by that of the other perspective if the object is itself an image under one: what is interpolated
-    /// is bent by both.
+    /// Multiplies 1/w by that of the world's perspective, if the object is its image in the canonical view. Attributes
+    /// then go through two perspectives.
     fn bend(&self, faces: &mut Faces) {
         let inverse_w = self.inverse_w();
         if inverse_w.is_empty() {
@@ -322,7 +323,7 @@ impl Shaded<'_> {
     fn at_vertices<T: Default + Clone + Send>(&self, values: &mut Vec<T>, attribute: impl Fn(u32) -> T + Sync + Send) {
         values.resize(self.vertices.len(), T::default());
         each_chunk(values, |values, first| {
-            for (value, i) in values.iter_mut().zip(u32::try_from(first).unwrap_or(u32::MAX)..) {
+            for (value, i) in values.iter_mut().zip(to_u32(first)..) {
                 *value = attribute(i);
             }
         });
@@ -341,7 +342,7 @@ impl Shaded<'_> {
             }));
         }
         let corners = || faces.triangles.iter().flatten().map(|&i| i as usize);
-        let count = u32::try_from(faces.triangles.len()).unwrap_or(u32::MAX);
+        let count = to_u32(faces.triangles.len());
         Surface {
             positions: corners().map(|i| faces.image.positions[i]).collect(),
             inverse_w: corners().filter_map(|i| faces.image.inverse_w.get(i).copied()).collect(),
@@ -351,7 +352,7 @@ impl Shaded<'_> {
     }
 
     fn vertex_count(&self) -> u32 {
-        u32::try_from(self.vertices.len()).unwrap_or(u32::MAX)
+        to_u32(self.vertices.len())
     }
 }
 

@@ -31,7 +31,7 @@ use crate::pipeline::space::projector::Projector;
 use crate::pipeline::space::screen::Screen;
 use crate::scene::{Object, ObjectPaint};
 
-/// Between which distances lines, marks and texts of the scene are in the volume.
+/// The range of distances at which lines, marks and texts of the scene are in the volume.
 pub(crate) fn in_view(scenes: Scenes, projector: &Projector) -> InView {
     let clip = |p: DVec3| clip_from_world(projector, WorldPoint(p));
     let mut clipper = Clipper::default();
@@ -61,7 +61,7 @@ pub(crate) struct Strokes<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
     scale: f32,
-    /// Pixels for one unit of what belongs to the scene, and of marks.
+    /// Pixels for one unit of strokes of the scene, and of marks.
     fine: f32,
     background: Rgba,
     clipper: Clipper,
@@ -275,8 +275,8 @@ impl<'a> Strokes<'a> {
         set.polylines.push(range(start, set.points.len()));
     }
 
-    /// The set of this style for the next strokes: the last one, or a new one (true), whose arrays still have some old
-    /// content.
+    /// The set for the next strokes of this style: the last one if it has the style, else a new one (true), whose arrays
+    /// still hold old content.
     fn set(&mut self, style: LineStyle) -> (&mut StrokeSet, bool) {
         let is_new = self.sets.last().is_none_or(|set| set.style != style);
         if is_new {

@@ -1,16 +1,17 @@
-//! The stages that run in the geometry half of the pipeline, one file each, in the order of `[3]` §1.1:
+//! The stages that run in the geometry half of the pipeline, one file each, in the order in which a point
+//! goes through them:
 //!
 //! | stage | from → to | file |
 //! | --- | --- | --- |
 //! | traverse | scene → objects | [`traverse`] |
 //! | cull objects | boxes of objects | [`cull_objects`] |
 //! | normals | object → view | [`normals`] |
-//! | light | view → colours | [`light`], by the formula in [`reflection`] |
+//! | light | view → colours | [`light`], eight points at a time in [`reflection`] |
 //! | transform | object → world → view | [`transform`] |
 //! | – projection of a symmetric window | view → clip | [`project`] |
+//! | oblique window | clip | [`oblique`] |
 //! | cull faces | triangles on the image | [`cull_faces`] |
 //! | clip | clip | [`clip`] |
-//! | oblique window | clip | [`oblique`] |
 //! | divide | clip → NDC | [`divide`] |
 //! | viewport | NDC → pixels | [`viewport`] |
 //! | hidden surfaces, without a depth buffer | view | [`hidden_surfaces`] |
@@ -20,8 +21,8 @@
 //!
 //! A vertex goes through transform, projection, oblique window, divide and viewport in one loop, in [`vertices`]. The
 //! loop runs before culling and clipping, which need the vertices on the image and their sides of the planes. Corners
-//! that clipping makes follow on their own. Light comes last, so that only visible faces are lit. [`faces`] and
-//! [`pool`] hold the buffers in between, [`shadow_maps`] the lights' own pictures.
+//! that clipping makes follow on their own. [`faces`] and [`pool`] hold the buffers in between, [`shadow_maps`] the
+//! lights' own pictures.
 
 pub(crate) mod clip;
 pub(crate) mod cull_faces;

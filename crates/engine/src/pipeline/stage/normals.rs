@@ -25,7 +25,7 @@ pub(super) fn normals<S: Simd>(simd: S, normal_matrix: &Rows, normals: [[f32; LA
 
 /// Takes one normal to view space, with length 1. Zero if it has no direction.
 pub(super) fn unit_normal(normal_matrix: DMat3, normal: DVec3) -> DVec3 {
-    /// Squares of shorter vectors are too small, and of longer ones too large.
+    /// Squared lengths outside this range are near underflow or overflow.
     const SAFE: std::ops::Range<f64> = 1e-200..1e200;
     let normal = normal_matrix * normal;
     let square = normal.length_squared();

@@ -3,7 +3,7 @@
 //! *Notes*: `[0]` §5.3.2, the terms (r + l)/(r − l) and (t + b)/(t − b) of Eqs. (5.13) and (5.15). The window of `[3]`
 //! §1.5 is always centred and has none. *Textbook*: they are entries of M_p, and every vertex pays for them. *Here*: a
 //! step of its own, so that the pipeline can say when it has nothing to do: for a symmetric window both terms are 0. It
-//! isn't skipped then. A product and a difference in a loop that is waiting for memory cost less than asking.
+//! isn't skipped then. A product and a difference in a loop that is waiting for memory cost less than a test.
 
 use crate::pipeline::space::point::ClipPoint;
 use crate::pipeline::space::projector::Projector;

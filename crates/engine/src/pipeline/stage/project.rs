@@ -3,8 +3,8 @@
 //! *Notes*: `[0]` §5.3.2, M_p by Eqs. (5.14) and (5.16). It has no stage of its own in `[3]` §1.1, where it belongs to
 //! the geometric transformations of step 3, and its work is counted as that of [`Transform`](crate::stage::Stage).
 //! *Textbook*: a product with a 4 × 4 matrix, most of whose entries are 0. *Here*: the two entries that scale x_c and
-//! y_c. The third row isn't computed: z_r crowds all far depths next to 1 and loses them to rounding, so a
-//! [`ClipPoint`] carries the distance −z_c instead, and the divide makes a depth of that.
+//! y_c. The third row isn't computed. Far away z_r comes so close to w_r that their difference is lost to rounding, and
+//! z_n crowds next to 1. So a [`ClipPoint`] carries the distance −z_c instead, and the divide makes a depth of it.
 
 use super::oblique::oblique;
 use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};

@@ -1,11 +1,14 @@
-//! The reflection model on faces and vertices, eight at a time, by the one formula of [`lighting`](crate::lighting),
-//! which lights pixels too.
+//! The light on faces and vertices, eight at a time.
+//!
+//! *Notes*: `[2]` on Gouraud and Phong; `[3]` §1.1 step 2. *Textbook*: the sum over all lamps, for one point after
+//! another. *Here*: the formula of [`lighting`](crate::lighting), which lights pixels too, for eight points by one
+//! instruction. Positions are scaled by 1/B, so that single precision is enough in worlds of any size.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DMat3, DVec3};
 
-use super::faces::LANES;
+use super::faces::{LANES, to_u32};
 use super::normals::{Rows, eight, normals, product, rows, unit_normal};
 use super::vertices::Vertices;
 use crate::appearance::{LightShare, Rgba, Shading};
@@ -32,7 +35,7 @@ pub const SHININESS: f32 = 24.0;
 /// size.
 pub(crate) struct Lights {
     lighting: Lighting,
-    /// The light of the scene that each one is: those that cannot be turned into view space are missing.
+    /// The place in the scene of each light. Lights that can't be turned into view space are missing.
     of_scene: Vec<usize>,
     /// 1/B.
     scale: f64,
@@ -41,7 +44,7 @@ pub(crate) struct Lights {
 impl Lights {
     /// The lights of a scene. Without any, the ambient share is all, and lit faces show their own colour.
     pub(crate) fn new(lights: &[Light], projector: &Projector, shading: Shading) -> Self {
-        let scale = 1.0 / projector.far;
+        let (scale, is_dark) = (1.0 / projector.far, lights.is_empty());
         let in_view = |light: &Light| match light.kind {
             LightKind::Directional => {
                 let to_light = try_unit(-projector.view_vector(try_unit(light.vector)?))?;
@@ -51,18 +54,19 @@ impl Lights {
                 Some(ViewLight::point((projector.view(WorldPoint(light.vector)).0 * scale).as_vec3().to_array()))
             }
         };
+        let (of_scene, lights): (Vec<usize>, Vec<ViewLight>) =
+            lights.iter().enumerate().filter_map(|(k, light)| Some((k, in_view(light)?))).unzip();
         let shiny = matches!(shading, Shading::Gouraud | Shading::Phong);
         let lighting = Lighting {
-            ambient: if lights.is_empty() { 1.0 } else { AMBIENT },
+            ambient: if is_dark { 1.0 } else { AMBIENT },
             diffuse: DIFFUSE,
             specular: if shiny { SPECULAR } else { 0.0 },
             shininess: SHININESS,
             distant_viewer: !projector.perspective,
             two_sided: false,
-            lights: lights.iter().filter_map(in_view).collect(),
+            lights,
         };
-        let of_scene = lights.iter().enumerate().filter(|(_, light)| in_view(light).is_some()).map(|(k, _)| k);
-        Self { lighting, of_scene: of_scene.collect(), scale }
+        Self { lighting, of_scene, scale }
     }
 
     /// For the faces of one object, lit on both sides or on the outer one.
@@ -179,7 +183,7 @@ impl<'a> ObjectLight<'a> {
                 return false;
             }
             self.gather(first, n, points);
-            for (l, i) in (0..n).zip(u32::try_from(first).unwrap_or(u32::MAX)..) {
+            for (l, i) in (0..n).zip(to_u32(first)..) {
                 points.colors[l] = packed(color(i));
             }
             true

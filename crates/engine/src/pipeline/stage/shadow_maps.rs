@@ -1,7 +1,8 @@
-//! The maps of the lights that cast shadows. Each light is a camera, and its map the depths of its picture.
+//! The shadow maps of the lights.
 //!
-//! A map holds all that casts shadows, whatever the camera of the picture sees, so that it is made once for all
-//! pictures of a scene, and made again only if a light or a thing that hides light has changed.
+//! *Notes*: `[3]` §1.1 step 9 names shadows, without a method. *Textbook*: the depths of a picture taken from the light
+//! (Williams 1978), six pictures around a lamp. *Here*: the same pipeline draws them. A map doesn't depend on the camera
+//! of the picture, so all pictures of a scene share it. It's made again only if the light or an occluder changes.
 
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -111,8 +112,8 @@ fn casting(scenes: Scenes<'_>) -> impl Iterator<Item = (usize, Light)> {
 impl Kept {
     /// The things that hide light in a scene, and what is known of its lights that cast shadows.
     fn known(&mut self, scenes: Scenes) -> (Arc<[Occluder]>, Vec<Option<ShadowLight>>) {
-        let (before, now) =
-            (std::mem::replace(&mut self.revision, scenes.occluders_revision), scenes.occluders_revision);
+        let now = scenes.occluders_revision;
+        let before = std::mem::replace(&mut self.revision, now);
         if (now.is_none() || before != now) && !self.holds(scenes) {
             self.made.clear();
             let all = scenes.occluders();
@@ -155,10 +156,12 @@ impl Kept {
 pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     let scenes = Scenes::from(scene);
     scenes.occluders().next()?;
-    let points = scenes
-        .occluders()
-        .flat_map(|object| object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p)));
-    cameras(light, points.filter(|p| p.is_finite()))
+    cameras(light, scenes.occluders().flat_map(|object| world_points(&object.mesh, &object.world_from_object)))
+}
+
+/// The vertices of a mesh in the world, without those that are off to infinity.
+fn world_points<'a>(mesh: &'a Mesh, world_from_object: &'a DMat4) -> impl Iterator<Item = DVec3> + 'a {
+    mesh.positions.iter().map(|&p| world_from_object.transform_point3(p)).filter(|p| p.is_finite())
 }
 
 /// The cameras of a light: one that holds all that hides light, or six around a lamp; `None` if there is none.
@@ -169,7 +172,8 @@ fn cameras(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Cam
     }
 }
 
-/// The half width of a picture at a distance of 1 where the part of it that matters has 1: the soft edge reaches over.
+/// Half the width of a map at distance 1. Its inner part, of half width 1, holds the scene, the rest is for the soft
+/// edge.
 fn reach(shadows: Shadows) -> f64 {
     let shadows = shadows.held();
     let beyond = (0.5 * shadows.softness).ceil() + 1.0;
@@ -182,6 +186,7 @@ fn up(d: DVec3) -> DVec3 {
     if d.y.abs() > 0.9 * d.length() { DVec3::Z } else { DVec3::Y }
 }
 
+/// The camera of parallel light: a box along its direction that holds all occluders.
 fn parallel(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Camera> {
     let d = try_unit(light.vector)?;
     let up = up(d);
@@ -214,6 +219,7 @@ fn parallel(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Camera
     .ok()
 }
 
+/// The six cameras of a lamp, along both directions of each axis.
 fn around(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Camera>> {
     let position = light.vector;
     let far = points.map(|p| p.distance(position)).fold(0.0, f64::max);
@@ -238,12 +244,7 @@ fn around(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Came
 
 /// The map of a light, to be painted.
 fn made(light: &Light, occluders: &[Occluder]) -> Option<ShadowLight> {
-    let points = occluders
-        .iter()
-        .flat_map(|Occluder { mesh, world_from_object }| {
-            mesh.positions.iter().map(|&p| world_from_object.transform_point3(p))
-        })
-        .filter(|p| p.is_finite());
+    let points = occluders.iter().flat_map(|occluder| world_points(&occluder.mesh, &occluder.world_from_object));
     let shadows = light.shadows.held();
     let cameras = cameras(light, points)?;
     let scene = Scene { objects: occluders.iter().map(alone).collect(), ..Scene::default() };

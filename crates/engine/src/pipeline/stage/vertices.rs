@@ -1,6 +1,7 @@
 //! The loop over the vertices of an object. The stages Transform, Oblique window, Divide and Viewport in one go.
 //!
-//! *Textbook*: a pass over all vertices for each stage, or one 4 × 4 matrix for all of them up to the divide. *Here*:
+//! *Notes*: `[0]` §5.3, object → world → view → clip by M_m, M_v and M_p, then NDC by Eq. (5.6), and §5.5 for the pixel.
+//! `[2]`, *Transformações de um vértice*, draws the same way. *Textbook*: a pass over all vertices for each stage, or one 4 × 4 matrix for all of them up to the divide. *Here*:
 //! each vertex goes through all spaces while it's in registers, [`BLOCK`] vertices at a time with an array for each
 //! coordinate, so that the compiler makes vector instructions of every step (eight lanes of `f32`, four or eight of
 //! `f64`). That is why the four stages have one time in the report, and why a vertex outside the volume is divided
@@ -108,8 +109,8 @@ impl OnImage {
 impl VertexChunk<'_> {
     /// Takes the vertices from object space to the image. Returns the planes that any of them is outside of.
     ///
-    /// The arrays x, y and z hold first the way from the eye, then clip space. Each loop over [`BLOCK`] becomes vector
-    /// instructions, which is also why a short last block is worked on whole.
+    /// `x`, `y` and `depth` first hold p − C, then the clip point. The compiler turns each loop over [`BLOCK`] into
+    /// vector instructions. That's also why a short last block is worked on whole.
     #[inline(always)]
     fn fill<const GRID: bool>(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {
         let Vertices { projector, view_from_object, .. } = *vertices;

@@ -9,7 +9,7 @@ use crate::camera::{Camera, Ndc, Projection};
 use crate::geometry::Aabb;
 use crate::scene::Scene;
 
-use crate::pipeline::project::displayed_ndc;
+use crate::pipeline::canonical::displayed_ndc;
 use crate::views::{Request, View};
 
 /// A box in display space, from that of the notes: (x_n, y_n, −z_n) in \[−1, 1\]³.
@@ -114,7 +114,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
     use super::*;
     use crate::camera::{ImageSize, Parameters, Viewport};
-    use crate::pipeline::project::displayed_ndc;
+    use crate::pipeline::canonical::displayed_ndc;
 
     /// The displayed position, read as NDC, is that of the model.
     #[test]

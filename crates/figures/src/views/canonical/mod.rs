@@ -13,7 +13,7 @@ use crate::camera::Basis;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
 use crate::pipeline::Frame;
-use crate::pipeline::project::displayed_ndc;
+use crate::pipeline::canonical::displayed_ndc;
 use crate::scene::Scene;
 
 use super::observer::{Viewpoint, enclosing, on_side};

@@ -187,7 +187,7 @@ mod tests {
     use super::*;
     use crate::camera::{Camera, Parameters};
     use crate::figure::Figure;
-    use crate::pipeline::project::displayed_ndc;
+    use crate::pipeline::canonical::displayed_ndc;
     use crate::views::interact::hits::first_hit;
     use crate::views::observer::Viewpoint;
     use crate::views::unlabelled;

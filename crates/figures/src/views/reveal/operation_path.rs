@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::appearance::{Dash, MarkShape};
 use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
-use crate::pipeline::project::displayed_ndc;
+use crate::pipeline::canonical::displayed_ndc;
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::ghost::arc;

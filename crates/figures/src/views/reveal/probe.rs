@@ -6,7 +6,7 @@ use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
 use crate::camera::Projection;
 use crate::figure::NamedPoint;
 use crate::geometry::Aabb;
-use crate::pipeline::project::displayed_ndc;
+use crate::pipeline::canonical::displayed_ndc;
 use crate::sanitize;
 use crate::scene::Line;
 

@@ -8,10 +8,10 @@ use glam::{DMat4, DVec3};
 use crate::appearance::{Dash, LEVEL_COLORS, MarkShape, Rgba, Shading, TextureReveal};
 use crate::camera::{Camera, Ndc, Parameters, Projection, ViewWindow};
 use crate::figure::Outside;
+use crate::pipeline::canonical::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
-use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use crate::pipeline::{Frame, OverBudget, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 

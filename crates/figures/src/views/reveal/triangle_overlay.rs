@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
 use crate::camera::ImageSize;
 use crate::drawing::{Area, Drawing};
-use crate::pipeline::project::displayed_ndc;
+use crate::pipeline::canonical::displayed_ndc;
 use crate::scene::Line;
 
 use crate::figure::TriangleStep;

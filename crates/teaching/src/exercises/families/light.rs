@@ -14,7 +14,7 @@ use crate::numbers::random::Random;
 use crate::scene::palette::BLUE;
 use crate::scene::{Light, ObjectSpec, Preset, Shape};
 
-pub(super) const LIGHT: Entry = Entry::family("light", "[2], [3] §1.8", |seed, _| light(seed));
+pub(super) const LIGHT: Entry = Entry::family("light", "[2], [3] §1.1", |seed, _| light(seed));
 
 /// The shares of the program's own model: of a vertex that no lamp reaches, of a lamp that meets it squarely, and the
 /// white of the highlight.
@@ -379,7 +379,7 @@ fn steps(vertex: &Vertex) -> [Worked; 6] {
     let [ambient, diffuse, specular] =
         [("k_a", AMBIENT), ("k_d", DIFFUSE), ("k_s", SPECULAR)].map(|(name, value)| named(name, name, value));
     let unit_n = coordinates(N, n);
-    let source = "[2], [3] §1.8";
+    let source = "[2], [3] §1.1";
 
     let to_light = lamp_rows(Worked::new("to-light", source), vertex, 0, L);
     let given = coordinates(GIVEN_N, vertex.normal).map(Formula::from);
@@ -435,9 +435,9 @@ mod tests {
             let (p, c) = (vector("P"), vector("C"));
             // The eye is the origin of view space; whichever way it looks, light is the same.
             let mut lighting = Lighting {
-                ambient: crate::pipeline::light::AMBIENT,
-                diffuse: crate::pipeline::light::DIFFUSE,
-                specular: crate::pipeline::light::SPECULAR,
+                ambient: crate::pipeline::reflection::AMBIENT,
+                diffuse: crate::pipeline::reflection::DIFFUSE,
+                specular: crate::pipeline::reflection::SPECULAR,
                 #[expect(clippy::cast_possible_truncation, reason = "a few units")]
                 shininess: exponent as f32,
                 lights: vec![

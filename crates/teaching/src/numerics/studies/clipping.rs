@@ -16,7 +16,7 @@ use crate::numerics::measure::{Off, Trial, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
-use crate::pipeline::project::clipped_segment_of;
+use crate::pipeline::canonical::clipped_segment_of;
 use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
 
 /// Distance of the second end from the plane of the eye: behind it, or, in the harmless case, in front of it.

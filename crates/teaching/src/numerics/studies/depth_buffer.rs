@@ -18,8 +18,8 @@ use crate::numbers::random::Random;
 use crate::numerics::depth_format::{FORMATS, Format, Range, order};
 use crate::numerics::measure::{Off, Trial, bits_off};
 use crate::numerics::{Findings, Group, Lab, Method, Study, Unit};
+use crate::pipeline::canonical::depth_buffer_of;
 use crate::pipeline::depths::InView;
-use crate::pipeline::project::depth_buffer_of;
 use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
 
 const RATIOS: [f64; 7] = [10.0, 100.0, 1e3, 1e4, 1e5, 1e7, 1e9];

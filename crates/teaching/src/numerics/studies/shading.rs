@@ -17,7 +17,7 @@ use crate::numerics::measure::{Off, Trial, Watch, bits_off};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
-use crate::pipeline::light::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
+use crate::pipeline::reflection::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
 use crate::progress::pause;
 use crate::scene::primitives::{self, TORUS_RADIUS, TORUS_TUBE};
 use crate::scene::{Light, Mesh, ObjectSpec, Preset, Scene, SceneSpec, Shape};

@@ -16,7 +16,7 @@ use crate::numerics::measure::{Off, Trial, Watch, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
-use crate::pipeline::project::view_of;
+use crate::pipeline::canonical::view_of;
 
 const DISTANCES: [f64; 5] = [1.0, 1e3, 1e6, 1e9, 1e12];
 const CASES: [(&str, Projection); 2] = [("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
