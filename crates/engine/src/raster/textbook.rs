@@ -129,8 +129,8 @@ fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
 
 /// **Fill**: finds the samples of a pixel inside a triangle. The edge function E(p) = (b − a) × (p − a) of an edge a →
 /// b is positive on its inner side (Pineda 1988). If E = 0, the sample lies on the edge. The top-left rule then gives
-/// it to one of the two triangles at this edge: the one on the right of the edge, or below it if the edge is horizontal.
-/// All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
+/// it to one of the two triangles at this edge: the one on the right of the edge, or below it if the edge is
+/// horizontal. All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
 fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize> {
     let is_inside = |place: [i32; 2]| {
         let p = [0, 1].map(|k| i64::from(pixel[k] * STEPS + HALF + place[k]));
@@ -145,8 +145,8 @@ fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize>
 
 /// **Hidden surfaces**: the z-buffer of `[2]`. Depths are reversed, so the greater one is nearer. A sample stays if the
 /// triangle is nearer there than the stored depth. An opaque triangle then stores its own depth, a translucent one
-/// doesn't. Of equal depths the first one stays, while `<=` in `[2]` lets the last one win. In a drawing that is painted
-/// in order, every sample stays. `[3]` §1.1, step 8
+/// doesn't. Of equal depths the first one stays, while `<=` in `[2]` lets the last one win. In a drawing that is
+/// painted in order, every sample stays. `[3]` §1.1, step 8
 fn hidden_surfaces(
     covered: &mut Vec<usize>,
     pixel: &mut [Sample],
@@ -225,8 +225,8 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
 const BIAS: [f32; 2] = [0.5, 1.0 / 32.0];
 
 /// **Shadow**: finds the share of a lamp's light that arrives at a point. A texel of the shadow map hides the point if
-/// its depth is nearer to the lamp, that is greater, than the point's own with some tolerance (Williams 1978). The texels under a square around the point, the
-/// soft edge, are averaged (Reeves 1987). `[3]` §1.1, step 9
+/// its depth is nearer to the lamp, that is greater, than the point's own with some tolerance (Williams 1978). The
+/// texels under a square around the point, the soft edge, are averaged (Reeves 1987). `[3]` §1.1, step 9
 fn shadow(triangle: &Triangle, shadow: &Shadow, shares: [f32; 3]) -> f32 {
     let (map, bias, softness) = (&shadow.map, shadow.bias, shadow.map.softness.max(0.0));
     let Some(MapPoint { depths, x, y, z, slope: [dx, dy], step }) = MapPoint::new(triangle, shadow, shares) else {

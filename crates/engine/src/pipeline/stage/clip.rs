@@ -2,11 +2,11 @@
 //!
 //! *Notes*: `[2]`, *Clipping em coordenadas homogêneas*: inside means −w ≤ x, y, z ≤ w. *Interseção de reta com plano*:
 //! a cut lies at P = (d₁ P₂ + d₂ P₁)/(d₁ + d₂). `[3]` §1.1 step 5 and §1.7. It comes before the divide because a point
-//! behind the eye has w < 0, and the divide would put it in front. *Textbook*: Sutherland and Hodgman, every polygon against six planes.
-//! *Here*: the same for the few triangles that an outcode says cross a plane, and only against those planes; leaving
-//! out the others changes no bit. A cut is computed from the end inside to the end outside and set exactly onto its
-//! plane, so two triangles that share an edge get the same corner to the last bit, and no crack opens. [`distances`]
-//! tells the side of a plane, [`cut`] the point where an edge crosses it.
+//! behind the eye has w < 0, and the divide would put it in front. *Textbook*: Sutherland and Hodgman, every polygon
+//! against six planes. *Here*: the same for the few triangles that an outcode says cross a plane, and only against
+//! those planes; leaving out the others changes no bit. A cut is computed from the end inside to the end outside and
+//! set exactly onto its plane, so two triangles that share an edge get the same corner to the last bit, and no crack
+//! opens. [`distances`] tells the side of a plane, [`cut`] the point where an edge crosses it.
 
 use super::divide::divide;
 use super::faces::{Crossing, Faces, to_u32};

@@ -5,9 +5,9 @@
 //! the stages of an object, because light costs most and half of all faces were dropped meanwhile. The formula is in
 //! [`lighting`](crate::lighting), and [`reflection`](super::reflection) applies it to eight points at a time. This file
 //! decides which points those are ([`LitAt`]): one for each face (flat), the vertices of the remaining faces (Gouraud),
-//! or none, if the pixels are lit by the rasterizer (Phong), which then needs normals and positions. Light is multiplied
-//! into the colours. It stays apart from them under a texture, and if a shadow may take part of it away, because the
-//! pixel then needs both.
+//! or none, if the pixels are lit by the rasterizer (Phong), which then needs normals and positions. Light is
+//! multiplied into the colours. It stays apart from them under a texture, and if a shadow may take part of it away,
+//! because the pixel then needs both.
 
 use glam::{DMat4, DVec3};
 

@@ -275,8 +275,8 @@ impl<'a> Strokes<'a> {
         set.polylines.push(range(start, set.points.len()));
     }
 
-    /// The set for the next strokes of this style: the last one if it has the style, else a new one (true), whose arrays
-    /// still hold old content.
+    /// The set for the next strokes of this style: the last one if it has the style, else a new one (true), whose
+    /// arrays still hold old content.
     fn set(&mut self, style: LineStyle) -> (&mut StrokeSet, bool) {
         let is_new = self.sets.last().is_none_or(|set| set.style != style);
         if is_new {

@@ -1,8 +1,9 @@
 //! The shadow maps of the lights.
 //!
 //! *Notes*: `[3]` §1.1 step 9 names shadows, without a method. *Textbook*: the depths of a picture taken from the light
-//! (Williams 1978), six pictures around a lamp. *Here*: the same pipeline draws them. A map doesn't depend on the camera
-//! of the picture, so all pictures of a scene share it. It's made again only if the light or an occluder changes.
+//! (Williams 1978), six pictures around a lamp. *Here*: the same pipeline draws them. A map doesn't depend on the
+//! camera of the picture, so all pictures of a scene share it. It's made again only if the light or an occluder
+//! changes.
 
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

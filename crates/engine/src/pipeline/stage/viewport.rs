@@ -1,10 +1,11 @@
 //! **Viewport**: NDC → pixels, and from there to the grid of the image.
 //!
 //! *Notes*: `[0]` §5.5. The code is Eq. (5.24) for a viewport that fills the image, with y down as in (5.22). The depth
-//! needs no (5.25), because the divide has made it already. `[3]` §1.2 calls it the mapping to device coordinates. *Textbook*: a product, a sum and ⌊ ⌋ for each
-//! coordinate. *Here*: no ⌊ ⌋ to whole pixels, since a triangle with such corners would jump from pixel to pixel as it
-//! moves. [`snap`] rounds to 1/256 of a pixel instead, and only then leaves `f64`: the sums and products in which the
-//! rasterizer decides what a triangle covers are exact on that grid, so that neighbours never leave a gap or overlap.
+//! needs no (5.25), because the divide has made it already. `[3]` §1.2 calls it the mapping to device coordinates.
+//! *Textbook*: a product, a sum and ⌊ ⌋ for each coordinate. *Here*: no ⌊ ⌋ to whole pixels, since a triangle with such
+//! corners would jump from pixel to pixel as it moves. [`snap`] rounds to 1/256 of a pixel instead, and only then
+//! leaves `f64`: the sums and products in which the rasterizer decides what a triangle covers are exact on that grid,
+//! so that neighbours never leave a gap or overlap.
 
 use super::divide::clamp;
 use crate::drawing::single;
