@@ -1,12 +1,12 @@
 //! The gear that pictures add to a scene: lines, arrows, marks, texts, and the camera's body.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
 use crate::drawing::single;
-use crate::geometry::Angle;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
 use super::volume::DrawnVolume;
@@ -239,9 +239,10 @@ fn add_loft(mesh: &mut Mesh, from: &[DVec3], to: &[DVec3]) {
     add_polygon(mesh, to);
 }
 
-/// A circle about `center` in the plane of two vectors as long as its radius.
+/// A circle about `center` in the plane of two vectors as long as its radius. The pointer needs one in each frame, so it
+/// has the sines of `f64`, which are exact enough to look at.
 pub(in crate::views) fn circle(center: DVec3, a: DVec3, b: DVec3, corners: u32) -> Vec<DVec3> {
-    let turn = |i: u32| Angle::from_degrees(360.0 * f64::from(i) / f64::from(corners)).sin_cos();
+    let turn = |i: u32| (TAU * f64::from(i) / f64::from(corners)).sin_cos();
     (0..corners).map(turn).map(|(sin, cos)| center + a * cos + b * sin).collect()
 }
 
