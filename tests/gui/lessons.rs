@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::sync::Arc;
+
 use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::model::layout::Side;
@@ -18,9 +20,13 @@ use super::files::Folder;
 use super::window::Window;
 use crate::words::en;
 
-/// A window with a step of one of the program's lessons.
+/// A window with a step of one of the program's lessons. Pictures have one sample, because they take their time without
+/// optimisation.
 pub(crate) fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
-    let lesson = shipped()[lesson].lesson.clone();
+    let mut lesson = shipped()[lesson].lesson.clone();
+    for step in &mut Arc::make_mut(&mut lesson).steps {
+        Arc::make_mut(&mut step.figure).style.antialias = 1;
+    }
     let figure = (*lesson.steps[step].figure).clone();
     let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };
     let mut state = State::new(start).unwrap();
