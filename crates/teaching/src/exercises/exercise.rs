@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::follows::Follows;
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -41,6 +43,12 @@ pub struct Exercise {
 }
 
 impl Exercise {
+    /// With more facts in its statement.
+    pub(super) fn with_facts<F: Into<Fact>>(mut self, facts: impl IntoIterator<Item = (&'static str, F)>) -> Self {
+        self.facts.extend(facts.into_iter().map(|(name, fact)| (name, fact.into())));
+        self
+    }
+
     /// The figure with the right camera, where its picture is part of the statement.
     pub fn figure_to_match(&self) -> Option<Figure> {
         let shows = self.id == "match-picture";
@@ -89,6 +97,18 @@ pub enum Fact {
     Word(String),
     /// A word that each language has its own for: the name of its text.
     Text(&'static str),
+}
+
+impl From<f64> for Fact {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<DVec3> for Fact {
+    fn from(v: DVec3) -> Self {
+        Self::Tuple(v.to_array().to_vec())
+    }
 }
 
 /// A question of an exercise.
