@@ -12,8 +12,8 @@ use crate::appearance::{Dash, HiddenLines};
 use crate::camera::Basis;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
-use crate::pipeline::Frame;
 use crate::pipeline::canonical::displayed_ndc;
+use crate::pipeline::{Frame, Scenes};
 use crate::scene::Scene;
 
 use super::observer::{Viewpoint, enclosing, on_side};
@@ -121,7 +121,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     cube(&mut builder, &canonical, request.labels, palette);
     let fineness = screen.fineness(request, |p| screen.place(shown(request, &canonical, p)?));
     let lights = light_view::lights(request, &request.scene);
-    let scenes = scene.with(&builder.gear).with_fineness(fineness);
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(fineness);
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));

@@ -13,7 +13,7 @@ use crate::appearance::MarkShape;
 use crate::camera::{Camera, Factor};
 use crate::figure::Observer;
 use crate::geometry::Aabb;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, Scenes};
 
 use super::canonical_box::CanonicalBox;
 use crate::views::image::light_view;
@@ -193,7 +193,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     });
     let place = |p| screen.place(mapped(&matrix, canonical::shown(request, &the_box, p)?)?);
     let lights = light_view::lights(request, &request.scene);
-    let scenes = scene.with(&builder.gear).with_fineness(screen.fineness(request, place));
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, place));
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))

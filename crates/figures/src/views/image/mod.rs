@@ -15,7 +15,7 @@ use glam::DVec2;
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
-use crate::pipeline::{Frame, Reason, Stage, Target};
+use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
 use super::pixels::{PixelRect, Size, image_frame};
@@ -86,10 +86,9 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     triangle_overlay::in_image(&mut builder, request, palette);
     revealed.rows.extend(operation_path::in_image(&mut builder, request, palette));
     let lights = light_view::lights(request, &scene);
-    let scenes = scene
-        .with(&builder.gear)
+    let scenes = Scenes::new(&scene, &builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
-        .in_shadows_of(request.scene.alone())
+        .in_shadows_of(&request.scene)
         .lit_by(&lights);
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {
