@@ -96,7 +96,7 @@ impl Renderer {
     pub fn forget(&mut self) {
         self.on_window = None;
         for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
-            pipeline.forget();
+            pipeline.stages.forget();
         }
         self.beside.iter_mut().for_each(Self::forget);
     }

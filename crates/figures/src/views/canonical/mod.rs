@@ -90,7 +90,7 @@ pub(super) fn screen(request: &Request) -> Option<Screen> {
 /// The clipped and projected scene, in display space.
 pub(super) fn contents(request: &Request) -> Scene {
     let palette = Palette::of(request.shot.look.style.theme);
-    revealed_scene::in_canonical(request, None, palette).scene.into_owned()
+    revealed_scene::in_canonical(request, palette).scene.into_owned()
 }
 
 /// The observer of the picture.
@@ -106,11 +106,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let Some(screen) = screen(request) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
-    let clipped = (!request.shot.look.reveal.divide_first).then(|| pipeline.projected(request));
-    let mut revealed = revealed_scene::in_canonical(request, clipped.as_deref(), palette);
-    let (change, style) = gizmos::wired(style);
-    let of = clipped.as_ref().unwrap_or(&request.scene);
-    let scene = pipeline.scene(of, std::mem::take(&mut revealed.scene), change);
+    let mut revealed = revealed_scene::in_canonical(request, palette);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let mut builder = AnnotationBuilder::new(&screen);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);

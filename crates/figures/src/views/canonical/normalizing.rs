@@ -176,8 +176,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let screen = Screen::new(camera, PixelRect::whole(request.size), request.size.scale);
     let mut scene = canonical::contents(request);
     scene.project(&matrix);
-    let (change, style) = gizmos::wired(&request.shot.look.style);
-    let scene = pipeline.scene(&request.scene, Cow::Owned(scene), change);
+    let (scene, style) = gizmos::wired(Cow::Owned(scene), &request.shot.look.style);
     let mut builder = AnnotationBuilder::new(&screen);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;

@@ -29,7 +29,7 @@ use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{LegendRow, LegendText};
-use crate::views::world::gizmos::{AnnotationBuilder, SceneChange};
+use crate::views::world::gizmos::AnnotationBuilder;
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -78,8 +78,10 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
-    let change = greys.map(|_| SceneChange::Faces);
-    let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
+    let mut scene = std::mem::take(&mut revealed.scene);
+    if greys.is_some() {
+        depth::only(scene.to_mut());
+    }
     let mut builder = AnnotationBuilder::new(&screen);
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);

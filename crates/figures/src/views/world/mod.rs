@@ -54,8 +54,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     } else {
         revealed_scene::in_world(request, palette)
     };
-    let (change, style) = gizmos::wired(style);
-    let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let builder = AnnotationBuilder::new(&screen);
     let mut world = World {
         request,
