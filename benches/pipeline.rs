@@ -132,7 +132,6 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
         let end = Instant::now();
         let stages = STAGES.iter().map(|&stage| frame.report[stage as usize].time.unwrap_or_default());
         let times = stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect();
-        pipeline.recycle(frame.drawing);
         times
     });
 }

@@ -195,7 +195,6 @@ impl Renderer {
             return None;
         }
         *picture = pixmap.into();
-        self.pipelines[request.view.index()].stages.recycle(whole.drawing);
         Some(account)
     }
 
@@ -256,7 +255,6 @@ impl Renderer {
             return None;
         }
         let picture = Pixels::from(pixmap);
-        self.window_pipeline.stages.recycle(frame.drawing);
         let texture = Arc::new(picture.into_texture());
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))
