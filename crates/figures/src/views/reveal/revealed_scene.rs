@@ -212,7 +212,7 @@ impl PipelineReveal<'_> {
     }
 }
 
-/// The scene of the canonical volume, in its display space; `clipped`: that of the request, where it is used as it is.
+/// The scene of the canonical volume, in its display space.
 pub(in crate::views) fn in_canonical<'a>(request: &'a Request, palette: Palette) -> PipelineReveal<'a> {
     let reveal = request.shot.look.reveal;
     let shading = request.shot.look.style.shading;
