@@ -131,8 +131,7 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
         at_once(raster.paint_into(&frame.drawing, &mut pixmap));
         let end = Instant::now();
         let stages = STAGES.iter().map(|&stage| frame.report[stage as usize].time.unwrap_or_default());
-        let times = stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect();
-        times
+        stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect()
     });
 }
 
