@@ -355,7 +355,6 @@ impl Report {
     }
 
     /// The report with the other cameras of the figure.
-    #[must_use]
     pub fn with_cameras(self, figure: &Figure) -> Self {
         Self { cameras: figure.cameras.iter().filter_map(NamedCameraReport::new).collect(), ..self }
     }

@@ -129,7 +129,6 @@ impl Request {
     }
 
     /// The same picture with another shot, of which the part seen in it counts; where it is compared, on both sides.
-    #[must_use]
     pub fn with_shot(self, change: impl Fn(&mut Shot)) -> Self {
         let mut shot = Shot::clone(&self.shot);
         change(&mut shot);
@@ -140,7 +139,6 @@ impl Request {
     }
 
     /// The same picture with another observer. The image is seen by the camera alone.
-    #[must_use]
     pub fn seen_by(self, observer: Option<Observer>) -> Self {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }
     }

@@ -374,13 +374,11 @@ impl Ask {
     }
 
     /// The same ask with the quantity that its numbers measure.
-    #[must_use]
     pub fn in_unit(self, unit: Unit) -> Self {
         Self { unit, ..self }
     }
 
     /// The same ask with the nature of what it asks for.
-    #[must_use]
     pub fn of_nature(self, nature: Nature) -> Self {
         Self { nature, ..self }
     }
@@ -396,25 +394,21 @@ impl Ask {
     }
 
     /// The same ask with worked steps of its own.
-    #[must_use]
     pub fn worked_as(self, way: Vec<Worked>) -> Self {
         Self { way: Some(way), ..self }
     }
 
     /// With whole numbers.
-    #[must_use]
     pub fn whole(self) -> Self {
         Self { whole: true, ..self }
     }
 
     /// With a tolerance of its own.
-    #[must_use]
     pub fn within(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
     /// With another reading, in which `other` is right.
-    #[must_use]
     pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
         self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
         self
