@@ -23,7 +23,7 @@ use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Scenes, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Pictured, Scene, SceneRevision, Shadows, primitives};
+use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Pictured, Scene, Shadows, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
@@ -123,7 +123,7 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
         return;
     };
     let options = Options { clock: Some(clock::now), ..Options::default() };
-    let scenes = Scenes::from(scene).of_revision(SceneRevision::next());
+    let scenes = Scenes::from(scene);
     Least::row(name, frames, || {
         let start = Instant::now();
         let frame = pipeline.frame(scenes, &camera, target, style, options);
@@ -131,9 +131,7 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
         at_once(raster.paint_into(&frame.drawing, &mut pixmap));
         let end = Instant::now();
         let stages = STAGES.iter().map(|&stage| frame.report[stage as usize].time.unwrap_or_default());
-        let times = stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect();
-        pipeline.recycle(frame.drawing);
-        times
+        stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect()
     });
 }
 

@@ -8,7 +8,7 @@ use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Reason, Scenes, Stage, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, Scene, SceneRevision, Shadows, primitives};
+use camera_lab::scene::{Light, Mesh, Object, Scene, Shadows, primitives};
 use glam::{DMat4, DVec3};
 use proptest::prelude::*;
 
@@ -94,38 +94,6 @@ fn a_scene_that_changes_is_seen_as_it_is() {
         let drawn = |frame: &Frame| frame.plan.objects.iter().map(|object| object.drawn).collect::<Vec<_>>();
         assert_eq!(drawn(&old), drawn(&new), "step {step}");
         assert!(old.drawing == new.drawing, "step {step}");
-        if step % 3 == 0 {
-            kept.recycle(old.drawing);
-        }
-    }
-}
-
-#[test]
-fn a_scene_with_a_number_is_looked_at_when_the_number_changes_and_its_gear_always() {
-    let mesh = Arc::new(primitives::cube());
-    let (mut scene, mut gear) = (field(12, &mesh), field(2, &mesh));
-    let (mut kept, mut revision) = (Pipeline::default(), SceneRevision::next());
-    let style = Style { shading: Shading::Flat, ..Style::default() };
-    for step in 0..24_usize {
-        match step % 6 {
-            0 => gear.objects[0].world_from_object = DMat4::from_rotation_z(0.05 * step as f64),
-            1 => gear.objects.extend(field(1, &mesh).objects),
-            2 => gear.objects.truncate(1),
-            3 => {
-                scene.objects[5 * step % 60].world_from_object = DMat4::from_scale(DVec3::splat(0.3));
-                revision = SceneRevision::next();
-            }
-            4 => {
-                scene.objects.truncate(scene.objects.len() - 9);
-                revision = SceneRevision::next();
-            }
-            _ => {}
-        }
-        let draw = |pipeline: &mut Pipeline, scenes: Scenes| {
-            pipeline.frame(scenes, &above(), SMALL, &style, Options::default()).drawing
-        };
-        let known = draw(&mut kept, Scenes::new(&scene, &gear).of_revision(revision));
-        assert!(known == draw(&mut Pipeline::default(), Scenes::new(&scene, &gear)), "step {step}");
     }
 }
 
@@ -163,11 +131,10 @@ proptest! {
     fn a_pipeline_that_knows_a_scene_draws_and_reports_as_a_new_one(
         changes in prop::collection::vec(changes(), 1..12),
         side in 2..14_u32,
-        knows in any::<bool>(),
     ) {
         let mesh = Arc::new(primitives::cube());
         let (mut scene, mut gear) = (field(side, &mesh), Scene::default());
-        let (mut kept, mut revision) = (Pipeline::default(), SceneRevision::next());
+        let mut kept = Pipeline::default();
         for (change, [height, x, y, view_angle]) in changes {
             let count = scene.objects.len().max(1);
             match change {
@@ -186,9 +153,6 @@ proptest! {
                 Change::Shorter(by) => scene.objects.truncate(scene.objects.len().saturating_sub(by)),
                 Change::Longer(side) => scene.objects.extend(field(side, &mesh).objects),
             }
-            if !matches!(change, Change::Nothing | Change::Gear(_)) {
-                revision = SceneRevision::next();
-            }
             let camera = Camera::new(&Parameters {
                 position: DVec3::new(x, y, 8.0 + height),
                 focal_point: DVec3::new(0.7 * x, 0.8 * y, 0.0),
@@ -204,7 +168,7 @@ proptest! {
                 pipeline.frame(scenes, &camera, SMALL, &style, options)
             };
             let scenes = Scenes::new(&scene, &gear);
-            let known = draw(&mut kept, if knows { scenes.of_revision(revision) } else { scenes }, false);
+            let known = draw(&mut kept, scenes, false);
             let mut fresh = Pipeline::default();
             let new = draw(&mut fresh, scenes, false);
             prop_assert!(known.drawing == new.drawing);
@@ -235,7 +199,6 @@ proptest! {
                 Reason::Outside { outside: dropped, of: all().count() }
             };
             prop_assert_eq!(culled, said);
-            kept.recycle(known.drawing);
         }
     }
 }

@@ -368,8 +368,6 @@ proptest! {
         let planned = pipeline.frame(&scene, &camera, target, &style, Options::default());
         let mut raster = Rasterizer::default();
         let a = raster.paint(&planned.drawing).unwrap();
-        // In the memory of the first.
-        pipeline.recycle(planned.drawing);
         let forced = pipeline.frame(&scene, &camera, target, &style, FORCED);
         prop_assert!(forced.plan.stages.iter().all(|stage| stage.runs));
         let b = raster.paint(&forced.drawing).unwrap();

@@ -8,8 +8,9 @@ use serde_json::Value;
 
 use crate::camera::{
     Basis, Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, NotProjectable,
-    Operation, Parameters, Projection, Stations, ViewWindow, Viewport, Warning,
+    Operation, Parameters, Stations, ViewWindow, Viewport, Warning,
 };
+use crate::figure::words::{self, PROJECTIONS};
 use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 
@@ -354,7 +355,6 @@ impl Report {
     }
 
     /// The report with the other cameras of the figure.
-    #[must_use]
     pub fn with_cameras(self, figure: &Figure) -> Self {
         Self { cameras: figure.cameras.iter().filter_map(NamedCameraReport::new).collect(), ..self }
     }
@@ -462,10 +462,7 @@ impl CameraReport {
             position: three(p.position),
             focal_point: three(p.focal_point),
             view_up: three(p.view_up),
-            projection: match p.projection {
-                Projection::Perspective => "perspective",
-                Projection::Parallel => "parallel",
-            },
+            projection: words::name(PROJECTIONS, p.projection),
             view_angle: p.view_angle,
             height: p.height,
             aspect: p.aspect,

@@ -111,7 +111,6 @@ impl Texture {
 
     /// The same with all levels of detail: means over areas, in linear light, so that a level is as bright as the
     /// picture.
-    #[must_use]
     pub fn with_levels(self) -> Self {
         let mut levels = self.levels;
         levels.truncate(1);

@@ -69,7 +69,6 @@ impl OverBudget {
 
     /// Names no others than those that `is_known`. A picture has objects of its own besides the scene's. `None` if
     /// that leaves nothing.
-    #[must_use]
     pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {
         match self {
             Self::Pieces { mut objects } => {

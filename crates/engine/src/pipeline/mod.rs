@@ -64,7 +64,6 @@ use stage::cull_objects::cull_objects;
 use stage::faces::Faces;
 use stage::hidden_surfaces::{Unordered, hidden_surfaces};
 use stage::lines::{self, Strokes, lines};
-use stage::pool::Pool;
 pub use stage::reflection;
 use stage::reflection::Lights;
 pub use stage::shadow_maps::{ShadowMaps, light_cameras};
@@ -103,7 +102,6 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
 #[derive(Debug, Default)]
 pub struct Pipeline {
     faces: Faces,
-    pool: Pool,
     bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
@@ -159,8 +157,8 @@ impl Pipeline {
             options,
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
-        let (faces, pool) = (&mut self.faces, &mut self.pool);
-        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness, pool);
+        let faces = &mut self.faces;
+        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness);
         let mut unordered = Unordered::default();
 
         for (index, object, planned) in traverse(scenes, &plan) {
@@ -170,14 +168,14 @@ impl Pipeline {
             let pass = ObjectPass::new(index, object, planned, context);
             if planned.faces {
                 // Transform, oblique window, divide and viewport, in one loop over the vertices.
-                pass.transform(faces, pool);
+                pass.transform(faces);
                 recorder.transformed(&pass);
                 pass.cull_faces(faces);
                 recorder.culled(&pass, faces);
                 pass.clip(faces);
                 recorder.clipped(&pass, faces, unordered.surfaces.len());
                 // Normals and light. The notes have them second, but only faces that are left need any.
-                pass.light(faces, pool, &mut unordered);
+                pass.light(faces, &mut unordered);
                 recorder.meter.lap(Stage::Light);
             }
             let ends = pass.lines(&mut strokes);
@@ -203,7 +201,7 @@ impl Pipeline {
             painted_in_order: ordered.given_up.is_none()
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
             surfaces: ordered.surfaces,
-            strokes: strokes.into_sets(pool),
+            strokes: strokes.sets,
             marks,
             labels,
             ..Drawing::new(target.width, target.height, target.background)
@@ -224,10 +222,5 @@ impl Pipeline {
     /// Forgets all shadow maps. The next picture makes its own.
     pub fn forget(&mut self) {
         self.shadows.forget();
-    }
-
-    /// Takes back a drawing that is no longer needed, and makes the next one in its memory.
-    pub fn recycle(&mut self, drawing: Drawing) {
-        self.pool.keep(drawing);
     }
 }

@@ -10,7 +10,6 @@ use crate::pipeline::stage::faces::Faces;
 use crate::pipeline::stage::hidden_surfaces::Unordered;
 use crate::pipeline::stage::light::{Shaded, light};
 use crate::pipeline::stage::lines::{Strokes, object_lines};
-use crate::pipeline::stage::pool::Pool;
 use crate::pipeline::stage::reflection::Lights;
 use crate::pipeline::stage::shadow_maps::ShadowLight;
 use crate::pipeline::stage::vertices::Vertices;
@@ -51,10 +50,9 @@ impl<'a> ObjectPass<'a> {
     }
 
     /// Transform, oblique window, divide and viewport: takes each vertex of its faces through all spaces, once.
-    pub(crate) fn transform(&self, faces: &mut Faces, pool: &mut Pool) {
+    pub(crate) fn transform(&self, faces: &mut Faces) {
         let PassContext { projector, screen, .. } = self.context;
         let interpolates = projector.perspective && self.plan.interpolates(self.object);
-        pool.refill(faces);
         faces.image.fill::<true>(&self.vertices(), screen, self.plan.clip_planes != 0, interpolates);
     }
 
@@ -76,7 +74,7 @@ impl<'a> ObjectPass<'a> {
     }
 
     /// Lights the remaining faces, with their normals, and hands them on as a surface.
-    pub(crate) fn light(&self, faces: &mut Faces, pool: &mut Pool, into: &mut Unordered<'a>) {
+    pub(crate) fn light(&self, faces: &mut Faces, into: &mut Unordered<'a>) {
         let PassContext { plan, lights, .. } = self.context;
         let mesh = &self.object.mesh;
         let shaded = Shaded {
@@ -90,10 +88,10 @@ impl<'a> ObjectPass<'a> {
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
         };
         if plan.order == Visibility::DepthBuffer {
-            into.surfaces.extend(light(&shaded, faces, pool));
+            into.surfaces.extend(light(&shaded, faces));
         } else {
             let never_hides_itself = mesh.convex && mesh.closed && self.culls_back(faces) && faces.turned_over == 0;
-            if let Some(layer) = shaded.layer(faces, pool, never_hides_itself) {
+            if let Some(layer) = shaded.layer(faces, never_hides_itself) {
                 into.add_layer(self.object, layer);
             }
         }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
+use crate::scene::{Light, Line, Object, PointMark, Scene, Text};
 
 /// A scene and the gear of a picture. Objects, lines, marks and texts of the scene come first.
 #[derive(Clone, Copy, Debug)]
@@ -11,8 +11,6 @@ pub struct Scenes<'a> {
     gear: &'a Scene,
     /// The scene whose objects cast shadows.
     occluders: &'a Scene,
-    /// The number of the scene in which the occluders are, if it's known.
-    pub(crate) occluders_revision: Option<SceneRevision>,
     pub(crate) lights: &'a [Light],
     pub(crate) fineness: f32,
 }
@@ -28,13 +26,7 @@ impl<'a> From<&'a Scene> for Scenes<'a> {
 impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, occluders: scene, occluders_revision: None, lights: &scene.lights, fineness: 1.0 }
-    }
-
-    /// Sets the revision of the scene (not of the gear): as long as it stays the same, shadow maps stay too.
-    #[must_use]
-    pub fn of_revision(self, revision: SceneRevision) -> Self {
-        Self { occluders_revision: Some(revision), ..self }
+        Self { scene, gear, occluders: scene, lights: &scene.lights, fineness: 1.0 }
     }
 
     /// Draws edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their styles say,
@@ -46,9 +38,8 @@ impl<'a> Scenes<'a> {
 
     /// Takes the shadows of another scene: objects that aren't shown cast their shadows all the same.
     #[must_use]
-    pub fn in_shadows_of(self, other: impl Into<Self>) -> Self {
-        let other = other.into();
-        Self { occluders: other.scene, occluders_revision: other.occluders_revision, ..self }
+    pub fn in_shadows_of(self, other: &'a Scene) -> Self {
+        Self { occluders: other, ..self }
     }
 
     /// The objects that hide light: those with opaque faces. Gear hides none.

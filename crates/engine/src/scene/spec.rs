@@ -271,37 +271,31 @@ impl ObjectSpec {
     }
 
     /// The same object with another parent.
-    #[must_use]
     pub fn under(self, parent: impl Into<String>) -> Self {
         Self { parent: Some(parent.into()), ..self }
     }
 
     /// The same object at another place.
-    #[must_use]
     pub fn at(self, x: f64, y: f64, z: f64) -> Self {
         Self { translate: DVec3::new(x, y, z), ..self }
     }
 
     /// The same object, turned by degrees about x, then y, then z.
-    #[must_use]
     pub fn turned(self, x: f64, y: f64, z: f64) -> Self {
         Self { rotate: DVec3::new(x, y, z), ..self }
     }
 
     /// The same object, scaled along its own axes.
-    #[must_use]
     pub fn scaled(self, x: f64, y: f64, z: f64) -> Self {
         Self { scale: DVec3::new(x, y, z), ..self }
     }
 
     /// The same object in another colour.
-    #[must_use]
     pub fn colored(self, color: Rgba) -> Self {
         Self { color: Some(color), ..self }
     }
 
     /// The same object with another number of segments.
-    #[must_use]
     pub fn with_segments(self, segments: u32) -> Self {
         Self { segments, ..self }
     }

@@ -40,20 +40,17 @@ impl<'a> Setting<'a> {
     }
 
     /// The same setting with an object, for its M_m.
-    #[must_use]
     pub fn with_placement(self, placement: Placement) -> Self {
         Self { placement: Some(placement), ..self }
     }
 
     /// With a point of the world.
-    #[must_use]
     pub fn with_point(self, world: DVec3) -> Self {
         Self { point: Some(self.space.stations(world, self.image, &self.viewport)), local: None, ..self }
     }
 
     /// With the point to which a pixel with a depth leads back, as it is on that way: before anything is rounded to
     /// whole pixels.
-    #[must_use]
     pub fn with_way_back(self, way: &Unprojected) -> Self {
         let setting = self.with_point(way.world);
         let pixel = DVec2::from_array(way.pixel.map(|x| x as f64));
@@ -77,14 +74,12 @@ impl<'a> Setting<'a> {
     }
 
     /// With a point of the world, which is also seen from the object, if there is one.
-    #[must_use]
     pub fn with_point_seen_from_object(self, world: DVec3) -> Self {
         let local = self.placement.map(|placement| placement.world_from_object.inverse().transform_point3(world));
         Self { local, ..self.with_point(world) }
     }
 
     /// With a point of the object, if there is an object.
-    #[must_use]
     pub fn with_local_point(self, local: DVec3) -> Self {
         let Some(placement) = self.placement else { return self };
         Self { local: Some(local), ..self.with_point(placement.world_from_object.transform_point3(local)) }

@@ -38,26 +38,17 @@ impl PictureFormat {
 
     /// True if a picture may be without ground.
     pub const fn has_transparency(self) -> bool {
-        match self {
-            Self::Png | Self::WebP | Self::Svg | Self::Pdf | Self::Tex => true,
-            Self::Jpeg => false,
-        }
+        !matches!(self, Self::Jpeg)
     }
 
     /// True for vectors, whose size on paper does not follow from their pixels.
     pub const fn is_vector(self) -> bool {
-        match self {
-            Self::Svg | Self::Pdf | Self::Tex => true,
-            Self::Png | Self::WebP | Self::Jpeg => false,
-        }
+        matches!(self, Self::Svg | Self::Pdf | Self::Tex)
     }
 
     /// True for formats whose pictures are made for paper: a choice of one is a choice of centimetres.
     pub const fn is_for_paper(self) -> bool {
-        match self {
-            Self::Pdf | Self::Tex => true,
-            Self::Png | Self::WebP | Self::Jpeg | Self::Svg => false,
-        }
+        matches!(self, Self::Pdf | Self::Tex)
     }
 
     /// The usual one of [`endings`](Self::endings).

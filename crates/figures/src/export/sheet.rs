@@ -63,7 +63,6 @@ impl Layout {
     }
 
     /// The last picture replaced by several: those of another layout, which is as large.
-    #[must_use]
     pub fn ending_in(mut self, rest: &Self) -> Self {
         if let Some([left, top]) = self.corners.pop() {
             self.corners.extend(rest.corners.iter().map(|[x, y]| [left + x, top + y]));

@@ -108,53 +108,10 @@ impl Figure {
         self.lens.filter(|lens| lens.view_angle(self.camera.aspect) == self.camera.view_angle)
     }
 
-    /// All but the scene, which can be large, and but the observers and what is shown, which are no edits.
+    /// All but the scene, and but the observers and what is shown, which are no edits.
     #[must_use]
     pub fn without_scene(&self) -> Self {
-        let Self {
-            title,
-            caption,
-            camera,
-            lens,
-            tag,
-            cameras,
-            image,
-            undistorted,
-            photograph,
-            viewport,
-            scene: _,
-            points,
-            style,
-            reveal,
-            world,
-            observers: _,
-            show: _,
-            screen,
-            compare,
-            labels,
-        } = self;
-        Self {
-            title: title.clone(),
-            caption: caption.clone(),
-            camera: *camera,
-            lens: *lens,
-            tag: tag.clone(),
-            cameras: cameras.clone(),
-            image: *image,
-            undistorted: *undistorted,
-            photograph: photograph.clone(),
-            viewport: *viewport,
-            scene: SceneSpec::default(),
-            points: points.clone(),
-            style: *style,
-            reveal: *reveal,
-            world: *world,
-            observers: Observers::default(),
-            show: Show::default(),
-            screen: *screen,
-            compare: compare.clone(),
-            labels: labels.clone(),
-        }
+        Self { scene: SceneSpec::default(), observers: Observers::default(), show: Show::default(), ..self.clone() }
     }
 }
 

@@ -34,7 +34,6 @@ impl Comparison {
     }
 
     /// A comparison with another figure of the same scene: all of its camera, and its ways of drawing that differ.
-    #[must_use]
     pub fn with_figure(self, figure: &Figure, other: &Figure) -> Self {
         let document = document(&Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
         let camera = document.get("camera").and_then(Item::as_table_like);

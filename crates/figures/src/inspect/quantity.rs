@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use serde::Serialize;
 use serde_json::Value;
 
 use super::Report;
@@ -202,29 +201,10 @@ fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
 impl Quantity {
     /// Its numbers in a report; `None` if the report has none. A point behind the eye has no NDC.
     pub fn of(self, report: &Report) -> Option<Numbers> {
-        match self {
-            Self::Camera(key) => in_part(&report.camera, key.name()),
-            Self::CameraSide(side) => in_part(&report.camera.window?, side.name()),
-            Self::Direction => Some(column(report.dop)),
-            Self::Distance => Some(column([report.distance])),
-            Self::Axis(axis) => in_part(&report.basis, axis.name()),
-            Self::Window(number) => in_part(&report.window, number.name()),
-            Self::Lens(number) => in_part(&report.lens?, number.name()),
-            Self::Matrix(matrix) => {
-                let rows = match matrix {
-                    ReportMatrix::View => &report.view_matrix,
-                    ReportMatrix::Projection => &report.projection_matrix,
-                    ReportMatrix::ViewProjection => &report.view_projection_matrix,
-                    ReportMatrix::InverseView => &report.inverse_view_matrix,
-                    ReportMatrix::InverseProjection => &report.inverse_projection_matrix,
-                };
-                Some(Numbers { columns: 4, entries: rows.concat() })
-            }
-            Self::Corner(index) => report.volume_corners.get(index).map(|corner| column(*corner)),
-            Self::Plane(plane) => in_part(&report.planes, plane.name()),
-            Self::Point(index, number) => in_part(report.points.get(index)?, number.name()),
-            Self::Ray(index, number) => in_part(report.rays.get(index)?, number.name()),
-        }
+        let json = serde_json::to_value(report).ok()?;
+        let found = json.pointer(&format!("/{}", self.to_string().replace('.', "/")))?;
+        let columns = if matches!(self, Self::Matrix(_)) { 4 } else { 1 };
+        Some(Numbers { columns, entries: numbers(found)? })
     }
 
     /// The quantity of a path. The rest of the path is of entries of it.
@@ -251,15 +231,13 @@ impl Quantity {
     }
 }
 
-/// The number or the vector that a part of a report has under a key in JSON. 1 means true.
-fn in_part(part: &impl Serialize, key: &str) -> Option<Numbers> {
-    let part = serde_json::to_value(part).ok()?;
-    let number = |value: &Value| value.as_f64().or_else(|| value.as_bool().map(|is| f64::from(u8::from(is))));
-    let numbers: Option<Vec<f64>> = match part.get(key)? {
-        Value::Array(items) => items.iter().map(number).collect(),
-        single => number(single).map(|number| vec![number]),
-    };
-    numbers.map(column)
+/// The numbers of a JSON value, row by row. 1 means true.
+fn numbers(value: &Value) -> Option<Vec<f64>> {
+    match value {
+        Value::Array(rows) => rows.iter().map(numbers).collect::<Option<Vec<_>>>().map(|rows| rows.concat()),
+        Value::Bool(is) => Some(vec![f64::from(u8::from(*is))]),
+        single => single.as_f64().map(|number| vec![number]),
+    }
 }
 
 /// The path in the JSON of `inspect`.

@@ -182,7 +182,6 @@ impl Composite {
     }
 
     /// The same sheet, its pictures seen by the observers of another figure.
-    #[must_use]
     pub fn seen_by(mut self, other: &ObserverOf) -> Self {
         let requests = self.requests.into_iter().map(|own| {
             let observer = other.observer(&own);
@@ -193,7 +192,6 @@ impl Composite {
     }
 
     /// The same sheet, each picture with what its observer was to show: see [`Request::gone_back`].
-    #[must_use]
     pub fn gone_back(mut self) -> Self {
         self.requests = self.requests.into_iter().map(Request::gone_back).collect();
         self
@@ -206,7 +204,6 @@ impl Composite {
     }
 
     /// The same sheet, smaller by a factor, with letters and strokes: a preview.
-    #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "no more than it was")]
         let side = |side: u32| (side as f32 * factor.min(1.0)).round().max(1.0) as u32;

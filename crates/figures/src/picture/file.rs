@@ -44,7 +44,6 @@ pub struct Metadata {
 
 impl Metadata {
     /// The same for a file with this name.
-    #[must_use]
     pub fn for_file(self, path: &Path) -> Self {
         Self { stem: vector::stem(path), ..self }
     }

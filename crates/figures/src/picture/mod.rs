@@ -68,7 +68,6 @@ impl Pixels {
     }
 
     /// The picture without the empty background around its content, but for a margin in pixels.
-    #[must_use]
     pub fn cropped(mut self, margin: u32) -> Self {
         self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }

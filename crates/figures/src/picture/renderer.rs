@@ -24,22 +24,15 @@ use crate::views::{self, LabelPlace, Request, Side, Size, TimedPipeline, View, o
 /// *Guarantees*: equal requests give equal pixels, whatever has been drawn before.
 #[derive(Debug)]
 pub struct Renderer {
-    /// One for each picture. Each finds its own buffers again.
-    pipelines: [TimedPipeline; View::COUNT],
-    /// For the image that the view window of the world shows.
-    window_pipeline: TimedPipeline,
+    pipeline: TimedPipeline,
     /// The same for all pictures of a scene.
     shadow_maps: ShadowMaps,
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
     triangle: FollowedTriangle,
     shadows: FoundShadows,
-    /// The buffer of the other side of a comparison.
-    other_side: Pixels,
     /// The images whose differing pixels were counted last, and their share.
     counted: Option<([Request; 2], f64)>,
-    /// Counts them, so that the buffers of the pictures stay as they are.
-    counter: Option<Box<Self>>,
     /// For pictures that are made at the same time as its own.
     beside: Vec<Self>,
     clock: Option<fn() -> Duration>,
@@ -55,22 +48,16 @@ impl Default for Renderer {
 impl Renderer {
     /// A renderer that shares these shadow maps with others.
     fn sharing(shadow_maps: &ShadowMaps) -> Self {
-        let pipeline = || {
-            let mut pipeline = TimedPipeline::default();
-            pipeline.stages.share_shadows(shadow_maps);
-            pipeline
-        };
+        let mut pipeline = TimedPipeline::default();
+        pipeline.stages.share_shadows(shadow_maps);
         Self {
-            pipelines: std::array::from_fn(|_| pipeline()),
-            window_pipeline: pipeline(),
+            pipeline,
             shadow_maps: shadow_maps.clone(),
             rasterizer: Rasterizer::default(),
             on_window: None,
             triangle: FollowedTriangle::default(),
             shadows: FoundShadows::default(),
-            other_side: Pixels::default(),
             counted: None,
-            counter: None,
             beside: Vec::new(),
             clock: None,
             progress: Progress::default(),
@@ -87,17 +74,13 @@ impl Renderer {
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
         self.rasterizer.watch(progress);
-        for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
-            pipeline.stages.watch(progress);
-        }
+        self.pipeline.stages.watch(progress);
     }
 
     /// Forgets cached pictures and shadow maps. The next one is made from scratch, in the same memory.
     pub fn forget(&mut self) {
         self.on_window = None;
-        for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
-            pipeline.forget();
-        }
+        self.pipeline.stages.forget();
         self.beside.iter_mut().for_each(Self::forget);
     }
 
@@ -112,7 +95,7 @@ impl Renderer {
     /// compared, the report is that of the figure as it is, with the shortfall and the labels of either side.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
         let Some(sides) = request.sides() else { return self.one_into(request, picture, [0, 1]).await };
-        let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];
+        let mut pictures = [Pixels::default(), Pixels::default()];
         let of_other = self.one_into(&sides[1].request, &mut pictures[1], [0, 2]).await?;
         let mut account = self.one_into(&sides[0].request, &mut pictures[0], [1, 2]).await?;
         account.over_budget = account.over_budget.or(of_other.over_budget);
@@ -128,8 +111,6 @@ impl Renderer {
         let mut pixmap = whole.take_pixmap()?;
         pixmap.draw_pixmap(0, 0, over.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
         *picture = pixmap.into();
-        let [_, other] = pictures;
-        self.other_side = other;
         Some(account)
     }
 
@@ -141,10 +122,10 @@ impl Renderer {
         {
             return Some(*share);
         }
-        let counter = self.counter.get_or_insert_with(|| Box::new(Self::sharing(&self.shadow_maps)));
+        // Pictures of its own, and no part of the progress of these.
+        let mut counter = Self::sharing(&self.shadow_maps);
         let mut pictures = [Pixels::default(), Pixels::default()];
         for (request, picture) in requests.iter().zip(&mut pictures) {
-            // A picture of its own, and no part of this one's progress.
             Box::pin(counter.one_into(request, picture, [0, 1])).await?;
         }
         let share = differing_share(&pictures);
@@ -195,7 +176,6 @@ impl Renderer {
             return None;
         }
         *picture = pixmap.into();
-        self.pipelines[request.view.index()].stages.recycle(whole.drawing);
         Some(account)
     }
 
@@ -234,9 +214,8 @@ impl Renderer {
             ..request.clone()
         });
         let request = followed.as_ref().unwrap_or(request);
-        let pipeline = &mut self.pipelines[request.view.index()];
-        pipeline.clock = self.clock;
-        Some((views::frame(request, on_window.as_ref(), pipeline), time))
+        self.pipeline.clock = self.clock;
+        Some((views::frame(request, on_window.as_ref(), &mut self.pipeline), time))
     }
 
     /// The image that the window of the world shows. Drawn again only when its content has changed.
@@ -250,13 +229,13 @@ impl Renderer {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         self.rasterizer.measure(None);
-        let frame = views::frame(&image, None, &mut self.window_pipeline);
+        self.pipeline.clock = None;
+        let frame = views::frame(&image, None, &mut self.pipeline);
         let mut pixmap = Pixmap::new(1, 1)?;
         if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await || self.progress.is_cancelled() {
             return None;
         }
         let picture = Pixels::from(pixmap);
-        self.window_pipeline.stages.recycle(frame.drawing);
         let texture = Arc::new(picture.into_texture());
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))
@@ -321,9 +300,7 @@ mod tests {
 
     fn with_few_pieces() -> Renderer {
         let mut renderer = Renderer::default();
-        for pipeline in renderer.pipelines.iter_mut().chain([&mut renderer.window_pipeline]) {
-            pipeline.stages.max_pieces = Some(40);
-        }
+        renderer.pipeline.stages.max_pieces = Some(40);
         renderer
     }
 

@@ -154,7 +154,6 @@ impl Request {
     /// The same picture for a page or a file. Its observer goes back to where everything of interest is in the picture,
     /// if it was turned in a picture of another shape. A close look, of which most is outside anyway, goes back as far
     /// as the picture is narrower than those beside one another in a window.
-    #[must_use]
     pub fn gone_back(self) -> Self {
         /// So many times as far, it would be another picture.
         const CLOSE: f64 = 2.0;

@@ -12,8 +12,8 @@ use super::{
 use crate::camera::{Camera, Decomposition, Operation};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
-use crate::pipeline::{Output, Scenes};
-use crate::scene::{Scene, SceneRevision};
+use crate::pipeline::Output;
+use crate::scene::Scene;
 
 /// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,7 +129,6 @@ impl Request {
     }
 
     /// The same picture with another shot, of which the part seen in it counts; where it is compared, on both sides.
-    #[must_use]
     pub fn with_shot(self, change: impl Fn(&mut Shot)) -> Self {
         let mut shot = Shot::clone(&self.shot);
         change(&mut shot);
@@ -140,7 +139,6 @@ impl Request {
     }
 
     /// The same picture with another observer. The image is seen by the camera alone.
-    #[must_use]
     pub fn seen_by(self, observer: Option<Observer>) -> Self {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }
     }
@@ -218,7 +216,7 @@ impl Normalizing {
 }
 
 /// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have
-/// millions of vertices, and whoever keeps one makes another only when something in it has changed.
+/// millions of vertices, and a new one is made only when something in it has changed.
 #[derive(Clone, Debug, Default)]
 pub struct SharedScene(Arc<SceneWithBounds>);
 
@@ -228,33 +226,18 @@ struct SceneWithBounds {
     /// The box around the scene: with a million vertices it takes a while to find. By one thread: those of the pool
     /// would begin another picture of the scene meanwhile, which would wait for it.
     bounds: OnceLock<Option<Aabb>>,
-    revision: OnceLock<SceneRevision>,
 }
 
 impl SharedScene {
     /// Shares a scene.
     pub fn new(scene: Scene) -> Self {
-        Self(Arc::new(SceneWithBounds { scene, ..SceneWithBounds::default() }))
+        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::new() }))
     }
 
     /// Another scene, which is this one with marks in it: pictures frame it as they frame this one.
     #[must_use]
     pub fn marked(&self, scene: Scene) -> Self {
-        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()), ..SceneWithBounds::default() }))
-    }
-
-    /// The scene with the gear of a picture. As it is the same one, its objects are not looked at again.
-    pub fn with<'a>(&'a self, gear: &'a Scene) -> Scenes<'a> {
-        Scenes::new(self, gear).of_revision(self.revision())
-    }
-
-    /// The scene alone.
-    pub fn alone(&self) -> Scenes<'_> {
-        Scenes::from(&**self).of_revision(self.revision())
-    }
-
-    fn revision(&self) -> SceneRevision {
-        *self.0.revision.get_or_init(SceneRevision::next)
+        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()) }))
     }
 
     /// The box around the scene; `None` for an empty one.

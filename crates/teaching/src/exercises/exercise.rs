@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::follows::Follows;
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -41,6 +43,12 @@ pub struct Exercise {
 }
 
 impl Exercise {
+    /// With more facts in its statement.
+    pub(super) fn with_facts<F: Into<Fact>>(mut self, facts: impl IntoIterator<Item = (&'static str, F)>) -> Self {
+        self.facts.extend(facts.into_iter().map(|(name, fact)| (name, fact.into())));
+        self
+    }
+
     /// The figure with the right camera, where its picture is part of the statement.
     pub fn figure_to_match(&self) -> Option<Figure> {
         let shows = self.id == "match-picture";
@@ -89,6 +97,18 @@ pub enum Fact {
     Word(String),
     /// A word that each language has its own for: the name of its text.
     Text(&'static str),
+}
+
+impl From<f64> for Fact {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<DVec3> for Fact {
+    fn from(v: DVec3) -> Self {
+        Self::Tuple(v.to_array().to_vec())
+    }
 }
 
 /// A question of an exercise.
@@ -354,13 +374,11 @@ impl Ask {
     }
 
     /// The same ask with the quantity that its numbers measure.
-    #[must_use]
     pub fn in_unit(self, unit: Unit) -> Self {
         Self { unit, ..self }
     }
 
     /// The same ask with the nature of what it asks for.
-    #[must_use]
     pub fn of_nature(self, nature: Nature) -> Self {
         Self { nature, ..self }
     }
@@ -376,25 +394,21 @@ impl Ask {
     }
 
     /// The same ask with worked steps of its own.
-    #[must_use]
     pub fn worked_as(self, way: Vec<Worked>) -> Self {
         Self { way: Some(way), ..self }
     }
 
     /// With whole numbers.
-    #[must_use]
     pub fn whole(self) -> Self {
         Self { whole: true, ..self }
     }
 
     /// With a tolerance of its own.
-    #[must_use]
     pub fn within(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
     /// With another reading, in which `other` is right.
-    #[must_use]
     pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
         self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
         self

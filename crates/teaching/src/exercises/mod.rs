@@ -43,6 +43,8 @@ pub use subject::{Subject, place_of};
 pub use value::Table;
 pub use worked::Worked;
 
+use crate::numbers::random::Random;
+
 /// An exercise, or a family of them.
 #[derive(Clone, Debug)]
 pub struct Entry {
@@ -60,6 +62,8 @@ pub struct Entry {
 enum Make {
     /// From a seed, with numbers that the notes leave open.
     Shipped(fn(u64, &Free) -> Exercise),
+    /// From the numbers of a family for a seed.
+    Family(fn(&mut Random) -> Exercise),
     /// Read from a file.
     Own(Arc<Exercise>),
 }
@@ -72,14 +76,14 @@ impl Entry {
         Self { id: Cow::Borrowed(id), source, is_family: false, make: Make::Shipped(make) }
     }
 
-    const fn family(id: &'static str, source: &'static str, make: fn(u64, &Free) -> Exercise) -> Self {
-        Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Shipped(make) }
+    const fn family(id: &'static str, source: &'static str, make: fn(&mut Random) -> Exercise) -> Self {
+        Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Family(make) }
     }
 
     /// Its texts, in a lecturer's own exercise.
     pub fn texts(&self) -> Option<&OwnTexts> {
         match &self.make {
-            Make::Shipped(_) => None,
+            Make::Shipped(_) | Make::Family(_) => None,
             Make::Own(exercise) => exercise.texts.as_deref(),
         }
     }
@@ -88,6 +92,7 @@ impl Entry {
     pub fn exercise(&self, seed: u64, free: &Free) -> Exercise {
         let exercise = match &self.make {
             Make::Shipped(make) => make(seed, free),
+            Make::Family(make) => make(&mut families::numbers(&self.id, seed)),
             Make::Own(exercise) => Exercise::clone(exercise),
         };
         Exercise { id: self.id.clone().into_owned(), seed, ..exercise }

@@ -17,8 +17,8 @@ pub(super) fn with_point(mut subject: Subject, point: DVec3) -> Subject {
 
 /// The facts of every statement about a camera.
 fn placement(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
-    vec![("C", tuple(parameters.position)), ("PF", tuple(parameters.focal_point)), ("VUP", tuple(parameters.view_up))]
+    let Parameters { position, focal_point, view_up, .. } = *parameters;
+    vec![("C", position.into()), ("PF", focal_point.into()), ("VUP", view_up.into())]
 }
 
 /// The kind of projection with its parameters.

@@ -55,7 +55,6 @@ impl Worked {
     }
 
     /// The same step with a row. The number of `symbol` is `formula`.
-    #[must_use]
     pub fn row(mut self, symbol: Named, formula: Formula) -> Self {
         self.rows.push(FormulaRow { symbol: symbol.into(), formula, value: symbol.value });
         self

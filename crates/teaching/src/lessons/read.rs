@@ -75,13 +75,11 @@ fn questions(root: &mut Section<'_>, key: &'static str, faults: &mut Vec<Fault>)
         root.fault(key, Problem::TooMany { count, limit: MOST_QUESTIONS });
         return Vec::new();
     }
-    let question = |mut section: Section<'_>| {
+    let question = |section: &mut Section<'_>| {
         section.require("exercise", Allowed::Exercise);
-        let question = exercise(&mut section).map(|(id, seed)| Question { id, seed });
-        faults.extend(section.finish());
-        question
+        exercise(section).map(|(id, seed)| Question { id, seed })
     };
-    sections.into_iter().filter_map(question).collect()
+    sections.into_iter().filter_map(|section| section.finished(faults, question)).collect()
 }
 
 /// A text of one line, which has to be there.
@@ -135,7 +133,7 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
     } else {
         report.filter(|_| to_try.is_table()).map(|report| Task::Try(goal(to_try, &figure, &report, faults)))
     };
-    let links = links.into_iter().filter_map(|section| link(section, faults)).collect();
+    let links = links.into_iter().filter_map(|section| section.finished(faults, link)).collect();
     Step { title, text, notes, figure: Arc::new(figure), seconds, task, see, links }
 }
 
@@ -265,7 +263,7 @@ fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut
         until: conditions
             .into_iter()
             .take(MAX_CONDITIONS)
-            .filter_map(|section| condition(section, figure, report, faults))
+            .filter_map(|section| section.finished(faults, |section| condition(section, figure, report)))
             .collect(),
         way: written,
     };
@@ -282,11 +280,11 @@ fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut
     goal
 }
 
-fn condition(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut Vec<Fault>) -> Option<Condition> {
+fn condition(section: &mut Section<'_>, figure: &Figure, report: &Report) -> Option<Condition> {
     let [seen, hidden, path, key] = ["seen", "hidden", "quantity", "key"].map(|key| section.text(key));
     let angle = section.is_present("angle");
     let named = [angle, seen.is_some(), hidden.is_some(), path.is_some(), key.is_some()];
-    let condition = match (seen, hidden, path, key) {
+    match (seen, hidden, path, key) {
         _ if named.iter().filter(|is_named| **is_named).count() != 1 => {
             section.missing("quantity", Allowed::Either("quantity, angle, key, seen", "hidden"));
             None
@@ -298,10 +296,10 @@ fn condition(mut section: Section<'_>, figure: &Figure, report: &Report, faults:
             if known.is_none() {
                 section.refuse("quantity", Allowed::Quantity);
             }
-            let range = range(&mut section, path == "camera.view_angle");
+            let range = range(section, path == "camera.view_angle");
             known.zip(range).map(|(path, range)| Condition::Quantity { path, range })
         }
-        (.., Some(key)) => of_key(&mut section, key, figure),
+        (.., Some(key)) => of_key(section, key, figure),
         _ => {
             let paths = section.list("angle", Allowed::TwoVectors, QuantityPath::of);
             let between: Option<[QuantityPath; 2]> = paths.try_into().ok();
@@ -309,12 +307,10 @@ fn condition(mut section: Section<'_>, figure: &Figure, report: &Report, faults:
             if between.is_none() && section.faults.is_empty() {
                 section.refuse("angle", Allowed::TwoVectors);
             }
-            let range = range(&mut section, true);
+            let range = range(section, true);
             between.zip(range).map(|(between, range)| Condition::Angle { between, range })
         }
-    };
-    faults.extend(section.finish());
-    condition
+    }
 }
 
 /// `least` and `most`, of which one is there at least.
@@ -372,14 +368,14 @@ fn of_key(section: &mut Section<'_>, key: String, figure: &Figure) -> Option<Con
     }
 }
 
-fn link(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Link> {
+fn link(section: &mut Section<'_>) -> Option<Link> {
     let [note, lesson] = ["note", "lesson"].map(|key| section.text(key));
-    let exercise = section.is_present("exercise").then(|| exercise(&mut section)).flatten();
+    let exercise = section.is_present("exercise").then(|| exercise(section)).flatten();
     let step = section.integer("step", 1, MAX_LESSON_STEPS as i64, 1_usize) - 1;
     if section.is_present("step") && lesson.is_none() {
         section.refuse("step", Allowed::Either("note, exercise", "lesson"));
     }
-    let link = match (note, lesson, exercise) {
+    match (note, lesson, exercise) {
         (Some(note), None, None) => Some(Link::Note(note)),
         (None, Some(lesson), None) => Some(Link::Lesson(lesson, step)),
         (None, None, Some((id, seed))) => Some(Link::Exercise(id, seed)),
@@ -388,7 +384,5 @@ fn link(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Link> {
             section.missing("note", Allowed::Either("note, exercise", "lesson"));
             None
         }
-    };
-    faults.extend(section.finish());
-    link
+    }
 }

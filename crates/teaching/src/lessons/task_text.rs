@@ -130,7 +130,6 @@ impl TaskText {
     }
 
     /// The same with another kind, and with as many empty fields as that begins with.
-    #[must_use]
     pub fn with_kind(mut self, kind: TaskKind) -> Self {
         self.kind = kind;
         while kind == TaskKind::Choices && self.choices.len() < CHOICES {

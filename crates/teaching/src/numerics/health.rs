@@ -9,26 +9,19 @@ use crate::camera::{Camera, ImageSize, Parameters, Projection, Warning};
 use crate::geometry::Aabb;
 use crate::numbers::{nice_above, nice_below};
 
-/// A level of health.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Level {
-    /// No trouble.
-    Good,
-    /// Worth a look.
-    Fair,
-    /// The trouble shows, or will.
-    Poor,
-}
-
-impl Level {
-    /// Its name in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Good => "good",
-            Self::Fair => "fair",
-            Self::Poor => "poor",
-        }
+crate::worded! {
+    /// A level of health.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Level {
+        /// No trouble.
+        Good = "good",
+        /// Worth a look.
+        Fair = "fair",
+        /// The trouble shows, or will.
+        Poor = "poor",
     }
+    /// Its name in JSON.
+    pub fn name
 }
 
 crate::listed! {

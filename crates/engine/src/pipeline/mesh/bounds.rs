@@ -3,10 +3,6 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
-use glam::DVec3;
-use rayon::prelude::*;
-
-use super::chunks::CHUNK;
 use crate::geometry::Aabb;
 use crate::scene::Mesh;
 
@@ -44,22 +40,12 @@ impl KnownBounds {
 impl Bounds {
     /// `None` without a finite vertex.
     pub(crate) fn of(mesh: &Mesh) -> Option<Self> {
-        let stretches = || mesh.positions.par_chunks(CHUNK);
-        let aabb = match mesh.positions.len() {
-            0..CHUNK => mesh.bounds()?,
-            _ => stretches().filter_map(|some| Aabb::around(some.iter().copied())).reduce_with(Aabb::union)?,
-        };
+        let aabb = mesh.bounds()?;
         let middle = aabb.center();
-        let farthest = |some: &[DVec3]| {
-            some.iter().fold((0.0_f64, true), |(square, finite), p| {
-                let distance = (*p - middle).length_squared();
-                (square.max(distance), finite & distance.is_finite())
-            })
-        };
-        let (square, finite) = match mesh.positions.len() {
-            0..CHUNK => farthest(&mesh.positions),
-            _ => stretches().map(farthest).reduce(|| (0.0, true), |(a, b), (c, d)| (a.max(c), b & d)),
-        };
+        let (square, finite) = mesh.positions.iter().fold((0.0_f64, true), |(square, finite), p| {
+            let distance = (*p - middle).length_squared();
+            (square.max(distance), finite & distance.is_finite())
+        });
         Some(Self { aabb, radius: square.sqrt(), finite })
     }
 }

@@ -5,9 +5,10 @@ use crate::pipeline::space::planes::PlaneSet;
 use crate::scene::{FoundLight, Object, ObjectPaint};
 
 /// The place of an object, as far as the box and the ball around it tell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Containment {
     /// No vertices.
+    #[default]
     Empty,
     /// No point of it is in the volume. All of it is outside each of these planes.
     Outside(PlaneSet),
@@ -24,9 +25,10 @@ pub(crate) struct Extent {
 }
 
 /// The place of the light computation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LitAt {
     /// Nowhere: own colours.
+    #[default]
     Nowhere,
     /// Once for each face.
     Faces,
@@ -37,7 +39,7 @@ pub enum LitAt {
 }
 
 /// The plan of one object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ObjectPlan {
     /// The place of its bounding box.
     pub containment: Containment,
@@ -111,17 +113,7 @@ pub enum FacesDone {
 /// The plan of an object that is not drawn.
 impl From<Containment> for ObjectPlan {
     fn from(containment: Containment) -> Self {
-        Self {
-            containment,
-            drawn: false,
-            clip_planes: 0,
-            faces: false,
-            cull_back: false,
-            lit: LitAt::Nowhere,
-            shadowed: false,
-            translucent: false,
-            textured: false,
-        }
+        Self { containment, ..Self::default() }
     }
 }
 

@@ -249,24 +249,24 @@ impl Colored<'_> {
             let triangle = self.object.mesh.triangles[source as usize];
             (triangle, face_color(&self.object.paint, source, triangle))
         };
-        Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face))
+        Arc::new(light.faces(self.remake.sources.len(), face))
     }
 
     /// One colour for each vertex, lit by `light`.
     fn lit_vertices(&self, light: &ObjectLight, color: impl Fn(u32) -> Rgba + Sync + Send) -> Arc<Vec<Rgba>> {
-        let lit: Vec<Rgba> = light.vertices(Vec::new(), &[], color);
+        let lit: Vec<Rgba> = light.vertices(&[], color);
         Arc::new(self.remake.origins.iter().map(|origin| origin.of(|i| color_at(&lit, i))).collect())
     }
 
     /// The shares of a light.
     fn found(&self, light: &ObjectLight) -> FoundLight {
         if self.is_smooth() {
-            let shares: Vec<LightShare> = light.vertices(Vec::new(), &[], |_| WHITE);
+            let shares: Vec<LightShare> = light.vertices(&[], |_| WHITE);
             let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
             return FoundLight::Vertices(self.remake.origins.iter().map(|origin| origin.of(at)).collect());
         }
         let face = |k: usize| (self.object.mesh.triangles[self.remake.sources[k] as usize], WHITE);
-        FoundLight::Faces(light.faces(Vec::new(), self.remake.sources.len(), face))
+        FoundLight::Faces(light.faces(self.remake.sources.len(), face))
     }
 
     fn is_smooth(&self) -> bool {

@@ -7,9 +7,6 @@
 //! with them. The depths of the boxes also say how the depth buffer's range is best spent
 //! ([`DepthScale`](crate::pipeline::space::depths::DepthScale)).
 
-use glam::DMat4;
-use rayon::prelude::*;
-
 use super::project::clip_from_view;
 use super::transform::view_point;
 use crate::pipeline::mesh::bounds::{Bounds, KnownBounds};
@@ -21,20 +18,15 @@ use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::scene::Object;
 
-/// Objects that one task tests.
-const TASK: usize = 256;
-
 /// Compares each object with the volume, in the order of the scene. [`Plan`](crate::pipeline::plan::Plan) marks those
 /// outside, and [`traverse`](super::traverse::traverse) leaves them out.
 pub(crate) fn cull_objects(scenes: Scenes, projector: &Projector, known: &mut KnownBounds) -> Vec<Extent> {
-    let bounded = |object: &Object| (object.world_from_object, known.of(&object.mesh));
-    let objects: Vec<(DMat4, Option<Bounds>)> = scenes.objects().map(bounded).collect();
-    known.forget_gone(objects.len());
-    let extent = |(world_from_object, bounds): &(DMat4, Option<Bounds>)| match bounds {
-        Some(bounds) => containment(projector, &projector.view_from_object(*world_from_object), bounds),
+    known.forget_gone(scenes.object_count());
+    let extent = |object: &Object| match known.of(&object.mesh) {
+        Some(bounds) => containment(projector, &projector.view_from_object(object.world_from_object), &bounds),
         None => Extent { containment: Containment::Empty, in_view: InView::NOTHING },
     };
-    objects.par_iter().with_min_len(TASK).map(extent).collect()
+    scenes.objects().map(extent).collect()
 }
 
 /// Tests the bounding box and the bounding sphere against the six planes. Before the divide a distance is linear, so
@@ -96,7 +88,7 @@ mod tests {
     use super::*;
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
     use crate::geometry::Aabb;
-    use glam::{DQuat, DVec3};
+    use glam::{DMat4, DQuat, DVec3};
 
     /// Looks down −z.
     fn eye(position: DVec3, projection: Projection, window: ViewWindow, [near, far]: [f64; 2]) -> Projector {

@@ -12,7 +12,6 @@
 use glam::{DMat4, DVec3};
 
 use super::faces::{Faces, to_u32};
-use super::pool::Pool;
 use super::reflection::{Lights, ObjectLight};
 use super::shadow_maps::{SeenByLight, ShadowLight};
 use super::vertices::Vertices;
@@ -46,22 +45,20 @@ pub(crate) struct Shaded<'a> {
 }
 
 /// Lights the faces of an object and makes their surface. Takes the arrays of `faces`. `None` if no face is left.
-pub(crate) fn light(shaded: &Shaded, faces: &mut Faces, pool: &mut Pool) -> Option<Surface> {
+pub(crate) fn light(shaded: &Shaded, faces: &mut Faces) -> Option<Surface> {
     if faces.triangles.is_empty() {
         return None;
     }
     let light = ObjectLight::new(shaded.lights, &shaded.object.mesh, shaded.vertices, shaded.both_sides);
-    let shadows: Vec<Shadow> = shaded.shadows.iter().filter_map(|shadow| shaded.shadow(shadow, faces, pool)).collect();
+    let shadows: Vec<Shadow> = shaded.shadows.iter().filter_map(|shadow| shaded.shadow(shadow, faces)).collect();
     let (base, light) = match (shaded.lit, &shaded.object.paint) {
-        (LitAt::Nowhere, _) => shaded.own_base(faces, pool),
-        (LitAt::Pixels, _) => (shaded.own_base(faces, pool).0, shaded.per_pixel(faces, &light, pool)),
-        (LitAt::Faces, _) if shaded.keeps_light_apart() => shaded.light_apart_at_faces(faces, &light, &shadows, pool),
-        (LitAt::Faces, _) => (shaded.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
-        (LitAt::Vertices, _) if shaded.keeps_light_apart() => {
-            shaded.light_apart_at_vertices(faces, &light, &shadows, pool)
-        }
+        (LitAt::Nowhere, _) => shaded.own_base(faces),
+        (LitAt::Pixels, _) => (shaded.own_base(faces).0, shaded.per_pixel(faces, &light)),
+        (LitAt::Faces, _) if shaded.keeps_light_apart() => shaded.light_apart_at_faces(faces, &light, &shadows),
+        (LitAt::Faces, _) => (shaded.lit_faces(faces, &light), SurfaceLight::InBase),
+        (LitAt::Vertices, _) if shaded.keeps_light_apart() => shaded.light_apart_at_vertices(faces, &light, &shadows),
         (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(shaded.unshared(faces, &light, colors)),
-        (LitAt::Vertices, _) => (shaded.lit_vertices(faces, &light, pool), SurfaceLight::InBase),
+        (LitAt::Vertices, _) => (shaded.lit_vertices(faces, &light), SurfaceLight::InBase),
     };
     shaded.bend(faces);
     Some(Surface {
@@ -75,52 +72,40 @@ pub(crate) fn light(shaded: &Shaded, faces: &mut Faces, pool: &mut Pool) -> Opti
 
 impl Shaded<'_> {
     /// The colours of faces, and next to them the light on each face.
-    fn light_apart_at_faces(
-        &self,
-        faces: &Faces,
-        light: &ObjectLight,
-        shadows: &[Shadow],
-        pool: &mut Pool,
-    ) -> (Base, SurfaceLight) {
+    fn light_apart_at_faces(&self, faces: &Faces, light: &ObjectLight, shadows: &[Shadow]) -> (Base, SurfaceLight) {
         let base = match &self.object.paint {
             ObjectPaint::Vertices(_) => self.face_colors(faces),
-            _ => self.own_base(faces, pool).0,
+            _ => self.own_base(faces).0,
         };
         let shares = match self.of_only_lamp(shadows) {
-            Some(BlockedLight::Faces(taken)) => with_ambient(pool.shares(), taken, light),
-            _ => self.face_shares(faces, light, pool.shares()),
+            Some(BlockedLight::Faces(taken)) => with_ambient(taken, light),
+            _ => self.face_shares(faces, light),
         };
         (base, SurfaceLight::Faces(shares))
     }
 
     /// The colours of vertices, and next to them the light on each vertex.
-    fn light_apart_at_vertices(
-        &self,
-        faces: &Faces,
-        light: &ObjectLight,
-        shadows: &[Shadow],
-        pool: &mut Pool,
-    ) -> (Base, SurfaceLight) {
-        let base = self.own_base(faces, pool).0;
+    fn light_apart_at_vertices(&self, faces: &Faces, light: &ObjectLight, shadows: &[Shadow]) -> (Base, SurfaceLight) {
+        let base = self.own_base(faces).0;
         let shares = match self.of_only_lamp(shadows) {
             Some(BlockedLight::Vertices(taken)) => {
                 let own = taken.get(..self.vertices.len()).unwrap_or_default();
-                Self::at_cuts(faces, with_ambient(pool.shares(), own, light))
+                Self::at_cuts(faces, with_ambient(own, light))
             }
-            _ => Self::vertex_shares(faces, light, pool.shares()),
+            _ => Self::vertex_shares(faces, light),
         };
         (base, SurfaceLight::Vertices(shares))
     }
 
     /// The surface, with the data for sorting its faces.
-    pub(crate) fn layer(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Option<Layer> {
+    pub(crate) fn layer(&self, faces: &mut Faces, never_hides_itself: bool) -> Option<Layer> {
         let own = (0..self.vertex_count()).map(|i| self.vertices.view(i).0);
         let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i).0));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
         if self.shares_no_vertex() {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
         }
-        Some(Layer { surface: light(self, faces, pool)?, view, never_hides_itself })
+        Some(Layer { surface: light(self, faces)?, view, never_hides_itself })
     }
 
     /// True if [`unshared`](Self::unshared) makes the surface.
@@ -172,7 +157,7 @@ impl Shaded<'_> {
     }
 
     /// The object's colours as they are, with the light that has been found for them.
-    fn own_base(&self, faces: &Faces, pool: &mut Pool) -> (Base, SurfaceLight) {
+    fn own_base(&self, faces: &Faces) -> (Base, SurfaceLight) {
         let origins = || (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
         let in_world = self.object.in_world.as_ref();
         let light =
@@ -186,9 +171,8 @@ impl Shaded<'_> {
         if let ObjectPaint::Texture(Pictured { image, sampler, uv: own, tint, .. }) = &self.object.paint
             && faces.cuts.is_empty()
         {
-            // Nothing is new: the coordinates go into memory that is there.
-            let mut uv = pool.shares();
-            uv.clone_from(own);
+            // Nothing is new: the coordinates stay as they are.
+            let mut uv = Vec::clone(own);
             uv.resize(self.vertices.len(), [0.0; 2]);
             return (Base::Texture { image: image.clone(), sampler: *sampler, uv, tint: *tint }, light);
         }
@@ -196,14 +180,14 @@ impl Shaded<'_> {
     }
 
     /// Light at each face, whatever its colours.
-    fn face_shares(&self, faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
+    fn face_shares(&self, faces: &Faces, light: &ObjectLight) -> Vec<LightShare> {
         let triangles = &self.object.mesh.triangles;
-        light.faces(shares, faces.source.len(), |k| (triangles[faces.source[k] as usize], WHITE))
+        light.faces(faces.source.len(), |k| (triangles[faces.source[k] as usize], WHITE))
     }
 
     /// Light at each vertex, whatever its colour. Cuts interpolate between their neighbours.
-    fn vertex_shares(faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
-        Self::at_cuts(faces, light.vertices(shares, &faces.used, |_| WHITE))
+    fn vertex_shares(faces: &Faces, light: &ObjectLight) -> Vec<LightShare> {
+        Self::at_cuts(faces, light.vertices(&faces.used, |_| WHITE))
     }
 
     /// The light at the vertices of the mesh, and at the cuts between them.
@@ -230,7 +214,7 @@ impl Shaded<'_> {
     }
 
     /// The shadows of one light; `None` if the object is lit in the world, and not by this light.
-    fn shadow(&self, shadow: &ShadowLight, faces: &Faces, pool: &mut Pool) -> Option<Shadow> {
+    fn shadow(&self, shadow: &ShadowLight, faces: &Faces) -> Option<Shadow> {
         let mesh = &self.object.mesh;
         let (world_from_object, positions) = match &self.object.in_world {
             Some(in_world) => (DMat4::IDENTITY, &in_world.positions),
@@ -242,11 +226,9 @@ impl Shaded<'_> {
         };
         let seen: SeenByLight = shadow.sees(world_from_object);
         let place = |i: u32| seen.place(ObjectPoint(positions[i as usize]));
-        let mut places = pool.vectors.pop().unwrap_or_default();
         // Six faces share a vertex: its exact place, which their planes are made of, is found once.
-        let mut exact = std::mem::take(&mut pool.exact);
-        self.at_vertices(&mut exact, place);
-        self.at_vertices(&mut places, |i| exact[i as usize].as_vec3().to_array());
+        let exact = self.at_vertices(place);
+        let mut places = self.at_vertices(|i| exact[i as usize].as_vec3().to_array());
         let inverse_w = self.inverse_w();
         let of_cut = |cut: &VertexOrigin| {
             if inverse_w.is_empty() {
@@ -257,14 +239,12 @@ impl Shaded<'_> {
             cut.of(|i| place(i) * q(i)) / cut.of(q)
         };
         places.extend(faces.cuts.iter().map(|cut| of_cut(cut).as_vec3().to_array()));
-        let mut planes = pool.vectors.pop().unwrap_or_default();
-        planes.resize(faces.triangles.len(), [0.0; 3]);
+        let mut planes = vec![[0.0; 3]; faces.triangles.len()];
         each_chunk(&mut planes, |planes, first| {
             for (plane, &source) in planes.iter_mut().zip(&faces.source[first..]) {
                 *plane = seen.plane(mesh.triangles[source as usize].map(|i| exact[i as usize]));
             }
         });
-        pool.exact = exact;
         let alone = || {
             let lights = self.lights.only(shadow.light);
             ObjectLight::new(&lights, mesh, self.vertices, self.both_sides)
@@ -273,8 +253,8 @@ impl Shaded<'_> {
         let taken = match (found.map(|found| found_light(found, origins, &faces.source)), self.lit) {
             (Some(SurfaceLight::Faces(shares)), _) => BlockedLight::Faces(shares),
             (Some(SurfaceLight::Vertices(shares)), _) => BlockedLight::Vertices(shares),
-            (_, LitAt::Faces) => BlockedLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
-            (_, LitAt::Vertices) => BlockedLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
+            (_, LitAt::Faces) => BlockedLight::Faces(self.face_shares(faces, &alone())),
+            (_, LitAt::Vertices) => BlockedLight::Vertices(Self::vertex_shares(faces, &alone())),
             // Without light there is no shadow.
             (_, LitAt::Pixels | LitAt::Nowhere) => BlockedLight::Light(self.lights.place_of(shadow.light)),
         };
@@ -282,22 +262,21 @@ impl Shaded<'_> {
     }
 
     /// Light at each face.
-    fn lit_faces(&self, faces: &Faces, light: &ObjectLight, colors: Vec<Rgba>) -> Base {
+    fn lit_faces(&self, faces: &Faces, light: &ObjectLight) -> Base {
         let (triangles, paint) = (&self.object.mesh.triangles, &self.object.paint);
-        Base::Faces(light.faces(colors, faces.source.len(), |k| {
+        Base::Faces(light.faces(faces.source.len(), |k| {
             let (face, triangle) = (faces.source[k], triangles[faces.source[k] as usize]);
             (triangle, face_color(paint, face, triangle))
         }))
     }
 
     /// Light at each vertex. Cuts interpolate between their neighbours.
-    fn lit_vertices(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> Base {
-        let colors = pool.colors();
+    fn lit_vertices(&self, faces: &Faces, light: &ObjectLight) -> Base {
         let mut colors = match &self.object.paint {
-            ObjectPaint::Solid(color) => light.vertices(colors, &faces.used, |_| *color),
-            ObjectPaint::Vertices(own) => light.vertices(colors, &faces.used, |i| color_at(own, i)),
+            ObjectPaint::Solid(color) => light.vertices(&faces.used, |_| *color),
+            ObjectPaint::Vertices(own) => light.vertices(&faces.used, |i| color_at(own, i)),
             // Faces go through `unshared`, and light on a picture is kept apart from it.
-            ObjectPaint::Faces(_) | ObjectPaint::Texture(_) => return self.own_base(faces, pool).0,
+            ObjectPaint::Faces(_) | ObjectPaint::Texture(_) => return self.own_base(faces).0,
         };
         for cut in &faces.cuts {
             colors.push(cut.of(|i| colors[i as usize]));
@@ -306,12 +285,10 @@ impl Shaded<'_> {
     }
 
     /// Light at each pixel, from what is interpolated between the vertices.
-    fn per_pixel(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> SurfaceLight {
+    fn per_pixel(&self, faces: &Faces, light: &ObjectLight) -> SurfaceLight {
         let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
-        let mut normals = pool.vectors.pop().unwrap_or_default();
-        let mut positions = pool.vectors.pop().unwrap_or_default();
-        self.at_vertices(&mut normals, |i| normal(i).as_vec3().to_array());
-        self.at_vertices(&mut positions, |i| self.lights.position(view(i)));
+        let mut normals = self.at_vertices(|i| normal(i).as_vec3().to_array());
+        let mut positions = self.at_vertices(|i| self.lights.position(view(i)));
         for cut in &faces.cuts {
             normals.push(cut.of(normal).as_vec3().to_array());
             positions.push(self.lights.position(ViewPoint(cut.of(|i| view(i).0))));
@@ -319,14 +296,15 @@ impl Shaded<'_> {
         SurfaceLight::PerPixel(PixelLight { normals, positions, lighting: light.lighting.clone() })
     }
 
-    /// Fills an array, whatever was in it, with an attribute of every vertex of the mesh.
-    fn at_vertices<T: Default + Clone + Send>(&self, values: &mut Vec<T>, attribute: impl Fn(u32) -> T + Sync + Send) {
-        values.resize(self.vertices.len(), T::default());
-        each_chunk(values, |values, first| {
+    /// An attribute of every vertex of the mesh.
+    fn at_vertices<T: Default + Clone + Send>(&self, attribute: impl Fn(u32) -> T + Sync + Send) -> Vec<T> {
+        let mut values = vec![T::default(); self.vertices.len()];
+        each_chunk(&mut values, |values, first| {
             for (value, i) in values.iter_mut().zip(to_u32(first)..) {
                 *value = attribute(i);
             }
         });
+        values
     }
 
     /// Gouraud shading of faces that have colours of their own. No vertex is shared any more, so that each has one
@@ -357,9 +335,7 @@ impl Shaded<'_> {
 }
 
 /// The light of a lamp, and the ambient share with it: to the bit what is found for both together.
-fn with_ambient(mut shares: Vec<LightShare>, of_lamp: &[LightShare], light: &ObjectLight) -> Vec<LightShare> {
+fn with_ambient(of_lamp: &[LightShare], light: &ObjectLight) -> Vec<LightShare> {
     let ambient = light.lighting.ambient;
-    shares.clear();
-    shares.extend(of_lamp.iter().map(|[share, white]| [share + ambient, *white]));
-    shares
+    of_lamp.iter().map(|[share, white]| [share + ambient, *white]).collect()
 }

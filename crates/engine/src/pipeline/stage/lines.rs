@@ -14,9 +14,8 @@ use glam::DVec3;
 
 use super::clip::Clipper;
 use super::divide::divide;
-use super::pool::{Pool, StrokePool};
 use super::project::{clip_from_view, clip_from_world};
-use super::vertices::Vertices;
+use super::vertices::{OnImage, Vertices};
 use super::viewport::{unsnapped, viewport};
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Label, Mark, StrokeSet};
@@ -65,22 +64,14 @@ pub(crate) struct Strokes<'a> {
     fine: f32,
     background: Rgba,
     clipper: Clipper,
-    pool: StrokePool,
-    sets: Vec<StrokeSet>,
+    pub(crate) sets: Vec<StrokeSet>,
     /// Number of requested edges, polylines of outlines, lines, marks and texts.
     pub(crate) asked: usize,
 }
 
 impl<'a> Strokes<'a> {
-    pub(crate) fn new(
-        projector: &'a Projector,
-        screen: &'a Screen,
-        target: Target,
-        fineness: f32,
-        pool: &mut Pool,
-    ) -> Self {
+    pub(crate) fn new(projector: &'a Projector, screen: &'a Screen, target: Target, fineness: f32) -> Self {
         Self {
-            pool: std::mem::take(&mut pool.strokes),
             projector,
             screen,
             scale: target.scale,
@@ -135,7 +126,7 @@ impl<'a> Strokes<'a> {
             let known = edges.iter().filter(|edge| edge.iter().all(|&i| (i as usize) < vertices.len()));
             return known.map(|&edge| cut(self, edge)).sum();
         }
-        let mut ends = std::mem::take(&mut self.pool.ends);
+        let mut ends = OnImage::default();
         ends.fill::<false>(vertices, self.screen, true, false);
         let mut points = vertices.len();
         let style = LineStyle { width: line_style.width * self.fine, ..line_style };
@@ -156,7 +147,6 @@ impl<'a> Strokes<'a> {
                 }
             }
         }
-        self.pool.ends = ends;
         points
     }
 
@@ -165,9 +155,8 @@ impl<'a> Strokes<'a> {
         if edges.is_empty() {
             return;
         }
-        let (set, is_new) = self.set(style);
-        // The old content of a new set is overwritten.
-        let (first_point, first) = if is_new { (0, 0) } else { (set.points.len(), set.polylines.len()) };
+        let set = self.set(style);
+        let (first_point, first) = (set.points.len(), set.polylines.len());
         set.points.resize(first_point + 2 * edges.len(), [0.0; 3]);
         set.polylines.resize(first + edges.len(), 0..0);
         let (points, polylines) = (&mut set.points[first_point..], &mut set.polylines[first..]);
@@ -265,32 +254,19 @@ impl<'a> Strokes<'a> {
     }
 
     fn push(&mut self, run: &[[f32; 3]], style: LineStyle) {
-        let (set, is_new) = self.set(style);
-        if is_new {
-            set.points.clear();
-            set.polylines.clear();
-        }
+        let set = self.set(style);
         let start = set.points.len();
         set.points.extend_from_slice(run);
         set.polylines.push(range(start, set.points.len()));
     }
 
-    /// The set for the next strokes of this style: the last one if it has the style, else a new one (true), whose
-    /// arrays still hold old content.
-    fn set(&mut self, style: LineStyle) -> (&mut StrokeSet, bool) {
-        let is_new = self.sets.last().is_none_or(|set| set.style != style);
-        if is_new {
-            let (points, polylines) = self.pool.sets.pop().unwrap_or_default();
-            self.sets.push(StrokeSet { points, polylines, style });
+    /// The set for the next strokes of this style: the last one if it has the style, else a new one.
+    fn set(&mut self, style: LineStyle) -> &mut StrokeSet {
+        if self.sets.last().is_none_or(|set| set.style != style) {
+            self.sets.push(StrokeSet { points: Vec::new(), polylines: Vec::new(), style });
         }
         let last = self.sets.len() - 1;
-        (&mut self.sets[last], is_new)
-    }
-
-    /// All strokes, and their arrays back to the pool.
-    pub(crate) fn into_sets(self, pool: &mut Pool) -> Vec<StrokeSet> {
-        pool.strokes = self.pool;
-        self.sets
+        &mut self.sets[last]
     }
 }
 

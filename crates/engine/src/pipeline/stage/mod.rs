@@ -21,8 +21,8 @@
 //!
 //! A vertex goes through transform, projection, oblique window, divide and viewport in one loop, in [`vertices`]. The
 //! loop runs before culling and clipping, which need the vertices on the image and their sides of the planes. Corners
-//! that clipping makes follow on their own. [`faces`] and [`pool`] hold the buffers in between, [`shadow_maps`] the
-//! lights' own pictures.
+//! that clipping makes follow on their own. [`faces`] holds the buffers in between, [`shadow_maps`] the lights'
+//! own pictures.
 
 pub(crate) mod clip;
 pub(crate) mod cull_faces;
@@ -34,7 +34,6 @@ pub(crate) mod light;
 pub(crate) mod lines;
 pub(crate) mod normals;
 pub(crate) mod oblique;
-pub(crate) mod pool;
 pub(crate) mod project;
 pub mod reflection;
 pub(crate) mod shadow_maps;

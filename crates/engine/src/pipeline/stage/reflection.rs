@@ -147,12 +147,11 @@ impl<'a> ObjectLight<'a> {
     /// The colours of faces, each from its own normal, at its centroid. `face` gives corners and colour of the k-th.
     pub(crate) fn faces<L: OfLight>(
         &self,
-        colors: Vec<L>,
         count: usize,
         face: impl Fn(usize) -> ([u32; 3], Rgba) + Sync + Send,
     ) -> Vec<L> {
         let positions = self.vertices.positions;
-        self.lit(colors, count, |first, n, points| {
+        self.lit(count, |first, n, points| {
             for l in 0..n {
                 let (triangle, color) = face(first + l);
                 let [a, b, c] = triangle;
@@ -174,11 +173,10 @@ impl<'a> ObjectLight<'a> {
     /// The colours of the vertices in those groups of [`LANES`] that are `used`. Black for others.
     pub(crate) fn vertices<L: OfLight>(
         &self,
-        colors: Vec<L>,
         used: &[AtomicBool],
         color: impl Fn(u32) -> Rgba + Sync + Send,
     ) -> Vec<L> {
-        self.lit(colors, self.vertices.len(), |first, n, points| {
+        self.lit(self.vertices.len(), |first, n, points| {
             if used.get(first / LANES).is_some_and(|used| !used.load(Ordering::Relaxed)) {
                 return false;
             }
@@ -225,11 +223,10 @@ impl<'a> ObjectLight<'a> {
     /// they are wanted.
     fn lit<L: OfLight>(
         &self,
-        mut colors: Vec<L>,
         count: usize,
         points: impl Fn(usize, usize, &mut Points) -> bool + Sync + Send,
     ) -> Vec<L> {
-        colors.resize(count, L::UNLIT);
+        let mut colors = vec![L::UNLIT; count];
         each_chunk(&mut colors, |colors, first| {
             with_vectors!(simd => self.light(simd, colors, first, &points));
         });

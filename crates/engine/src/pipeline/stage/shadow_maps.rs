@@ -20,7 +20,7 @@ use crate::pipeline::scenes::Scenes;
 use crate::pipeline::seen_by_light;
 use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
-use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, SceneRevision, Shadows};
+use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, Shadows};
 
 /// F of the camera of a lamp, as a share of B: what is nearer casts no shadow.
 const NEAREST: f64 = 1e-4;
@@ -48,8 +48,6 @@ pub struct ShadowMaps(Arc<Mutex<Kept>>);
 #[derive(Debug, Default)]
 struct Kept {
     occluders: Arc<[Occluder]>,
-    /// Revision of the scene of the occluders, if known.
-    revision: Option<SceneRevision>,
     made: Vec<(Light, ShadowLight)>,
 }
 
@@ -113,9 +111,7 @@ fn casting(scenes: Scenes<'_>) -> impl Iterator<Item = (usize, Light)> {
 impl Kept {
     /// The things that hide light in a scene, and what is known of its lights that cast shadows.
     fn known(&mut self, scenes: Scenes) -> (Arc<[Occluder]>, Vec<Option<ShadowLight>>) {
-        let now = scenes.occluders_revision;
-        let before = std::mem::replace(&mut self.revision, now);
-        if (now.is_none() || before != now) && !self.holds(scenes) {
+        if !self.holds(scenes) {
             self.made.clear();
             let all = scenes.occluders();
             self.occluders = all

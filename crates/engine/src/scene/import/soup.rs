@@ -9,8 +9,9 @@ use glam::DVec3;
 
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
+use crate::scene::mesh::Mesh;
+use crate::scene::mesh::adjacency::places;
 use crate::scene::mesh::polygon::{self, Triangulator};
-use crate::scene::mesh::{Mesh, index_u32};
 use crate::scene::texture::CornerUv;
 
 /// The threshold for missing normals: faces that meet at less than this angle are smoothed together: cos 45°.
@@ -47,15 +48,7 @@ pub(crate) struct TooLarge;
 impl Soup {
     /// Makes points with equal coordinates one: in some formats a point is there once for each of its normals.
     pub(crate) fn weld(&mut self) {
-        let mut order: Vec<u32> = (0..index_u32(self.positions.len())).collect();
-        // + 0.0: −0 and 0 are one place.
-        let key = |i: u32| (self.positions[i as usize] + DVec3::ZERO).to_array().map(f64::to_bits);
-        order.sort_unstable_by_key(|&i| (key(i), i));
-        let mut first_of = vec![0; self.positions.len()];
-        for (k, &i) in order.iter().enumerate() {
-            let same = k > 0 && key(order[k - 1]) == key(i);
-            first_of[i as usize] = if same { first_of[order[k - 1] as usize] } else { i };
-        }
+        let first_of = places(&self.positions);
         if self.corner_normals.is_empty() && !self.normals.is_empty() {
             self.corner_normals.clone_from(&self.corners);
         }

@@ -65,11 +65,11 @@ impl Adjacency {
 }
 
 /// The first vertex at the place of each.
-fn places(positions: &[DVec3]) -> Vec<u32> {
+pub(crate) fn places(positions: &[DVec3]) -> Vec<u32> {
     // −0 is 0.
     let bits = |i: u32| (positions[i as usize] + DVec3::ZERO).to_array().map(f64::to_bits);
     let mut sorted: Vec<u32> = (0..).zip(positions).map(|(i, _)| i).collect();
-    sorted.sort_by_key(|&i| (bits(i), i));
+    sorted.sort_unstable_by_key(|&i| (bits(i), i));
     let mut places = vec![0; positions.len()];
     for same in sorted.chunk_by(|&i, &j| bits(i) == bits(j)) {
         for &i in same {

@@ -3,8 +3,6 @@
 mod difference;
 mod vary;
 
-use std::collections::{HashMap, VecDeque};
-
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::Figure;
@@ -210,26 +208,17 @@ impl Sources {
     /// Pairs tables with the same key, at the same place first, then in order.
     fn take_equal(&mut self, old: &[&Table], new: &[&Table], key: impl Fn(&Table) -> Option<String>) {
         let (rest_of_new, rest_of_old) = self.rest();
-        let mut places: HashMap<String, VecDeque<usize>> = HashMap::new();
-        let mut key_at: HashMap<usize, String> = HashMap::new();
-        for j in rest_of_old {
-            if let Some(key) = key(old[j]) {
-                places.entry(key.clone()).or_default().push_back(j);
-                key_at.insert(j, key);
-            }
+        if rest_of_new.is_empty() || rest_of_old.is_empty() {
+            return;
         }
-        let keys: Vec<(usize, String)> = rest_of_new.into_iter().filter_map(|i| Some((i, key(new[i])?))).collect();
-        for (i, key) in &keys {
-            if key_at.get(i) == Some(key) {
-                self.take(*i, *i);
-            }
-        }
-        for (i, key) in &keys {
-            let Some(places) = places.get_mut(key) else { continue };
-            while self.of_new[*i].is_none()
-                && let Some(j) = places.pop_front()
-            {
-                self.take(*i, j);
+        let keys = |tables: &[&Table]| tables.iter().map(|table| key(table)).collect::<Vec<_>>();
+        let (old, new) = (keys(old), keys(new));
+        let keyed = || rest_of_new.iter().copied().filter(|&i| new[i].is_some());
+        keyed().filter(|&i| old.get(i) == Some(&new[i])).for_each(|i| self.take(i, i));
+        for i in keyed() {
+            let free = rest_of_old.iter().find(|&&j| !self.taken[j] && old[j] == new[i]);
+            if let Some(&j) = free {
+                self.take(i, j);
             }
         }
     }

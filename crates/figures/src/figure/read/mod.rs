@@ -139,7 +139,7 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let [show_section, screen_section, compare_section, labels_section] =
         ["show", "screen", "compare", "labels"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
-    let (image, undistorted, photograph) = image(image_section, faults);
+    let (image, undistorted, photograph) = image_section.finished(faults, image);
     let (tag, camera, lens) = cameras::current(camera_section, faults);
     let cameras = cameras::cameras(camera_sections, &tag, faults);
     Figure {
@@ -151,12 +151,12 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         image,
         undistorted,
         photograph,
-        viewport: viewport(viewport_section, image, faults),
+        viewport: viewport_section.finished(faults, |section| viewport(section, image)),
         scene: scene::scene(scene_section, faults),
         points: points::points(point_sections, faults),
-        style: style(style_section, faults),
-        reveal: reveal(reveal_section, faults),
-        world: world(world_section, faults),
+        style: style_section.finished(faults, style),
+        reveal: reveal_section.finished(faults, reveal),
+        world: world_section.finished(faults, world),
         observers: observers(observers_section, faults),
         show: show::show(show_section, faults),
         screen: screen::screen(screen_section, faults),
@@ -216,7 +216,7 @@ fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindo
 }
 
 /// The size, whether the image is shown undistorted, and the photograph under it.
-fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (ImageSize, bool, Option<Photograph>) {
+fn image(section: &mut Section<'_>) -> (ImageSize, bool, Option<Photograph>) {
     let default = ImageSize::default();
     let size = ImageSize {
         width: section.integer("width", 1, i64::from(MAX_SIDE), default.width),
@@ -228,11 +228,10 @@ fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (ImageSize, bool,
     if section.is_present("photograph_opacity") && !section.is_present("photograph") {
         section.missing("photograph", Allowed::Text);
     }
-    faults.extend(section.finish());
     (size, undistorted, file.map(|file| Photograph { file, opacity }))
 }
 
-fn viewport(mut section: Section<'_>, image: ImageSize, faults: &mut Vec<Fault>) -> Option<Viewport> {
+fn viewport(section: &mut Section<'_>, image: ImageSize) -> Option<Viewport> {
     let given = !section.is_empty();
     let viewport = Viewport {
         x: section.integer("x", -MAX_OFFSET, MAX_OFFSET, 0),
@@ -242,26 +241,23 @@ fn viewport(mut section: Section<'_>, image: ImageSize, faults: &mut Vec<Fault>)
         depth_near: section.number_in("depth_near", 0.0, 1.0, 0.0),
         depth_far: section.number_in("depth_far", 0.0, 1.0, 1.0),
     };
-    faults.extend(section.finish());
     given.then_some(viewport)
 }
 
-fn style(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Style {
+fn style(section: &mut Section<'_>) -> Style {
     let default = Style::default();
-    let style = Style {
+    Style {
         shading: section.word("shading", SHADINGS, default.shading),
         visibility: section.word("visibility", VISIBILITIES, default.visibility),
         hidden_lines: section.word("hidden_lines", HIDDEN_LINES, default.hidden_lines),
         antialias: section.integer_of("antialias", &[1, 4, 16], default.antialias),
         theme: section.word("theme", THEMES, default.theme),
         depth_format: section.word("depth_format", DEPTH_FORMATS, default.depth_format),
-    };
-    faults.extend(section.finish());
-    style
+    }
 }
 
-fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
-    let reveal = Reveal {
+fn reveal(section: &mut Section<'_>) -> Reveal {
+    Reveal {
         depth: section.switch_or("depth", [Depth::Off, Depth::Stored], DEPTHS),
         outside: section.word("outside", OUTSIDES, Outside::Usual),
         clipping: section.switch("clipping"),
@@ -271,24 +267,20 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
         single_precision: section.switch("single_precision"),
         texture: section.choice("texture", TEXTURE_REVEALS),
         shadows: section.choice("shadows", SHADOW_REVEALS),
-    };
-    faults.extend(section.finish());
-    reveal
+    }
 }
 
-fn world(mut section: Section<'_>, faults: &mut Vec<Fault>) -> WorldLook {
+fn world(section: &mut Section<'_>) -> WorldLook {
     let [shortest, longest] = AXES_LENGTHS;
     let window_opacity = section.optional_in("window_opacity", 0.0, 1.0, 1.0);
     let axes_length = section.optional_in("axes_length", shortest, longest, 1.0);
-    let world = WorldLook {
+    WorldLook {
         section: section.switch("section"),
         dimensions: section.switch("dimensions"),
         window_opacity,
         axes_length,
-        parts: world_parts(&mut section),
-    };
-    faults.extend(section.finish());
-    world
+        parts: world_parts(section),
+    }
 }
 
 fn world_parts(section: &mut Section<'_>) -> WorldParts {
@@ -305,22 +297,20 @@ fn observers(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observers {
     let (has_world, has_canonical) = (section.is_present("world"), section.is_present("canonical"));
     faults.extend(section.finish());
     Observers {
-        world: has_world.then(|| observer(world, faults)),
-        canonical: has_canonical.then(|| observer(canonical, faults)),
+        world: has_world.then(|| world.finished(faults, observer)),
+        canonical: has_canonical.then(|| canonical.finished(faults, observer)),
     }
 }
 
-fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
-    let observer = Observer {
+fn observer(section: &mut Section<'_>) -> Observer {
+    Observer {
         target: section.vector("target", DVec3::ZERO),
         distance: section.positive("distance", 10.0),
         azimuth: section.angle("azimuth", 30.0),
         elevation: section.quantity_in("elevation", Dimension::Angle, -90.0, 90.0, 20.0),
         roll: section.angle("roll", 0.0),
         parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
-    };
-    faults.extend(section.finish());
-    observer
+    }
 }
 
 /// The line of a place in the text, counted from 1.

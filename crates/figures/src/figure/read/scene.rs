@@ -26,8 +26,15 @@ pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneS
     let mut places = Places::default();
     let spec = SceneSpec {
         preset,
-        objects: objects.into_iter().enumerate().map(|(i, o)| read_object(i, o, &mut places, faults)).collect(),
-        lights: lights.into_iter().filter_map(|light| read_light(light, &mut places, faults)).collect(),
+        objects: objects
+            .into_iter()
+            .enumerate()
+            .map(|(i, o)| o.finished(faults, |o| read_object(i, o, &mut places)))
+            .collect(),
+        lights: lights
+            .into_iter()
+            .filter_map(|light| light.finished(faults, |light| read_light(light, &mut places)))
+            .collect(),
     };
     if let Err(error) = check(&spec) {
         faults.push(places.fault(&spec, error));
@@ -79,28 +86,26 @@ fn near_parent(spec: &SceneSpec, error: &SceneError) -> Option<String> {
     near::by_letters(parent, all.filter(|other| other != name))
 }
 
-fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> ObjectSpec {
+fn read_object(index: usize, section: &mut Section<'_>, places: &mut Places) -> ObjectSpec {
     const KEYS: [&str; 6] = ["name", "parent", "translate", "rotate", "scale", "segments"];
     let keys = KEYS.iter().filter_map(|key| Some((*key, section.place(key)?))).collect();
     places.objects.push((section.at, keys));
-    let shape = read_shape(&mut section);
+    let shape = read_shape(section);
     let segments = Shape::usual_segments(shape.as_ref());
-    let object = ObjectSpec {
+    ObjectSpec {
         name: section.text("name").unwrap_or_else(|| default_name(index)),
         shape,
         parent: section.text("parent"),
         translate: section.vector("translate", DVec3::ZERO),
         rotate: section.angles("rotate", DVec3::ZERO),
-        scale: read_scale(&mut section),
+        scale: read_scale(section),
         color: section.color("color"),
         segments: section.integer("segments", i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS), segments),
         texture: section.text("texture").map(|text| TextureSource::of(&text)),
         wrap: section.choice("wrap", Wrap::NAMED),
         filter: section.choice("filter", Filter::NAMED),
-        texture_scale: read_texture_scale(&mut section),
-    };
-    faults.extend(section.finish());
-    object
+        texture_scale: read_texture_scale(section),
+    }
 }
 
 /// The name of an object without one.
@@ -141,7 +146,7 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
     })
 }
 
-fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> Option<Light> {
+fn read_light(section: &mut Section<'_>, places: &mut Places) -> Option<Light> {
     section.require("kind", Allowed::word_of(LIGHTS));
     let light = section.choice("kind", LIGHTS).map(|kind| {
         let (key, default) = kind.vector();
@@ -149,18 +154,17 @@ fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fa
         if kind == LightKind::Directional && vector == DVec3::ZERO {
             section.refuse(key, Allowed::NonZeroVector);
         }
-        let shadows = read_shadows(&mut section);
+        let shadows = read_shadows(section);
         places.lights.push(section.place(key).unwrap_or(section.at));
         Light { kind, vector, shadows }
     });
     if light.is_none() {
-        read_shadows(&mut section);
+        read_shadows(section);
         // The keys of this kind are not known; the kind is the fault to report.
         for (_, kind) in LIGHTS {
             section.vector(kind.vector().0, DVec3::ZERO);
         }
     }
-    faults.extend(section.finish());
     light
 }
 

@@ -507,6 +507,13 @@ impl<'a> Section<'a> {
         is_good
     }
 
+    /// The result of `read`, once the section is finished.
+    pub fn finished<T>(mut self, faults: &mut Vec<Fault>, read: impl FnOnce(&mut Self) -> T) -> T {
+        let found = read(&mut self);
+        faults.extend(self.finish());
+        found
+    }
+
     /// The faults of the section, those of unknown keys included.
     pub fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self

@@ -61,7 +61,7 @@ impl Renderer {
         for Request { scene, .. } in shaded {
             // Maps of one scene at a time are kept.
             if painted.get_or_insert(scene) == &scene {
-                for map in self.shadow_maps.of_scene(scene.alone()) {
+                for map in self.shadow_maps.of_scene((&**scene).into()) {
                     self.rasterizer.paint_shadows(&map).await;
                 }
             }

@@ -12,8 +12,8 @@ use crate::appearance::{Dash, HiddenLines};
 use crate::camera::Basis;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
-use crate::pipeline::Frame;
 use crate::pipeline::canonical::displayed_ndc;
+use crate::pipeline::{Frame, Scenes};
 use crate::scene::Scene;
 
 use super::observer::{Viewpoint, enclosing, on_side};
@@ -90,7 +90,7 @@ pub(super) fn screen(request: &Request) -> Option<Screen> {
 /// The clipped and projected scene, in display space.
 pub(super) fn contents(request: &Request) -> Scene {
     let palette = Palette::of(request.shot.look.style.theme);
-    revealed_scene::in_canonical(request, None, palette).scene.into_owned()
+    revealed_scene::in_canonical(request, palette).scene.into_owned()
 }
 
 /// The observer of the picture.
@@ -106,11 +106,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let Some(screen) = screen(request) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
-    let clipped = (!request.shot.look.reveal.divide_first).then(|| pipeline.projected(request));
-    let mut revealed = revealed_scene::in_canonical(request, clipped.as_deref(), palette);
-    let (change, style) = gizmos::wired(style);
-    let of = clipped.as_ref().unwrap_or(&request.scene);
-    let scene = pipeline.scene(of, std::mem::take(&mut revealed.scene), change);
+    let mut revealed = revealed_scene::in_canonical(request, palette);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let mut builder = AnnotationBuilder::new(&screen);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);
@@ -121,7 +118,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     cube(&mut builder, &canonical, request.labels, palette);
     let fineness = screen.fineness(request, |p| screen.place(shown(request, &canonical, p)?));
     let lights = light_view::lights(request, &request.scene);
-    let scenes = scene.with(&builder.gear).with_fineness(fineness);
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(fineness);
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));

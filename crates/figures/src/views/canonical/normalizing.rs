@@ -13,7 +13,7 @@ use crate::appearance::MarkShape;
 use crate::camera::{Camera, Factor};
 use crate::figure::Observer;
 use crate::geometry::Aabb;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, Scenes};
 
 use super::canonical_box::CanonicalBox;
 use crate::views::image::light_view;
@@ -176,8 +176,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let screen = Screen::new(camera, PixelRect::whole(request.size), request.size.scale);
     let mut scene = canonical::contents(request);
     scene.project(&matrix);
-    let (change, style) = gizmos::wired(&request.shot.look.style);
-    let scene = pipeline.scene(&request.scene, Cow::Owned(scene), change);
+    let (scene, style) = gizmos::wired(Cow::Owned(scene), &request.shot.look.style);
     let mut builder = AnnotationBuilder::new(&screen);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;
@@ -193,7 +192,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     });
     let place = |p| screen.place(mapped(&matrix, canonical::shown(request, &the_box, p)?)?);
     let lights = light_view::lights(request, &request.scene);
-    let scenes = scene.with(&builder.gear).with_fineness(screen.fineness(request, place));
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, place));
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))

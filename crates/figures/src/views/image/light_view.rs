@@ -47,7 +47,7 @@ pub(in crate::views) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'
 /// lights. `lights`: those of the world as the figure reveals them.
 pub(in crate::views) fn shadowed<'a>(scenes: Scenes<'a>, request: &'a Request, lights: &'a [Light]) -> Scenes<'a> {
     if lights.iter().any(|light| light.shadows.cast) {
-        scenes.in_shadows_of(request.scene.alone()).lit_by(lights)
+        scenes.in_shadows_of(&request.scene).lit_by(lights)
     } else {
         scenes
     }

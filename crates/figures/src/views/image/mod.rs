@@ -15,7 +15,7 @@ use glam::DVec2;
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
-use crate::pipeline::{Frame, Reason, Stage, Target};
+use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
 use super::pixels::{PixelRect, Size, image_frame};
@@ -29,7 +29,7 @@ use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{LegendRow, LegendText};
-use crate::views::world::gizmos::{AnnotationBuilder, SceneChange};
+use crate::views::world::gizmos::AnnotationBuilder;
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -78,18 +78,19 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
-    let change = greys.map(|_| SceneChange::Faces);
-    let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
+    let mut scene = std::mem::take(&mut revealed.scene);
+    if greys.is_some() {
+        depth::only(scene.to_mut());
+    }
     let mut builder = AnnotationBuilder::new(&screen);
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
     revealed.rows.extend(operation_path::in_image(&mut builder, request, palette));
     let lights = light_view::lights(request, &scene);
-    let scenes = scene
-        .with(&builder.gear)
+    let scenes = Scenes::new(&scene, &builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
-        .in_shadows_of(request.scene.alone())
+        .in_shadows_of(&request.scene)
         .lit_by(&lights);
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {

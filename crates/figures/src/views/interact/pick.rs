@@ -5,12 +5,11 @@ use std::borrow::Cow;
 use glam::{DVec2, DVec3};
 
 use crate::camera::Camera;
-use crate::geometry::Ray;
 use crate::scene::Scene;
 
 use super::hits::{can_be_seen, crossing, faced, fronts_only, triangle_hit};
 use crate::views::canonical::canonical_box::shown_at;
-use crate::views::reveal::probe::Pixel;
+use crate::views::reveal::probe::{Pixel, ray_of};
 use crate::views::screen::Screen;
 use crate::views::world::world_framing;
 use crate::views::{Probe, Request, View, canonical, image};
@@ -29,17 +28,16 @@ pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
     match request.view {
         View::World => object_in_world(request, pointer),
         View::Canonical => None,
-        View::Image => object_in_image(request, pointer),
+        View::Image => {
+            let (object, _) = triangle_in_image(request, pointer)?;
+            Some(request.scene.objects[object].owner().to_owned())
+        }
     }
 }
 
 /// The triangle (object of the scene, index in its mesh) that the image shows at a place (pixels).
 pub fn triangle_in_image(request: &Request, pointer: DVec2) -> Option<(usize, u32)> {
-    let point = window_point_in_image(request, pointer)?;
-    let camera = &request.camera;
-    let ray = camera.ray_through_window(point);
-    let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
-    let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
+    let (_, from, to) = ray_of(request, window_point_in_image(request, pointer)?);
     let hits = faced(&request.scene).filter_map(|(i, o)| Some((triangle_hit(o, from, to, fronts_only(o))?, i)));
     hits.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, triangle), object)| (object, triangle))
 }
@@ -129,18 +127,7 @@ pub fn window_point_in_image(request: &Request, pointer: DVec2) -> Option<DVec2>
 }
 
 fn object_in_world(request: &Request, pointer: DVec2) -> Option<String> {
-    first_object(request, world_framing::screen(request)?.ray(pointer))
-}
-
-fn object_in_image(request: &Request, pointer: DVec2) -> Option<String> {
-    let point = window_point_in_image(request, pointer)?;
-    let ray = request.camera.ray_through_window(point);
-    // Before the window nothing is seen.
-    let per_depth = ray.direction / ray.direction.dot(request.camera.direction_of_projection());
-    first_object(request, Ray { origin: ray.origin + per_depth * request.camera.near(), ..ray })
-}
-
-fn first_object(request: &Request, ray: Ray) -> Option<String> {
+    let ray = world_framing::screen(request)?.ray(pointer);
     let bounds = request.scene.bounds()?;
     let far = ray.origin + ray.direction * (bounds.center().distance(ray.origin) + 2.0 * bounds.radius());
     let hits = faced(&request.scene).filter_map(|(_, o)| Some((crossing(o, ray.origin, far, fronts_only(o))?, o)));

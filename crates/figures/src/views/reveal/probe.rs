@@ -238,7 +238,7 @@ fn epipolar_line(builder: &mut AnnotationBuilder, request: &Request, palette: Pa
 }
 
 /// The origin of a ray through a point of the window, its intersections with the window and with the back plane.
-fn ray_of(request: &Request, point: DVec2) -> (DVec3, DVec3, DVec3) {
+pub(in crate::views) fn ray_of(request: &Request, point: DVec2) -> (DVec3, DVec3, DVec3) {
     let camera = &request.camera;
     let ray = camera.ray_through_window(point);
     // F and B measure depths along −n.

@@ -212,20 +212,16 @@ impl PipelineReveal<'_> {
     }
 }
 
-/// The scene of the canonical volume, in its display space; `clipped`: that of the request, where it is used as it is.
-pub(in crate::views) fn in_canonical<'a>(
-    request: &'a Request,
-    clipped: Option<&'a Scene>,
-    palette: Palette,
-) -> PipelineReveal<'a> {
+/// The scene of the canonical volume, in its display space.
+pub(in crate::views) fn in_canonical<'a>(request: &'a Request, palette: Palette) -> PipelineReveal<'a> {
     let reveal = request.shot.look.reveal;
     let shading = request.shot.look.style.shading;
     let edges_only = shading == Shading::Wireframe;
     let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
     let (divided, rows) = divide_first(request, if beyond { REACH } else { 1.0 }, palette).unzip();
     let right = divided.as_ref().map_or(&*request.scene, |divided| &divided.right);
-    let own = || Cow::Owned(legible_clipped_scene(right, &request.camera, shading));
-    let mut revealed = PipelineReveal::plain(clipped.map_or_else(own, Cow::Borrowed));
+    let clipped = legible_clipped_scene(right, &request.camera, shading);
+    let mut revealed = PipelineReveal::plain(Cow::Owned(clipped));
     revealed.rows.extend(rows);
     if beyond || reveal.clipping {
         let parts = clip_parts(right, &request.camera, edges_only);

@@ -89,7 +89,6 @@ impl LabelPlace {
     }
 
     /// In a picture in which its own begins at a column.
-    #[must_use]
     pub fn shifted(self, column: f64) -> Self {
         let by = DVec2::X * column;
         Self { point: self.point + by, center: self.center + by, ..self }

@@ -14,8 +14,7 @@ const OPAQUE: u8 = 110;
 /// The parts of a picture that faces cover, in square cells.
 pub(in crate::views) struct Solids {
     cell: f64,
-    columns: usize,
-    rows: usize,
+    grid: Grid,
     /// Number of covered cells above and to the left of each corner of a cell, by rows.
     sums: Vec<u32>,
 }
@@ -26,11 +25,10 @@ impl Solids {
         let cell = (f64::from(drawing.width.min(drawing.height)) / f64::from(CELLS)).max(LEAST);
         #[expect(clippy::cast_possible_truncation, reason = "a number of cells")]
         let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
-        let (columns, rows) = (cells(drawing.width), cells(drawing.height));
-        let mut covered = vec![false; columns * rows];
-        let grid = Grid { columns, rows };
+        let grid = Grid { columns: cells(drawing.width), rows: cells(drawing.height) };
+        let mut covered = vec![false; grid.columns * grid.rows];
         // A picture without pixels has no cell that a face could cover.
-        let surfaces = drawing.surfaces.iter().filter(|_| columns * rows > 0);
+        let surfaces = drawing.surfaces.iter().filter(|_| grid.columns * grid.rows > 0);
         for surface in surfaces {
             let in_cells = |p: &[f32; 3]| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell;
             let at = |i: u32| surface.positions.get(i as usize).map_or(DVec2::NAN, in_cells);
@@ -43,21 +41,18 @@ impl Solids {
                 }
             }
         }
-        Self { cell, columns, rows, sums: sums(&covered, columns, rows) }
+        Self { cell, grid, sums: grid.sums(&covered) }
     }
 
     /// The share of a rectangle (pixels) that is covered, 0 … 1.
     pub(in crate::views) fn share(&self, center: DVec2, half: DVec2) -> f64 {
-        let limit = |p: DVec2| (p / self.cell).clamp(DVec2::ZERO, self.extent());
+        let extent = DVec2::new(self.grid.columns as f64, self.grid.rows as f64);
+        let limit = |p: DVec2| (p / self.cell).clamp(DVec2::ZERO, extent);
         let (low, high) = (limit(center - half).floor(), limit(center + half).ceil());
         #[expect(clippy::cast_possible_truncation, reason = "cells of the image")]
-        let at = |x: f64, y: f64| f64::from(self.sums[y as usize * (self.columns + 1) + x as usize]);
+        let at = |x: f64, y: f64| f64::from(self.sums[y as usize * (self.grid.columns + 1) + x as usize]);
         let inside = at(high.x, high.y) - at(low.x, high.y) - at(high.x, low.y) + at(low.x, low.y);
         inside / ((high - low).element_product()).max(1.0)
-    }
-
-    fn extent(&self) -> DVec2 {
-        DVec2::new(self.columns as f64, self.rows as f64)
     }
 }
 
@@ -76,11 +71,6 @@ impl Grid {
         index.min(count.saturating_sub(1))
     }
 
-    /// The cell of a place.
-    fn cell(self, p: DVec2) -> usize {
-        Self::index(p.y, self.rows) * self.columns + Self::index(p.x, self.columns)
-    }
-
     /// Marks the cells whose middle is in a triangle (in cells), and those of its corners.
     fn cover(self, covered: &mut [bool], [a, b, c]: [DVec2; 3]) {
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -95,23 +85,24 @@ impl Grid {
             }
         }
         for p in [a, b, c] {
-            covered[self.cell(p)] = true;
+            covered[Self::index(p.y, self.rows) * self.columns + Self::index(p.x, self.columns)] = true;
         }
     }
-}
 
-/// Sums over all cells above and to the left of each corner (Crow 1984).
-fn sums(covered: &[bool], columns: usize, rows: usize) -> Vec<u32> {
-    let width = columns + 1;
-    let mut sums = vec![0_u32; width * (rows + 1)];
-    for y in 0..rows {
-        let mut row = 0;
-        for x in 0..columns {
-            row += u32::from(covered[y * columns + x]);
-            sums[(y + 1) * width + x + 1] = sums[y * width + x + 1] + row;
+    /// Sums over all cells above and to the left of each corner (Crow 1984).
+    fn sums(self, covered: &[bool]) -> Vec<u32> {
+        let Self { columns, rows } = self;
+        let width = columns + 1;
+        let mut sums = vec![0_u32; width * (rows + 1)];
+        for y in 0..rows {
+            let mut row = 0;
+            for x in 0..columns {
+                row += u32::from(covered[y * columns + x]);
+                sums[(y + 1) * width + x + 1] = sums[y * width + x + 1] + row;
+            }
         }
+        sums
     }
-    sums
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The gear that pictures add to a scene: lines, arrows, marks, texts, and the camera's body.
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -176,17 +177,8 @@ impl<'a> AnnotationBuilder<'a> {
     }
 }
 
-/// A change of a scene for a picture that shows it otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::views) enum SceneChange {
-    /// Its objects are edges in their own colours.
-    Wired,
-    /// It is left its faces alone, without light.
-    Faces,
-}
-
 /// Turns the objects of a scene into edges in their own colours, as wireframe wants them.
-pub(in crate::views) fn wire(scene: &mut Scene) {
+fn wire(scene: &mut Scene) {
     for object in &mut scene.objects {
         let own = match object.paint {
             ObjectPaint::Solid(color) => color.with_alpha(255),
@@ -200,13 +192,13 @@ pub(in crate::views) fn wire(scene: &mut Scene) {
     }
 }
 
-/// The change of the scene in wireframe, and a style in which the camera's gear keeps its faces.
-pub(in crate::views) fn wired(style: &Style) -> (Option<SceneChange>, Style) {
-    if style.shading == Shading::Wireframe {
-        (Some(SceneChange::Wired), Style { shading: Shading::Flat, ..*style })
-    } else {
-        (None, *style)
+/// The scene as edges in wireframe, and a style in which the camera's gear keeps its faces.
+pub(in crate::views) fn wired<'a>(mut scene: Cow<'a, Scene>, style: &Style) -> (Cow<'a, Scene>, Style) {
+    if style.shading != Shading::Wireframe {
+        return (scene, *style);
     }
+    wire(scene.to_mut());
+    (scene, Style { shading: Shading::Flat, ..*style })
 }
 
 /// Adds a planar convex polygon, counter-clockwise seen from outside, with its edges.

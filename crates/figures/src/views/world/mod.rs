@@ -21,7 +21,7 @@ use glam::{DMat4, DVec2, DVec3};
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, Scenes};
 use crate::sanitize;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Pictured, Scene};
 
@@ -54,8 +54,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     } else {
         revealed_scene::in_world(request, palette)
     };
-    let (change, style) = gizmos::wired(style);
-    let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let builder = AnnotationBuilder::new(&screen);
     let mut world = World {
         request,
@@ -97,10 +96,9 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     }
     light_view::in_world(&mut world.builder, request, palette);
     let lights = light_view::lights(request, &scene);
-    let scenes = scene
-        .with(&world.builder.gear)
+    let scenes = Scenes::new(&scene, &world.builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
-        .in_shadows_of(request.scene.alone())
+        .in_shadows_of(&request.scene)
         .lit_by(&lights);
     let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));

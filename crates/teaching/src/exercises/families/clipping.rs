@@ -2,14 +2,11 @@
 
 use glam::DVec4;
 
-use super::cameras::{numbers, plain, small, telling};
+use super::cameras::{plain, small, telling};
 use crate::exercises::worked::{Worked, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Nature, Slip, Slips, Table};
+use crate::exercises::{Ask, Exercise, Fact, Kind, Nature, Slip, Slips, Table};
 use crate::explain::{Formula, minus, over, plus, times};
 use crate::numbers::random::Random;
-
-pub(super) const OUTCODES: Entry = Entry::family("outcodes", "[2]", |seed, _| outcodes(seed));
-pub(super) const CLIP_SEGMENT: Entry = Entry::family("clip-segment", "[2]", |seed, _| clip_segment(seed));
 
 /// Distances of a point inside each plane: left, right, bottom, top, near, far; negative outside.
 fn distances(p: DVec4, slips: Slips) -> [f64; 6] {
@@ -32,10 +29,9 @@ fn clip_point(random: &mut Random) -> DVec4 {
     DVec4::new(small(random, 7), small(random, 7), small(random, 7), w)
 }
 
-fn outcodes(seed: u64) -> Exercise {
-    let mut random = numbers("outcodes", seed);
+pub(super) fn outcodes(random: &mut Random) -> Exercise {
     let mut one = || loop {
-        let p = clip_point(&mut random);
+        let p = clip_point(random);
         let out = distances(p, Slips::NONE).iter().filter(|distance| **distance < 0.0).count();
         // On a plane both answers would be right; inside of all there is nothing to find.
         if out > 0 && distances(p, Slips::NONE).iter().all(|distance| *distance != 0.0) {
@@ -94,9 +90,8 @@ fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
     (from < to).then_some([from, to])
 }
 
-fn clip_segment(seed: u64) -> Exercise {
-    let mut random = numbers("clip-segment", seed);
-    telling(&[Slip::MinForMax], || clip_segment_of(&mut random))
+pub(super) fn clip_segment(random: &mut Random) -> Exercise {
+    telling(&[Slip::MinForMax], || clip_segment_of(random))
 }
 
 fn clip_segment_of(random: &mut Random) -> Exercise {

@@ -2,22 +2,15 @@
 
 use glam::DVec3;
 
-use super::cameras::{about, camera, numbers, plain, point_inside, small, subject, with_point};
+use super::cameras::{about, camera, plain, point_inside, small, subject, with_point};
 use crate::camera::{Camera, Parameters, Projection};
 use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, Unit};
+use crate::exercises::{Ask, Exercise, Kind, Mistake, Nature, Slip, Slips, Table, Unit};
 use crate::explain::{Formula, Function, minus, over, plus, times};
 use crate::numbers::random::Random;
 
-pub(super) const DEPTH_RESOLUTION: Entry =
-    Entry::family("depth-resolution", "[0] (5.25), [2]", |seed, _| resolution(seed));
-pub(super) const PAINTER: Entry = Entry::family("painter", "[2]", |seed, _| painter(seed));
-pub(super) const ZOOM_OR_DOLLY: Entry =
-    Entry::family("zoom-or-dolly", "[0] §5.6, (5.5)", |seed, _| zoom_or_dolly(seed));
-
-fn resolution(seed: u64) -> Exercise {
-    let mut random = numbers("depth-resolution", seed);
+pub(super) fn resolution(random: &mut Random) -> Exercise {
     let near = random.one_of(&[0.1, 0.5, 1.0, 2.0]);
     let far = near * random.one_of(&[10.0, 50.0, 100.0, 20.0]);
     let bits = random.one_of(&[8.0_f64, 10.0, 12.0, 16.0]);
@@ -69,7 +62,7 @@ fn resolution(seed: u64) -> Exercise {
             .in_unit(Unit::Scene),
     ];
     let facts = [("F", near), ("B", far), ("d", distance), ("bits", bits)];
-    Exercise { asks, facts: facts.map(|(name, value)| (name, Fact::Number(value))).to_vec(), ..plain() }
+    Exercise { asks, ..plain() }.with_facts(facts)
 }
 
 /// The place of each of four things in an order.
@@ -79,10 +72,9 @@ fn ranks(order: &[f64]) -> Vec<f64> {
     (1..=4).filter_map(place).filter_map(number).collect()
 }
 
-fn painter(seed: u64) -> Exercise {
-    let mut random = numbers("painter", seed);
-    let projection = super::cameras::any_projection(&mut random);
-    let parameters = camera(&mut random, projection);
+pub(super) fn painter(random: &mut Random) -> Exercise {
+    let projection = super::cameras::any_projection(random);
+    let parameters = camera(random, projection);
     let camera = Camera::new(&parameters);
     let depth = |point: DVec3| camera.as_ref().map_or(0.0, |camera| -camera.view_point(point).z);
     let beside =
@@ -100,7 +92,7 @@ fn painter(seed: u64) -> Exercise {
     let mut tries = 0..TRIES_INSIDE;
     let points = loop {
         let is_inside = tries.next().is_some();
-        let mut one = |_| if is_inside { point_inside(&mut random, &parameters) } else { beside(&mut random) };
+        let mut one = |_| if is_inside { point_inside(random, &parameters) } else { beside(random) };
         let points: Vec<DVec3> = (0..4).map(&mut one).collect();
         let depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();
         let mut sorted = depths.clone();
@@ -152,18 +144,11 @@ fn painter(seed: u64) -> Exercise {
         let distinct = sorted.windows(2).all(|pair| pair[0] < pair[1]);
         distinct.then(|| Table::column(&order(&tables[0].entries)))
     });
-    let facts: Vec<(&'static str, Fact)> = ["P1", "P2", "P3", "P4"]
-        .into_iter()
-        .zip(&points)
-        .map(|(n, p)| (n, Fact::Tuple(p.to_array().to_vec())))
-        .collect();
-    let mut exercise = Exercise { asks: vec![depth_ask, order_ask.whole()], ..about(subject) };
-    exercise.facts.extend(facts);
-    exercise
+    let facts = ["P1", "P2", "P3", "P4"].into_iter().zip(points);
+    Exercise { asks: vec![depth_ask, order_ask.whole()], ..about(subject) }.with_facts(facts)
 }
 
-fn zoom_or_dolly(seed: u64) -> Exercise {
-    let mut random = numbers("zoom-or-dolly", seed);
+pub(super) fn zoom_or_dolly(random: &mut Random) -> Exercise {
     let parameters = Parameters {
         position: DVec3::Z * random.one_of(&[6.0, 8.0, 10.0, 12.0]),
         view_angle: random.one_of(&[60.0, 90.0, 40.0, 50.0]),
@@ -222,9 +207,7 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
         ask("dollied_behind", 1.0, factor, behind),
         Ask::choice("changes", &["zoom", "dolly"], 1, &[(0, Mistake::OtherOperation)], vec![ratio]),
     ];
-    let mut exercise =
-        Exercise { asks, ..about(subject(Parameters { projection: Projection::Perspective, ..parameters })) };
+    let subject = subject(Parameters { projection: Projection::Perspective, ..parameters });
     let facts = [("h", size), ("e", behind), ("s", factor), ("D", distance)];
-    exercise.facts.extend(facts.map(|(name, value)| (name, Fact::Number(value))));
-    exercise
+    Exercise { asks, ..about(subject) }.with_facts(facts)
 }

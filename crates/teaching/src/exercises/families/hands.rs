@@ -2,27 +2,19 @@
 
 use glam::DVec3;
 
-use super::cameras::{about, camera, numbers, point_inside, small, subject, with_point};
+use super::cameras::{about, camera, point_inside, small, subject, with_point};
 use crate::camera::{Camera, Parameters, Projection};
 use crate::exercises::placing::{about_focal_point, around_box, looking_down};
 use crate::exercises::worked::inside as steps_inside;
-use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, TOLERANCE};
+use crate::exercises::{Ask, Exercise, Fact, Mistake, TOLERANCE};
 use crate::figure::Figure;
 use crate::inspect::quantity::{PointNumber, Quantity};
+use crate::numbers::random::Random;
 use crate::scene::{ObjectSpec, Preset, Shape};
 
-pub(super) const CANONICAL_CAMERA: Entry =
-    Entry::family("canonical-camera", "[0] 5.3", |seed, _| canonical_camera(seed));
-pub(super) const MATCH_PICTURE: Entry =
-    Entry::family("match-picture", "[0] §5.2, §5.6", |seed, _| match_picture(seed));
-pub(super) const PLACE_CAMERA: Entry = Entry::family("place-camera", "[0] §5.2", |seed, _| place_camera(seed));
-pub(super) const PREDICT_VISIBLE: Entry =
-    Entry::family("predict-visible", "[2], [0] §5.3", |seed, _| predict_visible(seed));
-
 /// A camera whose view volume is a box along the axes.
-fn canonical_camera(seed: u64) -> Exercise {
-    let mut random = numbers("canonical-camera", seed);
-    let middle = DVec3::new(small(&mut random, 3), small(&mut random, 3), small(&mut random, 3));
+pub(super) fn canonical_camera(random: &mut Random) -> Exercise {
+    let middle = DVec3::new(small(random, 3), small(random, 3), small(random, 3));
     let half = DVec3::from_array(random.one_of(&[[1.0, 2.0, 3.0], [2.0, 1.0, 1.5], [3.0, 2.0, 1.0], [2.0, 3.0, 4.0]]));
     let model = Parameters {
         position: middle + DVec3::Z * (half.z + 1.0),
@@ -60,10 +52,8 @@ fn canonical_camera(seed: u64) -> Exercise {
     figure.camera =
         Parameters { position: middle + DVec3::new(6.0, 4.0, 8.0), focal_point: middle, ..Parameters::default() };
     let subject = crate::exercises::Subject { figure, ..Default::default() };
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
-    let mut exercise = about(subject);
-    exercise.facts = vec![("low", tuple(middle - half)), ("high", tuple(middle + half))];
-    Exercise { asks: vec![ask], assumptions: vec!["family-of-cameras"], ..exercise }
+    let facts = vec![("low", (middle - half).into()), ("high", (middle + half).into())];
+    Exercise { asks: vec![ask], facts, assumptions: vec!["family-of-cameras"], ..about(subject) }
 }
 
 /// Points by which two pictures of the house are compared.
@@ -102,12 +92,10 @@ fn directions(camera: &Camera, wanted: &Camera, fits: bool) -> [(&'static str, b
     ]
 }
 
-fn match_picture(seed: u64) -> Exercise {
-    let mut random = numbers("match-picture", seed);
+pub(super) fn match_picture(random: &mut Random) -> Exercise {
     let start = Figure::of_preset(Preset::House);
     let target = Parameters {
-        position: DVec3::new(6.0, 0.0, 0.0)
-            + DVec3::new(small(&mut random, 2), 4.0 + small(&mut random, 2), small(&mut random, 5)),
+        position: DVec3::new(6.0, 0.0, 0.0) + DVec3::new(small(random, 2), 4.0 + small(random, 2), small(random, 5)),
         focal_point: DVec3::new(0.0, 0.5, 0.0),
         view_angle: random.one_of(&[30.0, 40.0, 50.0]),
         aspect: start.camera.aspect,
@@ -141,14 +129,11 @@ fn match_picture(seed: u64) -> Exercise {
         conditions
     });
     let subject = crate::exercises::Subject { figure: start, ..Default::default() };
-    let mut exercise = about(subject);
-    exercise.facts.clear();
-    Exercise { asks: vec![ask], ..exercise }
+    Exercise { asks: vec![ask], facts: Vec::new(), ..about(subject) }
 }
 
-fn place_camera(seed: u64) -> Exercise {
-    let mut random = numbers("place-camera", seed);
-    let [a, b] = [0, 1].map(|_| DVec3::new(small(&mut random, 3), 1.0 + small(&mut random, 1), small(&mut random, 3)));
+pub(super) fn place_camera(random: &mut Random) -> Exercise {
+    let [a, b] = [0, 1].map(|_| DVec3::new(small(random, 3), 1.0 + small(random, 1), small(random, 3)));
     let b = if (a - b).length() < 1.5 { a + DVec3::new(2.0, 0.0, 1.0) } else { b };
     let least = random.one_of(&[20.0, 30.0, 40.0]);
     let height: f64 = f64::tan(f64::to_radians(least + 15.0));
@@ -179,16 +164,13 @@ fn place_camera(seed: u64) -> Exercise {
     figure.camera = Parameters { position: DVec3::new(9.0, 1.0, 9.0), ..figure.camera };
     let subject = crate::exercises::Subject { figure, ..Default::default() };
     let subject = with_point(with_point(subject, a), b);
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
-    let mut exercise = about(subject);
-    exercise.facts = vec![("P", tuple(a)), ("Q", tuple(b)), ("least", Fact::Angle(least))];
-    Exercise { asks: vec![ask], ..exercise }
+    let facts = vec![("P", a.into()), ("Q", b.into()), ("least", Fact::Angle(least))];
+    Exercise { asks: vec![ask], facts, ..about(subject) }
 }
 
-fn predict_visible(seed: u64) -> Exercise {
-    let mut random = numbers("predict-visible", seed);
-    let projection = super::cameras::any_projection(&mut random);
-    let parameters = camera(&mut random, projection);
+pub(super) fn predict_visible(random: &mut Random) -> Exercise {
+    let projection = super::cameras::any_projection(random);
+    let parameters = camera(random, projection);
     let clip = |point: DVec3| Camera::new(&parameters).ok().map(|camera| camera.clip_point(point));
     let is_seen = |point: DVec3| clip(point).is_some_and(|clip| clip.truncate().abs().max_element() <= clip.w);
     // Not so near a plane that the eye could not tell; in the plane of the eye there is no NDC, and nothing to tell.
@@ -199,17 +181,16 @@ fn predict_visible(seed: u64) -> Exercise {
         })
     };
     // One is seen in any case; of a camera that has no point so clear, the last that was tried.
-    let mut first = point_inside(&mut random, &parameters);
+    let mut first = point_inside(random, &parameters);
     for _ in 0..100 {
         if is_clear(first) {
             break;
         }
-        first = point_inside(&mut random, &parameters);
+        first = point_inside(random, &parameters);
     }
     let mut points = vec![first];
     while points.len() < 3 {
-        let point =
-            parameters.focal_point + DVec3::new(small(&mut random, 8), small(&mut random, 8), small(&mut random, 8));
+        let point = parameters.focal_point + DVec3::new(small(random, 8), small(random, 8), small(random, 8));
         if is_clear(point) && !points.contains(&point) {
             points.push(point);
         }
@@ -222,10 +203,6 @@ fn predict_visible(seed: u64) -> Exercise {
         let ask = Ask::choice(name, &["yes", "no"], usize::from(!is_seen(*point)), &[], steps_inside(&subject, k));
         Ask { quantity: Some(Quantity::Point(k, PointNumber::Inside).into()), ..ask }
     });
-    let facts: Vec<(&'static str, Fact)> =
-        names.into_iter().zip(&points).map(|(name, p)| (name, Fact::Tuple(p.to_array().to_vec()))).collect();
     let asks = asks.collect();
-    let mut exercise = Exercise { asks, ..about(subject) };
-    exercise.facts.extend(facts);
-    exercise
+    Exercise { asks, ..about(subject) }.with_facts(names.into_iter().zip(points))
 }

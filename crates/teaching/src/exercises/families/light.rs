@@ -3,18 +3,16 @@
 
 use glam::DVec3;
 
-use super::cameras::{about, numbers, small, telling, with_image, with_point};
+use super::cameras::{about, small, telling, with_image, with_point};
 use crate::appearance::Shading;
 use crate::camera::Parameters;
 use crate::exercises::worked::{Worked, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Nature, Slip, Slips, Subject, Table, follows};
+use crate::exercises::{Ask, Exercise, Fact, Kind, Nature, Slip, Slips, Subject, Table, follows};
 use crate::explain::{Formula, Function, Named, minus, over, plus, sum, times};
 use crate::figure::Figure;
 use crate::numbers::random::Random;
 use crate::scene::palette::BLUE;
 use crate::scene::{Light, ObjectSpec, Preset, Shape};
-
-pub(super) const LIGHT: Entry = Entry::family("light", "[2], [3] §1.1", |seed, _| light(seed));
 
 /// The shares of the program's own model: of a vertex that no lamp reaches, of a lamp that meets it squarely, and the
 /// white of the highlight.
@@ -165,11 +163,10 @@ fn halfway(lamp_direction: DVec3, viewer_direction: DVec3, slips: Slips) -> DVec
     slips.pick([(Slip::HalfwaySum, sum), (Slip::HalfwayMean, sum / 2.0)], sum.normalize())
 }
 
-fn light(seed: u64) -> Exercise {
-    let mut random = numbers("light", seed);
+pub(super) fn light(random: &mut Random) -> Exercise {
     telling(&SLIPS, || {
         loop {
-            let vertex = any_vertex(&mut random);
+            let vertex = any_vertex(random);
             if vertex.is_lit() {
                 let exercise = light_of(vertex);
                 if tells_apart(&exercise) {
@@ -267,28 +264,25 @@ fn light_of(vertex: Vertex) -> Exercise {
             .following(&["H"], move |tables| one(highlight(tables[0].vector()?)))
             .following(&["L"], move |tables| one(highlight(between(tables[0].vector()?)?))),
     ];
-    let mut exercise = Exercise { asks, ..about(subject(&vertex)) };
-    exercise.facts.extend(facts(&vertex));
-    exercise
+    Exercise { asks, ..about(subject(&vertex)) }.with_facts(facts(&vertex))
 }
 
 fn facts(vertex: &Vertex) -> Vec<(&'static str, Fact)> {
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
-    let mut facts = vec![
-        ("P", tuple(vertex.position)),
-        ("N", tuple(vertex.normal)),
-        ("ka", Fact::Number(AMBIENT)),
-        ("kd", Fact::Number(DIFFUSE)),
-        ("ks", Fact::Number(SPECULAR)),
-        ("exponent", Fact::Number(f64::from(vertex.exponent))),
-    ];
     let first_is_near = matches!(vertex.lamps[0], Lamp::Near(_));
-    facts.push(("lamps", Fact::Text(if first_is_near { "lamps-near-far" } else { "lamps-far-near" })));
-    facts.extend(vertex.lamps.map(|lamp| match lamp {
-        Lamp::Near(at) => ("S", tuple(at)),
-        Lamp::Far(along) => ("d", tuple(along)),
-    }));
-    facts
+    let lamps = vertex.lamps.map(|lamp| match lamp {
+        Lamp::Near(at) => ("S", at.into()),
+        Lamp::Far(along) => ("d", along.into()),
+    });
+    let facts = vec![
+        ("P", vertex.position.into()),
+        ("N", vertex.normal.into()),
+        ("ka", AMBIENT.into()),
+        ("kd", DIFFUSE.into()),
+        ("ks", SPECULAR.into()),
+        ("exponent", f64::from(vertex.exponent).into()),
+        ("lamps", Fact::Text(if first_is_near { "lamps-near-far" } else { "lamps-far-near" })),
+    ];
+    facts.into_iter().chain(lamps).collect()
 }
 
 /// A ball that has the vertex and its normal, under the two lamps, and a camera that looks at it.
@@ -425,7 +419,7 @@ mod tests {
         #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
         for seed in 0..40 {
-            let exercise = light(seed);
+            let exercise = light(&mut crate::exercises::families::numbers("light", seed));
             let fact = |name: &str| exercise.facts.iter().rev().find(|(fact, _)| *fact == name).map(|(_, f)| f.clone());
             let vector = |name| match fact(name) {
                 Some(Fact::Tuple(values)) => DVec3::from_slice(&values),

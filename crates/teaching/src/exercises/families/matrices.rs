@@ -2,39 +2,27 @@
 
 use glam::DVec3;
 
-use super::cameras::{about, any_projection, camera, lens_camera, numbers, subject};
+use super::cameras::{about, any_projection, camera, lens_camera, subject};
 use crate::camera::{Parameters, Projection, ViewWindow};
-use crate::exercises::{Ask, Entry, Exercise, Table, follows};
+use crate::exercises::{Ask, Exercise, Table, follows};
 use crate::inspect::quantity::{BasisAxis, Quantity, ReportMatrix, WindowNumber};
+use crate::numbers::random::Random;
 
-pub(super) const BASIS: Entry = Entry::family("basis", "[0] §5.2, (5.2), (5.3)", |seed, _| basis(seed));
-pub(super) const VIEW_MATRIX: Entry = Entry::family("view-matrix", "[0] §5.3.1, (5.7)", |seed, _| view_matrix(seed));
-pub(super) const WINDOW: Entry = Entry::family("window", "[0] §5.2, (5.1), (5.5)", |seed, _| window(seed));
-pub(super) const PERSPECTIVE_MATRIX: Entry = Entry::family("perspective-matrix", "[0] §5.3.2, (5.14)", |seed, _| {
-    projection_matrix("perspective-matrix", seed, Projection::Perspective)
-});
-pub(super) const PARALLEL_MATRIX: Entry = Entry::family("parallel-matrix", "[0] §5.3.2, (5.16)", |seed, _| {
-    projection_matrix("parallel-matrix", seed, Projection::Parallel)
-});
-pub(super) const ASYMMETRIC_WINDOW: Entry =
-    Entry::family("asymmetric-window", "[0] §5.3.2, (5.13), (5.15)", |seed, _| asymmetric_window(seed));
-
-fn basis(seed: u64) -> Exercise {
-    let subject = subject(camera(&mut numbers("basis", seed), Projection::Perspective));
+pub(super) fn basis(random: &mut Random) -> Exercise {
+    let subject = subject(camera(random, Projection::Perspective));
     let asks = BasisAxis::ALL.iter().map(|axis| Ask::quantity(axis.name(), &subject, Quantity::Axis(*axis)));
     let asks = axes(asks.collect(), subject.figure.camera.view_up);
     Exercise { asks, ..about(subject) }
 }
 
-fn view_matrix(seed: u64) -> Exercise {
-    let subject = subject(camera(&mut numbers("view-matrix", seed), Projection::Perspective));
+pub(super) fn view_matrix(random: &mut Random) -> Exercise {
+    let subject = subject(camera(random, Projection::Perspective));
     let asks = vec![Ask::quantity("Mv", &subject, Quantity::Matrix(ReportMatrix::View))];
     Exercise { asks, ..about(subject) }
 }
 
-fn window(seed: u64) -> Exercise {
-    let mut random = numbers("window", seed);
-    let subject = subject(lens_camera(&mut random, Projection::Perspective));
+pub(super) fn window(random: &mut Random) -> Exercise {
+    let subject = subject(lens_camera(random, Projection::Perspective));
     let asks = [
         ("H", Quantity::Window(WindowNumber::Height)),
         ("W", Quantity::Window(WindowNumber::Width)),
@@ -56,10 +44,9 @@ fn window(seed: u64) -> Exercise {
     Exercise { asks: asks.to_vec(), ..about(subject) }
 }
 
-fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercise {
-    let mut random = numbers(family, seed);
+pub(super) fn projection(random: &mut Random, projection: Projection) -> Exercise {
     // With F = 1 the scale of a perspective, 2F/W, would be right in parallel projection too.
-    let mut camera = Parameters { projection, ..lens_camera(&mut random, Projection::Perspective) };
+    let mut camera = Parameters { projection, ..lens_camera(random, Projection::Perspective) };
     // tan 30° is cot 60°, and tan 45° is 1: that would take one mistake for another.
     if camera.view_angle >= 60.0 {
         camera.view_angle = random.one_of(&[40.0, 50.0, 70.0]);
@@ -69,10 +56,9 @@ fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercis
     Exercise { asks, ..about(subject) }
 }
 
-fn asymmetric_window(seed: u64) -> Exercise {
-    let mut random = numbers("asymmetric-window", seed);
-    let projection = any_projection(&mut random);
-    let camera = lens_camera(&mut random, projection);
+pub(super) fn asymmetric_window(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
+    let camera = lens_camera(random, projection);
     let [left, bottom] = [0, 1].map(|_| -random.one_of(&[0.5, 1.0, 1.5, 2.0]));
     // Never as far to one side as to the other.
     let right = -left * random.one_of(&[0.5, 2.0, 3.0]);

@@ -12,41 +12,49 @@ mod spaces;
 mod stereo;
 
 use super::Entry;
+use crate::camera::{Operation, Projection};
+use operations::{C, N, PF, U, V, turn};
+
+pub(super) use cameras::numbers;
 
 /// All families, in the order in which they are learnt.
 pub static ENTRIES: &[Entry] = &[
-    matrices::BASIS,
-    matrices::VIEW_MATRIX,
-    matrices::WINDOW,
-    matrices::PERSPECTIVE_MATRIX,
-    matrices::PARALLEL_MATRIX,
-    matrices::ASYMMETRIC_WINDOW,
-    points::NDC,
-    points::INSIDE,
-    points::PIXEL,
-    points::RAY,
-    points::VIEWPORT,
-    operations::ELEVATION,
-    operations::AZIMUTH,
-    operations::ROLL,
-    operations::YAW,
-    operations::PITCH,
-    operations::ZOOM,
-    operations::DOLLY,
-    operations::PAN,
-    depth::ZOOM_OR_DOLLY,
-    hands::CANONICAL_CAMERA,
-    clipping::OUTCODES,
-    clipping::CLIP_SEGMENT,
-    spaces::PYRAMID,
-    spaces::LEFT_HANDED,
-    spaces::VOCABULARY,
-    spaces::ORDER,
-    depth::DEPTH_RESOLUTION,
-    depth::PAINTER,
-    stereo::DISPARITY,
-    light::LIGHT,
-    hands::MATCH_PICTURE,
-    hands::PLACE_CAMERA,
-    hands::PREDICT_VISIBLE,
+    Entry::family("basis", "[0] §5.2, (5.2), (5.3)", matrices::basis),
+    Entry::family("view-matrix", "[0] §5.3.1, (5.7)", matrices::view_matrix),
+    Entry::family("window", "[0] §5.2, (5.1), (5.5)", matrices::window),
+    Entry::family("perspective-matrix", "[0] §5.3.2, (5.14)", |random| {
+        matrices::projection(random, Projection::Perspective)
+    }),
+    Entry::family("parallel-matrix", "[0] §5.3.2, (5.16)", |random| {
+        matrices::projection(random, Projection::Parallel)
+    }),
+    Entry::family("asymmetric-window", "[0] §5.3.2, (5.13), (5.15)", matrices::asymmetric_window),
+    Entry::family("ndc", "[0] §5.3.2, [2]", points::ndc),
+    Entry::family("inside", "[2], [0] §5.3.2", points::inside),
+    Entry::family("pixel", "[0] §5.5, (5.22)", points::pixel),
+    Entry::family("ray", "[0] §5.4, (5.17)–(5.23)", points::ray),
+    Entry::family("viewport", "[0] §5.5, (5.24), (5.25)", points::viewport),
+    Entry::family("elevation", "[0] §5.6", |random| turn(random, Operation::Elevation, &["≠ elevation"], &[C, N, V])),
+    Entry::family("azimuth", "[0] §5.6", |random| turn(random, Operation::Azimuth, &["≠ azimuth"], &[C, N, U])),
+    Entry::family("roll", "[0] §5.6", |random| turn(random, Operation::Roll, &[], &[U, V])),
+    Entry::family("yaw", "[0] §5.6", |random| turn(random, Operation::Yaw, &["≠ yaw"], &[PF, N, U])),
+    Entry::family("pitch", "[0] §5.6", |random| turn(random, Operation::Pitch, &["≠ pitch"], &[PF, N, V])),
+    Entry::family("zoom", "[0] §5.6", operations::zoom),
+    Entry::family("dolly", "[0] §5.2, (5.2)", operations::dolly),
+    Entry::family("pan", "[0] §5.2, (5.3)", operations::pan),
+    Entry::family("zoom-or-dolly", "[0] §5.6, (5.5)", depth::zoom_or_dolly),
+    Entry::family("canonical-camera", "[0] 5.3", hands::canonical_camera),
+    Entry::family("outcodes", "[2]", clipping::outcodes),
+    Entry::family("clip-segment", "[2]", clipping::clip_segment),
+    Entry::family("pyramid", "[1] II, III", spaces::pyramid),
+    Entry::family("left-handed", "[3] §1.5", spaces::left_handed),
+    Entry::family("vocabulary", "[2], K [R|t]", spaces::vocabulary),
+    Entry::family("order", "[4], [3]", spaces::order),
+    Entry::family("depth-resolution", "[0] (5.25), [2]", depth::resolution),
+    Entry::family("painter", "[2]", depth::painter),
+    Entry::family("disparity", "[0] (5.5), (5.9)", stereo::disparity),
+    Entry::family("light", "[2], [3] §1.1", light::light),
+    Entry::family("match-picture", "[0] §5.2, §5.6", hands::match_picture),
+    Entry::family("place-camera", "[0] §5.2", hands::place_camera),
+    Entry::family("predict-visible", "[2], [0] §5.3", hands::predict_visible),
 ];

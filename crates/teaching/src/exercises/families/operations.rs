@@ -1,52 +1,37 @@
 //! The operations on a camera, `[0]` §5.6.
 
-use super::cameras::{about, any_projection, camera, lens_camera, numbers, subject, telling};
+use super::cameras::{about, any_projection, camera, lens_camera, subject, telling};
 use crate::camera::{Camera, Operation, ParameterKey, Parameters, Projection};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Slip, Subject, Table, follows};
+use crate::exercises::{Ask, Exercise, Fact, Slip, Subject, Table, follows};
 use crate::geometry::Angle;
 use crate::inspect::quantity::{BasisAxis, Quantity, WindowNumber};
 use crate::numbers::random::Random;
 
-macro_rules! turns {
-    ($($name:ident, $id:literal, $differs:expr, $operation:ident, $asks:expr;)*) => {
-        $(pub(super) const $name: Entry =
-            Entry::family($id, "[0] §5.6", |seed, _| turn($id, $differs, seed, Operation::$operation, &$asks));)*
-    };
-}
+/// The quantities that a turn of the camera moves, under the names of their questions.
+pub(super) const C: (&str, Quantity) = ("C", Quantity::Camera(ParameterKey::Position));
+pub(super) const PF: (&str, Quantity) = ("PF", Quantity::Camera(ParameterKey::FocalPoint));
+pub(super) const U: (&str, Quantity) = ("u", Quantity::Axis(BasisAxis::U));
+pub(super) const V: (&str, Quantity) = ("v", Quantity::Axis(BasisAxis::V));
+pub(super) const N: (&str, Quantity) = ("n", Quantity::Axis(BasisAxis::N));
 
-turns! {
-    ELEVATION, "elevation", &["≠ elevation"], Elevation, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
-    AZIMUTH, "azimuth", &["≠ azimuth"], Azimuth, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
-    ROLL, "roll", &[], Roll, [("u", Quantity::Axis(BasisAxis::U)), ("v", Quantity::Axis(BasisAxis::V))];
-    YAW, "yaw", &["≠ yaw"], Yaw, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
-    PITCH, "pitch", &["≠ pitch"], Pitch, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
-}
-
-pub(super) const ZOOM: Entry = Entry::family("zoom", "[0] §5.6", |seed, _| zoom(seed));
-pub(super) const DOLLY: Entry = Entry::family("dolly", "[0] §5.2, (5.2)", |seed, _| dolly(seed));
-pub(super) const PAN: Entry = Entry::family("pan", "[0] §5.2, (5.3)", |seed, _| pan(seed));
-
-fn turn(
-    family: &str,
-    differs: &[&'static str],
-    seed: u64,
+pub(super) fn turn(
+    random: &mut Random,
     operation: fn(Angle) -> Operation,
+    differs: &[&'static str],
     asks: &[(&str, Quantity)],
 ) -> Exercise {
-    let mut random = numbers(family, seed);
     let is_roll = matches!(operation(Angle::from_degrees(0.0)), Operation::Roll(_));
     // Nothing that a roll turns moves.
     let slips = if is_roll { &[Slip::WorldAxis][..] } else { &[Slip::WorldAxis, Slip::ThroughOrigin] };
     telling(slips, || {
-        let projection = any_projection(&mut random);
+        let projection = any_projection(random);
         let angle = random.one_of(&[30.0, 45.0, 60.0, 90.0, -30.0, -45.0, -60.0, 120.0]);
-        let mut subject = subject(camera(&mut random, projection));
+        let mut subject = subject(camera(random, projection));
         subject.operations.push(operation(Angle::from_degrees(angle)));
         let asks = asks.iter().map(|(name, quantity)| Ask::quantity(name, &subject, *quantity));
         let asks = asks.map(|ask| following(ask, &subject)).collect();
-        let mut exercise = Exercise { asks, assumptions: differs.to_vec(), ..about(subject) };
-        exercise.facts.push(("alpha", Fact::Angle(angle)));
-        exercise
+        let exercise = Exercise { asks, assumptions: differs.to_vec(), ..about(subject) };
+        exercise.with_facts([("alpha", Fact::Angle(angle))])
     })
 }
 
@@ -83,11 +68,10 @@ fn factor(random: &mut Random) -> f64 {
     random.one_of(&[2.5, 3.0, 1.5, 0.6, 4.0, 0.8])
 }
 
-fn zoom(seed: u64) -> Exercise {
-    let mut random = numbers("zoom", seed);
-    let projection = any_projection(&mut random);
-    let s = factor(&mut random);
-    let mut subject = subject(lens_camera(&mut random, projection));
+pub(super) fn zoom(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
+    let s = factor(random);
+    let mut subject = subject(lens_camera(random, projection));
     subject.operations.push(Operation::Zoom(s));
     let mut paths = vec![("H", Quantity::Window(WindowNumber::Height)), ("W", Quantity::Window(WindowNumber::Width))];
     if projection == Projection::Perspective {
@@ -105,16 +89,13 @@ fn zoom(seed: u64) -> Exercise {
         }
     });
     let asks = asks.collect();
-    let mut exercise = Exercise { asks, ..about(subject) };
-    exercise.facts.push(("s", Fact::Number(s)));
-    exercise
+    Exercise { asks, ..about(subject) }.with_facts([("s", s)])
 }
 
-fn dolly(seed: u64) -> Exercise {
-    let mut random = numbers("dolly", seed);
-    let projection = any_projection(&mut random);
-    let f = factor(&mut random);
-    let mut subject = subject(camera(&mut random, projection));
+pub(super) fn dolly(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
+    let f = factor(random);
+    let mut subject = subject(camera(random, projection));
     subject.operations.push(Operation::Dolly(f));
     let focal_point = subject.figure.camera.focal_point;
     let asks = vec![
@@ -122,16 +103,13 @@ fn dolly(seed: u64) -> Exercise {
         Ask::quantity("D", &subject, Quantity::Distance)
             .following(&["C"], move |tables| Some(Table::number((tables[0].vector()? - focal_point).length()))),
     ];
-    let mut exercise = Exercise { asks, assumptions: vec!["≠ dolly"], ..about(subject) };
-    exercise.facts.push(("f", Fact::Number(f)));
-    exercise
+    Exercise { asks, assumptions: vec!["≠ dolly"], ..about(subject) }.with_facts([("f", f)])
 }
 
-fn pan(seed: u64) -> Exercise {
-    let mut random = numbers("pan", seed);
-    let projection = any_projection(&mut random);
+pub(super) fn pan(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
     let [dx, dy] = [0, 1].map(|_| random.one_of(&[1.0, 2.0, -1.0, -2.0, 0.5, 3.0]));
-    let mut subject = subject(camera(&mut random, projection));
+    let mut subject = subject(camera(random, projection));
     subject.operations.push(Operation::Pan { dx, dy });
     let Parameters { position, focal_point, .. } = subject.figure.camera;
     let asks = vec![
@@ -139,7 +117,5 @@ fn pan(seed: u64) -> Exercise {
         Ask::quantity("PF", &subject, Quantity::Camera(ParameterKey::FocalPoint))
             .following(&["C"], move |tables| Some(Table::from(focal_point + tables[0].vector()? - position))),
     ];
-    let mut exercise = Exercise { asks, assumptions: vec!["≠ pan"], ..about(subject) };
-    exercise.facts.extend([("dx", Fact::Number(dx)), ("dy", Fact::Number(dy))]);
-    exercise
+    Exercise { asks, assumptions: vec!["≠ pan"], ..about(subject) }.with_facts([("dx", dx), ("dy", dy)])
 }

@@ -3,22 +3,18 @@
 use glam::{DVec3, DVec4};
 
 use super::cameras::{
-    about, any_projection, image, lens_camera, numbers, point_inside, subject, telling, with_image, with_point,
+    about, any_projection, image, lens_camera, point_inside, subject, telling, with_image, with_point,
 };
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::exercises::worked::inside as steps_inside;
-use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Slip, Subject, Table, Unit};
+use crate::exercises::{Ask, Exercise, Mistake, Slip, Subject, Table, Unit};
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, ReportMatrix, WindowNumber};
 use crate::numbers::random::Random;
 
-pub(super) const NDC: Entry = Entry::family("ndc", "[0] §5.3.2, [2]", |seed, _| ndc(seed));
-pub(super) const INSIDE: Entry = Entry::family("inside", "[2], [0] §5.3.2", |seed, _| inside(seed));
-pub(super) const PIXEL: Entry = Entry::family("pixel", "[0] §5.5, (5.22)", |seed, _| pixel(seed));
-pub(super) const RAY: Entry = Entry::family("ray", "[0] §5.4, (5.17)–(5.23)", |seed, _| ray(seed));
-pub(super) const VIEWPORT: Entry = Entry::family("viewport", "[0] §5.5, (5.24), (5.25)", |seed, _| viewport(seed));
-
-fn point(subject: &Subject) -> (&'static str, Fact) {
-    ("P", Fact::Tuple(subject.points.first().map_or(Vec::new(), |point| point.to_array().to_vec())))
+/// An exercise about the point of a subject, with P in its statement.
+fn about_point(asks: Vec<Ask>, subject: Subject) -> Exercise {
+    let point = subject.points.first().map(|point| ("P", *point));
+    Exercise { asks, ..about(subject) }.with_facts(point)
 }
 
 fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
@@ -27,11 +23,10 @@ fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
     with_point(subject(camera), point)
 }
 
-fn ndc(seed: u64) -> Exercise {
-    let mut random = numbers("ndc", seed);
+pub(super) fn ndc(random: &mut Random) -> Exercise {
     telling(&[Slip::AxesAsColumns, Slip::RowsExchanged], || {
-        let projection = any_projection(&mut random);
-        ndc_of(with_a_point(&mut random, projection))
+        let projection = any_projection(random);
+        ndc_of(with_a_point(random, projection))
     })
 }
 
@@ -49,10 +44,7 @@ fn ndc_of(subject: Subject) -> Exercise {
             _ => ask,
         }
     });
-    let point = point(&subject);
-    let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
-    exercise.facts.push(point);
-    exercise
+    about_point(asks.to_vec(), subject)
 }
 
 /// Clip coordinates, divided by w.
@@ -69,9 +61,8 @@ fn beyond_planes(clip: DVec4) -> [f64; 6] {
 /// The planes by which a point can be outside, in the order of the outcode of `[2]`.
 const PLANES: [&str; 7] = ["none", "left", "right", "bottom", "top", "near", "far"];
 
-fn inside(seed: u64) -> Exercise {
-    let mut random = numbers("inside", seed);
-    telling(&[Slip::AxesAsColumns, Slip::UReversedAlone, Slip::VReversed], || inside_of(&mut random))
+pub(super) fn inside(random: &mut Random) -> Exercise {
+    telling(&[Slip::AxesAsColumns, Slip::UReversedAlone, Slip::VReversed], || inside_of(random))
 }
 
 fn inside_of(random: &mut Random) -> Exercise {
@@ -97,10 +88,7 @@ fn inside_of(random: &mut Random) -> Exercise {
         [plane] => Some(Table::number(f64::from(plane))),
         _ => None,
     });
-    let fact = self::point(&subject);
-    let mut exercise = Exercise { asks: vec![clip, is_inside, cut], ..about(subject) };
-    exercise.facts.push(fact);
-    exercise
+    about_point(vec![clip, is_inside, cut], subject)
 }
 
 /// The plane on the other side comes out where a sign is wrong.
@@ -140,9 +128,8 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
     spare
 }
 
-fn pixel(seed: u64) -> Exercise {
-    let mut random = numbers("pixel", seed);
-    let projection = any_projection(&mut random);
+pub(super) fn pixel(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
     let mut slips = vec![
         Slip::AxesAsColumns,
         Slip::PositionNotNegated,
@@ -155,7 +142,7 @@ fn pixel(seed: u64) -> Exercise {
     }
     telling(&slips, || {
         let height = random.one_of(&[240, 300, 480, 600]);
-        pixel_of(off_borders(&mut random, PointNumber::Window, |random| {
+        pixel_of(off_borders(random, PointNumber::Window, |random| {
             with_image(with_a_point(random, projection), height)
         }))
     })
@@ -177,10 +164,8 @@ fn pixel_of(subject: Subject) -> Exercise {
             }
         }),
     ];
-    let facts = [vec![point(&subject)], image(subject.figure.image)].concat();
-    let mut exercise = Exercise { asks, ..about(subject) };
-    exercise.facts.extend(facts);
-    exercise
+    let size = image(subject.figure.image);
+    about_point(asks, subject).with_facts(size)
 }
 
 /// A subject whose point is not on the border of two pixels, where the last digit of a calculator decides.
@@ -218,9 +203,8 @@ fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mu
     make(random)
 }
 
-fn ray(seed: u64) -> Exercise {
-    let mut random = numbers("ray", seed);
-    telling(&[Slip::ColumnsAndRows], || ray_of(&mut random))
+pub(super) fn ray(random: &mut Random) -> Exercise {
+    telling(&[Slip::ColumnsAndRows], || ray_of(random))
 }
 
 fn ray_of(random: &mut Random) -> Exercise {
@@ -240,15 +224,12 @@ fn ray_of(random: &mut Random) -> Exercise {
     subject.pixels.push([i, j]);
     let asks = [RayNumber::Origin, RayNumber::Direction]
         .map(|number| Ask::quantity(number.name(), &subject, Quantity::Ray(0, number)));
-    let facts = [vec![("i", Fact::Number(i as f64)), ("j", Fact::Number(j as f64))], image(size)].concat();
-    let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
-    exercise.facts.extend(facts);
-    exercise
+    let pixel = [("i", i as f64), ("j", j as f64)];
+    Exercise { asks: asks.to_vec(), ..about(subject) }.with_facts(pixel).with_facts(image(size))
 }
 
-fn viewport(seed: u64) -> Exercise {
-    let mut random = numbers("viewport", seed);
-    telling(&[Slip::AxesAsColumns, Slip::RoundedNotFloored], || viewport_of(&mut random))
+pub(super) fn viewport(random: &mut Random) -> Exercise {
+    telling(&[Slip::AxesAsColumns, Slip::RoundedNotFloored], || viewport_of(random))
 }
 
 fn viewport_of(random: &mut Random) -> Exercise {
@@ -281,9 +262,5 @@ fn viewport_of(random: &mut Random) -> Exercise {
         ("dn", depth_near),
         ("df", depth_far),
     ];
-    let point = point(&subject);
-    let mut exercise = Exercise { asks, ..about(subject) };
-    exercise.facts.push(point);
-    exercise.facts.extend(numbers.map(|(name, value)| (name, Fact::Number(value))));
-    exercise
+    about_point(asks, subject).with_facts(numbers)
 }

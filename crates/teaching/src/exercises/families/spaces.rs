@@ -3,22 +3,17 @@
 
 use glam::{DMat3, DMat4, DVec3};
 
-use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject, telling};
+use super::cameras::{about, camera, lens_camera, plain, small, subject, telling};
 use crate::camera::{Parameters, Projection};
 use crate::exercises::products::{ENTRIES, multiplied};
 use crate::exercises::textbook::{half_tangent, over_height};
 use crate::exercises::worked::{Worked, angle, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, follows, notes};
+use crate::exercises::{Ask, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, follows, notes};
 use crate::explain::{Formula, Function, minus, over, sum, times};
 use crate::geometry::Angle;
+use crate::numbers::random::Random;
 
-pub(super) const PYRAMID: Entry = Entry::family("pyramid", "[1] II, III", |seed, _| pyramid(seed));
-pub(super) const LEFT_HANDED: Entry = Entry::family("left-handed", "[3] §1.5", |seed, _| left_handed(seed));
-pub(super) const VOCABULARY: Entry = Entry::family("vocabulary", "[2], K [R|t]", |seed, _| vocabulary(seed));
-pub(super) const ORDER: Entry = Entry::family("order", "[4], [3]", |seed, _| order(seed));
-
-fn pyramid(seed: u64) -> Exercise {
-    let mut random = numbers("pyramid", seed);
+pub(super) fn pyramid(random: &mut Random) -> Exercise {
     telling(&[Slip::DayAndMonth, Slip::ClipWithOne], || {
         let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
         notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
@@ -86,9 +81,8 @@ fn left_handed_steps(normal: DVec3, up: DVec3, [v, n]: [DVec3; 2]) -> [Worked; 3
     [of_n, of_v, of_u]
 }
 
-fn left_handed(seed: u64) -> Exercise {
-    let mut random = numbers("left-handed", seed);
-    let Parameters { position, focal_point, view_up, .. } = camera(&mut random, Projection::Perspective);
+pub(super) fn left_handed(random: &mut Random) -> Exercise {
+    let Parameters { position, focal_point, view_up, .. } = camera(random, Projection::Perspective);
     let normal = focal_point - position;
     let [_, v, n] = left_handed_basis(normal, view_up, Slips::NONE);
     let steps = left_handed_steps(normal, view_up, [v, n]);
@@ -111,9 +105,8 @@ fn left_handed(seed: u64) -> Exercise {
             _ => ask,
         }
     };
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
-    let facts = vec![("VPN", tuple(normal)), ("VUV", tuple(view_up))];
-    Exercise { asks: vec![ask("n", 2), ask("v", 1), ask("u", 0)], facts, assumptions: vec!["unit-vpn"], ..plain() }
+    let asks = vec![ask("n", 2), ask("v", 1), ask("u", 0)];
+    Exercise { asks, assumptions: vec!["unit-vpn"], ..plain() }.with_facts([("VPN", normal), ("VUV", view_up)])
 }
 
 /// l, r, b, t of glFrustum, and K, from the arguments of gluPerspective.
@@ -126,9 +119,8 @@ fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
     [-right, right, -top, top]
 }
 
-fn vocabulary(seed: u64) -> Exercise {
-    let mut random = numbers("vocabulary", seed);
-    let parameters = lens_camera(&mut random, Projection::Perspective);
+pub(super) fn vocabulary(random: &mut Random) -> Exercise {
+    let parameters = lens_camera(random, Projection::Perspective);
     let subject = super::cameras::with_image(subject(parameters), random.one_of(&[240, 480, 600]));
     let size = subject.figure.image;
     let (m, n) = (f64::from(size.width), f64::from(size.height));
@@ -183,19 +175,15 @@ fn vocabulary(seed: u64) -> Exercise {
         let [_, right, _, top] = tables[0].entries[..] else { return None };
         Some(pinhole([right, top], Slips::NONE))
     });
-    let facts = super::cameras::image(size);
-    let mut exercise = Exercise { asks: vec![frustum_ask, k], ..about(subject) };
-    exercise.facts.extend(facts);
-    exercise
+    Exercise { asks: vec![frustum_ask, k], ..about(subject) }.with_facts(super::cameras::image(size))
 }
 
-fn order(seed: u64) -> Exercise {
-    let mut random = numbers("order", seed);
-    let by = DVec3::new(small(&mut random, 4), small(&mut random, 4), small(&mut random, 4)) + DVec3::X * 5.0;
+pub(super) fn order(random: &mut Random) -> Exercise {
+    let by = DVec3::new(small(random, 4), small(random, 4), small(random, 4)) + DVec3::X * 5.0;
     let degrees = random.one_of(&[30.0, 90.0, 45.0, 60.0, -90.0, -30.0]);
     let scale = DVec3::from_array(random.one_of(&[[2.0, 1.0, 3.0], [1.0, 3.0, 2.0], [2.0, 3.0, 1.0], [3.0, 1.0, 0.5]]));
     let axis = random.one_of(&[DVec3::X, DVec3::Y, DVec3::Z]);
-    let point = DVec3::new(1.0, small(&mut random, 3), 2.0);
+    let point = DVec3::new(1.0, small(random, 3), 2.0);
     let product = move |slips: Slips| {
         let angle = if slips.has(Slip::OppositeAngle) { -degrees } else { degrees };
         let angle =
@@ -249,13 +237,12 @@ fn order(seed: u64) -> Exercise {
     } else {
         "0, 0, 1"
     };
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
     let facts = vec![
-        ("t", tuple(by)),
-        ("alpha", Fact::Number(degrees)),
+        ("t", by.into()),
+        ("alpha", degrees.into()),
         ("axis", Fact::Word(axis_name.to_owned())),
-        ("s", tuple(scale)),
-        ("p", tuple(point)),
+        ("s", scale.into()),
+        ("p", point.into()),
     ];
     Exercise { asks: vec![matrix, image, first], facts, ..plain() }
 }

@@ -2,17 +2,15 @@
 
 use glam::DVec3;
 
-use super::cameras::{about, numbers, subject, with_image};
+use super::cameras::{about, subject, with_image};
 use crate::camera::Parameters;
 use crate::exercises::statement_facts::image;
 use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Nature, Slip, Slips, Table, Unit};
+use crate::exercises::{Ask, Exercise, Kind, Nature, Slip, Slips, Table, Unit};
 use crate::explain::{Formula, Function, minus, over, times};
 use crate::figure::NamedCamera;
 use crate::numbers::random::Random;
-
-pub(super) const DISPARITY: Entry = Entry::family("disparity", "[0] (5.5), (5.9)", |seed, _| disparity(seed));
 
 /// The numbers of the statement.
 #[derive(Clone, Copy)]
@@ -109,9 +107,8 @@ fn pair(random: &mut Random) -> Pair {
     Pair { columns: [left, left - disparity], ..pair }
 }
 
-fn disparity(seed: u64) -> Exercise {
-    let mut random = numbers("disparity", seed);
-    let pair = pair(&mut random);
+pub(super) fn disparity(random: &mut Random) -> Exercise {
+    let pair = pair(random);
     let f = named("f", "f", pair.focal_length(Slips::NONE));
     let b = named("b", "b", pair.baseline);
     let d = named("d", "d", pair.depth);
@@ -160,11 +157,10 @@ fn disparity(seed: u64) -> Exercise {
         of_f(depth.of_nature(Nature::Size).in_unit(Unit::Scene)),
         of_f(step.of_nature(Nature::Size).in_unit(Unit::Scene)),
     ];
-    let mut exercise = Exercise { asks, ..about(with_image(subject_of(&pair), side(pair.image[1]))) };
+    let subject = with_image(subject_of(&pair), side(pair.image[1]));
+    let size = image(subject.figure.image);
     let facts = [("b", pair.baseline), ("d", pair.depth), ("D", pair.meeting), ("xl", left.value), ("xr", right.value)];
-    exercise.facts.extend(facts.map(|(name, value)| (name, Fact::Number(value))));
-    exercise.facts.extend(image(exercise.subject.figure.image));
-    exercise
+    Exercise { asks, ..about(subject) }.with_facts(facts).with_facts(size)
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a few hundred pixels")]

@@ -90,7 +90,6 @@ impl Counter {
         // The name of a thing that is not seen is not the thing.
         frame.drawing.labels.clear();
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
-        self.pipeline.recycle(frame.drawing);
         pixmap.data().chunks_exact(4).for_each(|pixel| each([pixel[0], pixel[1], pixel[2], pixel[3]]));
         Some(Painted { objects: frame.objects, over_budget: frame.over_budget })
     }

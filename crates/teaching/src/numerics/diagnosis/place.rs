@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::Cause;
 use super::subject::NamedThing;
 use crate::camera::{Camera, ImageSize, Projection, ViewWindow};
+use crate::pipeline::canonical::clipped_segment_of;
 
 /// A side of the view window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,24 +142,8 @@ impl Whereabouts {
 
 /// True if a segment of it is in the volume.
 pub(super) fn crosses(subject: &NamedThing, camera: &Camera) -> bool {
-    let lens = Lens::of(camera);
-    subject.segments().any(|[a, b]| {
-        let [from, to] = [a, b].map(|p| lens.distances(camera, camera.view_point(p)));
-        // D. Cyrus, J. Beck (1978): the stretch of the segment that is inside of all planes.
-        let (mut start, mut end) = (0.0_f64, 1.0_f64);
-        for (from, to) in from.into_iter().zip(to) {
-            if from < 0.0 && to < 0.0 {
-                return false;
-            }
-            let t = from / (from - to);
-            if from < 0.0 {
-                start = start.max(t);
-            } else if to < 0.0 {
-                end = end.min(t);
-            }
-        }
-        start <= end
-    })
+    let clipped = clipped_segment_of(camera);
+    subject.segments().any(|ends| clipped(ends).is_some())
 }
 
 /// The window on the plane z_c = −1 in perspective, at any depth in parallel projection.
@@ -183,11 +168,6 @@ impl Lens {
 
     fn outside(&self, p: DVec3) -> u8 {
         (0..).zip(self.sides(p)).fold(0, |code, (i, distance)| code | (u8::from(distance < 0.0) << i))
-    }
-
-    fn distances(&self, camera: &Camera, p: DVec3) -> [f64; 6] {
-        let [left, right, bottom, top] = self.sides(p);
-        [left, right, bottom, top, -p.z - camera.near(), camera.far() + p.z]
     }
 
     /// The place on the image, from its middle, in images. Y up.

@@ -1,7 +1,6 @@
 //! Repairs: changes of the camera from small to large. The first one whose picture shows the lost objects is offered.
 
 use glam::DVec3;
-use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::exact::{Fault, shadows, wrong_faces};
@@ -11,6 +10,7 @@ use super::{Ball, Cause, FEW, ImageSpec, Looked, MANY_BACK_FACES};
 use crate::appearance::{DepthFormat, Shading, Style, Visibility};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::figure::{Figure, Reveal, words};
+use crate::inspect::SidesReport;
 use crate::numbers::{nice_above, nice_below, round_to};
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::progress::Progress;
@@ -391,13 +391,7 @@ impl Serialize for Value {
             Self::Vector(v) => v.to_array().serialize(serializer),
             Self::Word(word) => word.serialize(serializer),
             Self::Absent => serializer.serialize_unit(),
-            Self::Window(w) => {
-                let mut sides = serializer.serialize_map(Some(4))?;
-                for (side, x) in [("left", w.left), ("right", w.right), ("bottom", w.bottom), ("top", w.top)] {
-                    sides.serialize_entry(side, &x)?;
-                }
-                sides.end()
-            }
+            Self::Window(window) => SidesReport::from(*window).serialize(serializer),
         }
     }
 }

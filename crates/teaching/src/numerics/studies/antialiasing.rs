@@ -7,17 +7,17 @@ use std::mem::size_of;
 
 use glam::{DVec2, DVec3};
 
+use super::figure_with;
 use super::painter::{Painter, flat};
 use crate::appearance::{Rgba, Style, Visibility};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
-use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::progress::pause;
-use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
+use crate::scene::{ObjectSpec, Scene, Shape};
 
 /// A side of the picture.
 const SIDE: u32 = 72;
@@ -104,12 +104,7 @@ impl Setup {
     fn figure(&self) -> String {
         let [a, b, c] = self.triangle.map(|p| p.extend(0.0));
         let edges = Shape::Segments(vec![[a, b], [b, c], [c, a]]);
-        let scene = SceneSpec {
-            preset: Preset::Empty,
-            objects: vec![ObjectSpec::new("triangle", edges)],
-            ..SceneSpec::default()
-        };
-        write::to_toml(&Figure { camera: self.parameters, scene, ..Figure::default() })
+        figure_with(&self.parameters, vec![ObjectSpec::new("triangle", edges)])
     }
 }
 

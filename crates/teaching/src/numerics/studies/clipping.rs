@@ -8,8 +8,8 @@ use std::mem::size_of;
 
 use glam::DVec3;
 
+use super::figure_with;
 use crate::camera::{Camera, Parameters};
-use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
 use crate::numerics::chain::{Matrix, Vector, projection_matrix};
 use crate::numerics::measure::{Off, Trial, mean_bits};
@@ -17,7 +17,7 @@ use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::pipeline::canonical::clipped_segment_of;
-use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
+use crate::scene::{ObjectSpec, Shape};
 
 /// Distance of the second end from the plane of the eye: behind it, or, in the harmless case, in front of it.
 const BEHIND: [f64; 6] = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6];
@@ -88,9 +88,7 @@ fn segment(random: &mut Random, z: f64) -> Ends {
 
 /// The segment as the one object of a scene.
 fn figure(camera: &Parameters, ends: &Ends) -> String {
-    let objects = vec![ObjectSpec::new("segment", Shape::Segments(vec![*ends]))];
-    let scene = SceneSpec { preset: Preset::Empty, objects, ..SceneSpec::default() };
-    write::to_toml(&Figure { camera: *camera, scene, ..Figure::default() })
+    figure_with(camera, vec![ObjectSpec::new("segment", Shape::Segments(vec![*ends]))])
 }
 
 fn off(result: Option<&Ends>, exact: Option<&Ends>) -> Off {

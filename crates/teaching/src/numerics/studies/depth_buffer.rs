@@ -12,15 +12,15 @@ use std::mem::size_of;
 
 use glam::DVec3;
 
+use super::figure_with;
 use crate::camera::{Camera, Parameters, Projection};
-use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
 use crate::numerics::depth_format::{FORMATS, Format, Range, order};
 use crate::numerics::measure::{Off, Trial, bits_off};
 use crate::numerics::{Findings, Group, Lab, Method, Study, Unit};
 use crate::pipeline::canonical::depth_buffer_of;
 use crate::pipeline::depths::InView;
-use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
+use crate::scene::{ObjectSpec, Shape};
 
 const RATIOS: [f64; 7] = [10.0, 100.0, 1e3, 1e4, 1e5, 1e7, 1e9];
 /// Surfaces this share of their depth apart are tried for z-fighting.
@@ -98,10 +98,8 @@ fn figure(camera: &Parameters, depth: f64) -> String {
     let front =
         |name: &str, z: f64, x: f64| ObjectSpec::new(name, Shape::Box).at(x, 0.0, -z - size).scaled(size, size, size);
     let objects = vec![front("near", depth, -size / 1.5), front("far", depth * (1.0 + GAP), size / 1.5)];
-    let scene = SceneSpec { preset: Preset::Empty, objects, ..SceneSpec::default() };
     let focal_point = DVec3::new(0.0, 0.0, -depth);
-    let camera = Parameters { focal_point, height: depth, ..*camera };
-    write::to_toml(&Figure { camera, scene, ..Figure::default() })
+    figure_with(&Parameters { focal_point, height: depth, ..*camera }, objects)
 }
 
 impl DepthCase {

@@ -26,7 +26,12 @@ fn figure_of(camera: &Parameters, size: f64) -> String {
     // The box is 2 wide.
     let half = size / 2.0;
     let cube = ObjectSpec::new("cube", Shape::Box).at(x, y, z).scaled(half, half, half);
-    let scene = SceneSpec { preset: Preset::Empty, objects: vec![cube], ..SceneSpec::default() };
+    figure_with(camera, vec![cube])
+}
+
+/// The figure file of objects before a camera.
+fn figure_with(camera: &Parameters, objects: Vec<ObjectSpec>) -> String {
+    let scene = SceneSpec { preset: Preset::Empty, objects, ..SceneSpec::default() };
     write::to_toml(&Figure { camera: *camera, scene, ..Figure::default() })
 }
 

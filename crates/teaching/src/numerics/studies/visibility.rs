@@ -7,10 +7,10 @@ use std::mem::size_of;
 
 use glam::DVec3;
 
+use super::figure_with;
 use super::painter::{Painter, flat, triangle};
 use crate::appearance::{Rgba, Visibility};
 use crate::camera::{Camera, Parameters, Projection};
-use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
 use crate::numerics::chain::Vector;
 use crate::numerics::depth_format::{Format, Range};
@@ -19,7 +19,7 @@ use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::progress::pause;
-use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
+use crate::scene::{ObjectSpec, Scene, Shape};
 
 const FAR: f64 = 100.0;
 const RATIOS: [f64; 4] = [10.0, 1e3, 1e5, 1e7];
@@ -162,8 +162,7 @@ impl Setup {
             self.triangles.iter().enumerate().map(|(i, &t)| {
                 ObjectSpec::new(format!("triangle {}", i + 1), Shape::Segments(edges(t))).colored(color(i))
             });
-        let scene = SceneSpec { preset: Preset::Empty, objects: objects.collect(), ..SceneSpec::default() };
-        write::to_toml(&Figure { camera: self.parameters, scene, ..Figure::default() })
+        figure_with(&self.parameters, objects.collect())
     }
 }
 
