@@ -14,7 +14,6 @@ texts! {
     close: "Close", "Fechar";
     as_said: "As you said.", "Como você disse.";
     otherwise: "That isn't what you said.", "Não foi como você disse.";
-    no_point: "No vertex is in the image both before and after this operation, so it's done at once.", "Nenhum vértice está na imagem antes e depois desta operação, e ela é feita logo.";
 }
 
 texts_with_values! {

@@ -17,8 +17,6 @@ texts! {
     root: "World", "Mundo";
     root_hint: "Drop an object here to detach it from its parent", "Solte um objeto aqui para separá-lo do pai";
     fold: "Collapse", "Recolher";
-    unfold: "Expand", "Expandir";
-    of_preset: "of the named scene", "da cena nomeada";
     of_preset_hint: "It belongs to the named scene and cannot be edited. “Edit a copy” makes it an object of the figure.", "Pertence à cena nomeada e não pode ser editado. “Editar uma cópia” faz dele um objeto da figura.";
     row_hint: "Click to select, drag onto another object to make it a child, Del to delete", "Clique para selecionar, arraste para outro objeto para torná-lo filho, Del para excluir";
     nothing_selected: "Select an object or a light to edit it, here or with a click in the world or in the image. Ctrl selects several. In the world, arrows, rings and bars move, turn and scale it (keys T, R, S).", "Selecione um objeto ou uma luz para editar, aqui ou com um clique no mundo ou na imagem. Com Ctrl, selecione vários. No mundo, setas, anéis e barras o movem, giram e escalam (teclas T, R, S).";
@@ -102,7 +100,6 @@ texts! {
     delete_question: "Objects below it:", "Objetos abaixo dele:";
     deleted: "Deleted:", "Excluído:";
     matrix: "World matrix", "Matriz no mundo";
-    matrix_hint: "Object → world: the matrices of its ancestors times its own", "Objeto → mundo: as matrizes dos ancestrais vezes a sua";
 
     lights: "Lights", "Luzes";
     default_light: "default light", "luz padrão";
