@@ -10,8 +10,6 @@ texts! {
     same: "as large", "do mesmo tamanho";
     do_it: "Do it", "Fazer";
     do_it_hint: "Does the operation, and compares what you said with what happens", "Faz a operação e compara o que você disse com o que acontece";
-    cancel: "Cancel", "Cancelar";
-    close: "Close", "Fechar";
     as_said: "As you said.", "Como você disse.";
     otherwise: "That isn't what you said.", "Não foi como você disse.";
 }

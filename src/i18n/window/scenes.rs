@@ -46,7 +46,6 @@ texts! {
     color_bad: "a colour is written #rrggbb or #rrggbbaa", "uma cor se escreve #rrggbb ou #rrggbbaa";
     segments: "segments", "segmentos";
     segments_hint: "The number of sides of a prism, cells of a grid, or meridians of a curved shape", "O número de lados de um prisma, células de uma grade ou meridianos de uma forma curva";
-    points: "points", "pontos";
     ends: "ends of segments, in pairs", "extremos de segmentos, aos pares";
     add_point: "Add a point", "Adicionar um ponto";
     add_segment: "Add a segment", "Adicionar um segmento";
@@ -86,7 +85,6 @@ texts! {
     texture_scale: "times", "vezes";
     texture_scale_hint: "Repetitions along u and v. A negative number mirrors", "Repetições ao longo de u e v. Um número negativo espelha";
     browse: "Choose…", "Escolher…";
-    read_again: "Reload", "Recarregar";
     read_again_hint: "The file may have changed since it was read", "O arquivo pode ter mudado desde que foi lido";
     allow_files: "Let this figure read any file", "Deixar esta figura ler qualquer arquivo";
     allow_files_hint: "Until you close it, the figure may name any file of this computer. Files on other machines are never read", "Até você fechá-la, a figura pode indicar qualquer arquivo deste computador. Arquivos de outras máquinas nunca são lidos";

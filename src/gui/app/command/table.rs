@@ -172,11 +172,11 @@ pub const MENUS: &[Menu] = &[
                 row!(KeepCamera, shift(Key::F4), compare::keep, keep_hint, |s, _| {
                     kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
                 }),
-                row!(SwapSides, plain(Key::F4), compare::swap_command, swap_command_hint, |s, _| {
+                row!(SwapSides, plain(Key::F4), compare::swap, swap_command_hint, |s, _| {
                     kept_camera::swap(&mut s.model, &s.camera_a);
                 }),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
-                row!(Labels, alt(Key::T), labels::command, command_hint, |s, _| s.label_mode.toggle())
+                row!(Labels, alt(Key::T), labels::title, command_hint, |s, _| s.label_mode.toggle())
                     .on(|s| s.label_mode.on),
             ],
         ],

@@ -311,7 +311,7 @@ fn data(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize
     let (window, step) = (form.window, form.step);
     match &mut form.scene.objects[index].shape {
         Some(Shape::Points(points)) => {
-            point_list(ui, t, window, (&owner, step), t.points, points, 1);
+            point_list(ui, t, window, (&owner, step), t.shape_points, points, 1);
             if points.len() < MAX_POINTS_IN_PANEL && ui.button(t.add_point).clicked() {
                 points.push(points.last().copied().unwrap_or_default());
             }

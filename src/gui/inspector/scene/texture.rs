@@ -9,7 +9,7 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
-use crate::i18n::messages;
+use crate::i18n::{messages, window};
 use crate::limits::MAX_TEXTURE_SCALE;
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
 
@@ -56,12 +56,12 @@ pub(super) fn notices(ui: &mut egui::Ui, model: &Model, owner: &str) -> [bool; 2
 
 /// The buttons by which the user mends what could not be read.
 pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, model: &mut Model, [is_outside, is_lacking]: [bool; 2]) {
-    let t = crate::i18n::window::scenes::texts(model.settings.lang);
+    let t = window::scenes::texts(model.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         model.document.allow_files();
         model.message = None;
     }
-    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
+    if is_lacking && ui.button(window::texts(t.lang).reload).explained(t.read_again_hint).clicked() {
         model.scene_cache.read_again();
         model.message = None;
     }
@@ -142,7 +142,7 @@ fn or_unsaid<T: Copy + PartialEq>(
 }
 
 /// The inner work of texturing, in all pictures.
-fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &crate::i18n::window::scenes::Texts) {
+fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &window::scenes::Texts) {
     let mut chosen = model.document.figure().reveal.texture;
     let all = [
         (TextureReveal::Affine, t.texture_affine),
