@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
-use super::{InBrowser, Menu, Row, Run};
+use super::{InBrowser, Menu, Row};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
 use crate::files::Overwrite;
@@ -237,8 +237,12 @@ pub const MENUS: &[Menu] = &[
             &[row!(Presentation, plain(Key::F11), presentation, presentation_hint, toggle_presentation)
                 .on(|s| s.model.settings.presentation)],
             &[
-                Row::step(NextFigure, ctrl(Key::PageDown), |t| (t.next_figure, t.next_figure_hint), true),
-                Row::step(PreviousFigure, ctrl(Key::PageUp), |t| (t.previous_figure, t.previous_figure_hint), false),
+                row!(NextFigure, ctrl(Key::PageDown), next_figure, next_figure_hint, |s, ctx| step(s, ctx, true))
+                    .browsers_keys(),
+                row!(PreviousFigure, ctrl(Key::PageUp), previous_figure, previous_figure_hint, |s, ctx| {
+                    step(s, ctx, false);
+                })
+                .browsers_keys(),
             ],
             &[
                 row!(Pen, alt(Key::P), pen, pen_hint, switch annotations.pen),
@@ -331,14 +335,8 @@ impl Row {
             only_if_enabled: false,
             hint_disabled: None,
             on: None,
-            run: Run::Change(run),
+            run,
         }
-    }
-
-    /// A command that goes on to another figure.
-    const fn step(command: Command, shortcut: KeyboardShortcut, words: Words, forwards: bool) -> Self {
-        let row = Self::new(command, shortcut, words, |_, _| {});
-        Self { run: Run::Step { forwards }, ..row }.browsers_keys()
     }
 
     /// Other keys call it too.
@@ -468,6 +466,17 @@ fn copy_numbers(state: &mut State, ctx: &Context) {
 fn see_as(state: &mut State, find: fn(&mut ViewHistory, Observers) -> Option<Observers>) {
     if let Some(observers) = find(&mut state.model.views, state.model.document.figure().observers) {
         *state.model.document.observers_mut() = observers;
+    }
+}
+
+/// Goes on to the next figure or step, or back to the one before.
+fn step(state: &mut State, ctx: &Context, forwards: bool) {
+    // A frozen picture would be under another title.
+    state.annotations.frozen = false;
+    if state.learn.lesson.is_some() {
+        state.learn.step_lesson(&mut state.model, forwards);
+    } else {
+        file_flow::step(ctx, state, forwards);
     }
 }
 
