@@ -152,7 +152,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     assert_eq!(window.names(), ["box", "sphere"]);
     window.command_key(Key::Z);
     window.command_key(Key::Z);
-    assert!(window.names().is_empty() && !window.state().model.document.can_undo());
+    assert!(window.names().is_empty() && !window.state().model.document.can_undo(true));
     for _ in 0..8 {
         window.command_key(Key::Y);
     }

@@ -71,24 +71,20 @@ impl Learn {
         model.actions.push(Action::ForgetFigure);
     }
 
-    /// Undoes a step. Objects that come back are selected. The figure on the screen comes first, then the lesson.
-    pub fn undo(&mut self, model: &mut Model) {
-        if !model.document.can_undo() && self.can_undo_lesson(model, true) {
-            return self.undo_lesson(model, true);
+    /// Undoes a step, or redoes it. Objects that come back are selected. The figure on the screen comes first, then the
+    /// lesson.
+    pub fn undo(&mut self, model: &mut Model, back: bool) {
+        if !model.document.can_undo(back) && self.can_undo_lesson(model, back) {
+            return self.undo_lesson(model, back);
         }
         let before = model.document.figure().scene.clone();
-        model.document.undo();
+        model.document.undo(back);
         model.tree.follow(&before, &model.document.figure().scene);
     }
 
-    /// Redoes a step. Objects that come back are selected.
-    pub fn redo(&mut self, model: &mut Model) {
-        if !model.document.can_redo() && self.can_undo_lesson(model, false) {
-            return self.undo_lesson(model, false);
-        }
-        let before = model.document.figure().scene.clone();
-        model.document.redo();
-        model.tree.follow(&before, &model.document.figure().scene);
+    /// True if there is something to undo (`back`), or to redo.
+    pub(in crate::gui) fn can_undo(&self, model: &Model, back: bool) -> bool {
+        model.document.can_undo(back) || self.can_undo_lesson(model, back)
     }
 
     /// The question for a place in the image that is asked now.

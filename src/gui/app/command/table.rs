@@ -4,7 +4,7 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
 use super::{InBrowser, Menu, Row};
 use crate::appearance;
-use crate::figure::{Explanation, Observers};
+use crate::figure::Explanation;
 use crate::files::Overwrite;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
@@ -18,7 +18,6 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::command::Command::{self, *};
-use crate::gui::model::layout::view_history::ViewHistory;
 use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
 use crate::gui::model::message::Message;
 use crate::i18n::Lang;
@@ -126,11 +125,11 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[
-                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.learn.undo(&mut s.model))
-                    .enabled(|s| s.model.document.can_undo() || s.learn.can_undo_lesson(&s.model, true)),
-                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.redo(&mut s.model))
+                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.learn.undo(&mut s.model, true))
+                    .enabled(|s| s.learn.can_undo(&s.model, true)),
+                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.undo(&mut s.model, false))
                     .or(ctrl(Key::Y))
-                    .enabled(|s| s.model.document.can_redo() || s.learn.can_undo_lesson(&s.model, false)),
+                    .enabled(|s| s.learn.can_undo(&s.model, false)),
             ],
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.document.reset())
                 .enabled(|s| s.model.document.can_reset())
@@ -155,13 +154,10 @@ pub const MENUS: &[Menu] = &[
                 row!(arrangement Some(Arrangement::Beside), ctrl(Key::Num8)),
             ],
             &[
-                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, ViewHistory::back))
-                    .enabled(|s| s.model.views.can_go_back(s.model.document.figure().observers)),
-                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(
-                    s,
-                    ViewHistory::forward
-                ))
-                .enabled(|s| s.model.views.can_go_forward(s.model.document.figure().observers)),
+                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, true))
+                    .enabled(|s| s.model.views.can_go(s.model.document.figure().observers, true)),
+                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(s, false))
+                    .enabled(|s| s.model.views.can_go(s.model.document.figure().observers, false)),
                 row!(world section, Section, alt(Key::Num8), section_view, section_view_hint),
                 row!(world dimensions, Dimensions, alt(Key::Num9), dimensions, dimensions_hint)
                     .enabled(|s| !s.model.document.figure().world.section)
@@ -463,8 +459,8 @@ fn copy_numbers(state: &mut State, ctx: &Context) {
 }
 
 /// Shows the 3D pictures as they were seen at another time, where there is one.
-fn see_as(state: &mut State, find: fn(&mut ViewHistory, Observers) -> Option<Observers>) {
-    if let Some(observers) = find(&mut state.model.views, state.model.document.figure().observers) {
+fn see_as(state: &mut State, back: bool) {
+    if let Some(observers) = state.model.views.go(state.model.document.figure().observers, back) {
         *state.model.document.observers_mut() = observers;
     }
 }
