@@ -158,15 +158,15 @@ impl VectorField<'_> {
 }
 
 /// A choice out of few, with the name that screen readers say.
-pub(in crate::gui) fn choice<T: PartialEq + Copy>(
+pub(in crate::gui) fn choice<T: PartialEq + Clone, S: AsRef<str>>(
     ui: &mut egui::Ui,
     name: &str,
     hint: &str,
     value: &mut T,
-    options: &[(T, &str)],
+    options: &[(T, S)],
 ) -> bool {
-    let old = *value;
-    let chosen = options.iter().find(|(option, _)| *option == old).map_or("", |(_, text)| *text);
+    let old = value.clone();
+    let chosen = options.iter().find(|(option, _)| *option == old).map_or("", |(_, text)| text.as_ref());
     let below = ui.layer_id();
     let list = egui::ComboBox::from_id_salt(name)
         .selected_text(chosen)
@@ -178,7 +178,7 @@ pub(in crate::gui) fn choice<T: PartialEq + Copy>(
                 ui.ctx().set_sublayer(below, ui.layer_id());
             }
             for (option, text) in options {
-                ui.selectable_value(value, *option, *text);
+                ui.selectable_value(value, option.clone(), text.as_ref());
             }
         })
         .response
@@ -208,12 +208,12 @@ pub(in crate::gui) fn complain<'a>(ui: &mut egui::Ui, lang: Lang, fields: impl I
 }
 
 /// A choice in a row with its name.
-pub(in crate::gui) fn choice_row<T: PartialEq + Copy>(
+pub(in crate::gui) fn choice_row<T: PartialEq + Clone, S: AsRef<str>>(
     ui: &mut egui::Ui,
     name: &str,
     hint: &str,
     value: &mut T,
-    options: &[(T, &str)],
+    options: &[(T, S)],
 ) -> bool {
     row(ui, "", name, hint, |ui| choice(ui, name, hint, value, options))
 }

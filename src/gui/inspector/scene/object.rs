@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, file_row, text_field, texture, typing};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
-use crate::gui::inspector::{VectorField, complaint, row};
+use crate::gui::inspector::{VectorField, choice_row, complaint, row};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
@@ -137,23 +137,10 @@ fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     }
     let shapes = Shape::NAMED.iter().map(|(_, shape)| shape).filter(|shape| is_plain(shape));
     let kinds = [None].into_iter().chain(shapes.cloned().map(Some));
+    let kinds: Vec<_> = kinds.map(|kind| (kind.clone(), t.shape(kind.as_ref()))).collect();
     let usual = Shape::usual_segments;
     let mut chosen = object.shape.clone();
-    row(ui, "", t.kind, t.kind_hint, |ui| {
-        egui::ComboBox::from_id_salt(t.kind)
-            .selected_text(t.shape(chosen.as_ref()))
-            .width(116.0)
-            .show_ui(ui, |ui| {
-                for kind in kinds {
-                    let text = t.shape(kind.as_ref());
-                    ui.selectable_value(&mut chosen, kind, text);
-                }
-            })
-            .response
-            .explained(t.kind_hint)
-            .accessible_name(t.kind);
-    });
-    if chosen != object.shape {
+    if choice_row(ui, t.kind, t.kind_hint, &mut chosen, &kinds) {
         if object.segments == usual(object.shape.as_ref()) {
             object.segments = usual(chosen.as_ref());
         }

@@ -80,26 +80,14 @@ fn source(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) 
         Some(TextureSource::File(_)) => t.texture_file,
     };
     let is_file = |source: &Option<TextureSource>| matches!(source, Some(TextureSource::File(_)));
-    row(ui, "", t.texture, t.texture_hint, |ui| {
-        egui::ComboBox::from_id_salt(t.texture)
-            .selected_text(name(&chosen))
-            .width(116.0)
-            .show_ui(ui, |ui| {
-                ui.selectable_value(&mut chosen, None, unsaid);
-                // Without a file there is nothing that the texture could be told not to be.
-                let named = TextureSource::NAMED.into_iter().map(|(_, source)| source);
-                for source in named.filter(|source| is_mesh || *source != TextureSource::None) {
-                    let source = Some(source);
-                    let words = name(&source);
-                    ui.selectable_value(&mut chosen, source, words);
-                }
-                let now = if is_file(&chosen) { chosen.clone() } else { Some(TextureSource::File(String::new())) };
-                ui.selectable_value(&mut chosen, now, t.texture_file);
-            })
-            .response
-            .explained(t.texture_hint)
-            .accessible_name(t.texture);
-    });
+    // Without a file there is nothing that the texture could be told not to be.
+    let is_listed =
+        |source: &TextureSource| is_mesh || *source != TextureSource::None || chosen.as_ref() == Some(source);
+    let named = TextureSource::NAMED.into_iter().map(|(_, source)| source).filter(is_listed).map(Some);
+    let file = if is_file(&chosen) { chosen.clone() } else { Some(TextureSource::File(String::new())) };
+    let all = [None].into_iter().chain(named).chain([file]);
+    let all: Vec<_> = all.map(|source| (source.clone(), name(&source))).collect();
+    choice_row(ui, t.texture, t.texture_hint, &mut chosen, &all);
     form.scene.objects[index].texture = chosen;
 }
 
