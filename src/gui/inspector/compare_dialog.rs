@@ -13,7 +13,7 @@ use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::compare as words;
@@ -90,7 +90,7 @@ fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<A
             chosen = Some(compared_with(model, &a));
         }
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
-            model.actions.push(Action::CompareWith);
+            model.actions.push(Action::File(FileFor::CompareWith));
         }
         let with_saved = ui.add_enabled(model.document.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {

@@ -13,7 +13,7 @@ use crate::gui::kit::context_help::{help_topic, help_topic_row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::{Action, MeshFor};
+use crate::gui::model::action::{Action, FileFor, MeshFor};
 use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
 use crate::i18n::messages;
 use crate::i18n::messages::faults;
@@ -364,7 +364,7 @@ fn point_list(
 }
 
 fn mesh_file(ui: &mut egui::Ui, model: &mut Model, t: &Texts, owner: &str, path: &mut String) {
-    let browse = Action::Mesh(MeshFor::Object(owner.to_owned()));
+    let browse = Action::File(FileFor::Mesh(MeshFor::Object(owner.to_owned())));
     file_row(ui, model, (owner, "path"), [t.path, t.path_hint], path, browse);
     let problem = model.scene_cache.problem_of(owner);
     let unread = model.scene_cache.unread_of(owner);

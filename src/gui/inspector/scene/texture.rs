@@ -8,7 +8,7 @@ use crate::gui::inspector::{choice_row, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::i18n::{messages, window};
 use crate::limits::MAX_TEXTURE_SCALE;
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
@@ -96,7 +96,7 @@ fn file(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let Some(TextureSource::File(path)) = &mut form.scene.objects[index].texture else { return };
-    let browse = Action::Texture(owner.clone());
+    let browse = Action::File(FileFor::Texture(owner.clone()));
     file_row(ui, model, (&owner, "texture"), [t.texture_file, t.texture_file_hint], path, browse);
 }
 
