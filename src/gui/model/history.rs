@@ -10,7 +10,7 @@ use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
 /// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
 /// large. Different numbers mean nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) struct Revision(u64);
 
 impl Revision {
