@@ -16,7 +16,7 @@ use crate::gui::model::document::Document;
 use crate::gui::model::follow::Follow;
 use crate::gui::model::operations::placing::{Mark, Placing};
 use crate::gui::model::scene_tree::SceneTree;
-use crate::i18n::learn::exercise_window;
+use crate::i18n::learn::{exercise_window, lessons};
 use crate::lessons::Lesson;
 use exercises::state::Exercises;
 use lesson::state::Playing;
@@ -42,6 +42,13 @@ pub struct Learn {
     pub goes_on: bool,
     /// The first lesson and the gallery are offered, in one line.
     pub welcome: bool,
+}
+
+/// A link to a step of a lesson of the program.
+fn lesson_link(ui: &mut egui::Ui, model: &mut Model, lesson: &Arc<Lesson>, step: usize) {
+    if ui.link(lessons::lesson_link(model.settings.lang, lesson, step)).clicked() {
+        model.actions.push(Action::lesson(Arc::clone(lesson), step));
+    }
 }
 
 impl Learn {

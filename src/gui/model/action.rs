@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use crate::camera::Decomposition;
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::gui::model::operations::placing::Mark;
-use crate::lessons::OpenLesson;
+use crate::lessons::{Lesson, OpenLesson};
 
 /// A request of one feature to another. The window does it once the panels of the frame are drawn.
 #[derive(Clone, Debug)]
@@ -44,6 +45,11 @@ pub enum Action {
 }
 
 impl Action {
+    /// Plays a lesson of the program from a step.
+    pub(in crate::gui) fn lesson(lesson: Arc<Lesson>, step: usize) -> Self {
+        Self::Begin(AfterSave::Lesson(OpenLesson { lesson, path: None, step }))
+    }
+
     /// Asks where to write a chart with this title.
     pub(in crate::gui) fn chart(title: &str, chart: Chart) -> Self {
         Self::File(FileFor::Chart(Box::new(Block { title: title.to_owned(), rows: vec![vec![chart]] })))
