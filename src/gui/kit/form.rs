@@ -218,6 +218,11 @@ pub(in crate::gui) fn choice_row<T: PartialEq + Clone, S: AsRef<str>>(
     row(ui, "", name, hint, |ui| choice(ui, name, hint, value, options))
 }
 
+/// A button that is on or off.
+pub(in crate::gui) fn toggle<'t>(ui: &mut egui::Ui, on: bool, text: impl egui::IntoAtoms<'t>) -> egui::Response {
+    ui.add(egui::Button::selectable(on, text).frame_when_inactive(true))
+}
+
 /// Buttons of which one is on, each with its hint.
 pub(in crate::gui) fn alternatives<'a, T: PartialEq>(
     ui: &mut egui::Ui,
@@ -225,8 +230,7 @@ pub(in crate::gui) fn alternatives<'a, T: PartialEq>(
     options: impl IntoIterator<Item = (T, &'a str, &'a str)>,
 ) {
     for (option, name, hint) in options {
-        let button = egui::Button::selectable(*value == option, name).frame_when_inactive(true);
-        if ui.add(button).explained(hint).clicked() {
+        if toggle(ui, *value == option, name).explained(hint).clicked() {
             *value = option;
         }
     }

@@ -9,7 +9,7 @@ use crate::camera::{NotProjectable, Place};
 use crate::explain::{Component, Setting, Symbol};
 use crate::figure::points::may_be_named;
 use crate::gui::kit::context_help::help_topic_row;
-use crate::gui::kit::form::complaint;
+use crate::gui::kit::form::{complaint, toggle};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::KeptLine;
 use crate::gui::kit::tooltip::Explained;
@@ -71,8 +71,7 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let chosen = model.follow.index(&points);
     ui.horizontal_wrapped(|ui| {
         for (i, point) in points.iter().enumerate() {
-            let button = egui::Button::selectable(chosen == Some(i), escaped(&point.name)).frame_when_inactive(true);
-            if ui.add(button).clicked() {
+            if toggle(ui, chosen == Some(i), escaped(&point.name)).clicked() {
                 model.follow.choose(&point.name);
             }
         }
