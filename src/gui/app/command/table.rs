@@ -20,7 +20,6 @@ use crate::gui::model::action::AfterSave;
 use crate::gui::model::command::Command::{self, *};
 use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
 use crate::gui::model::message::Message;
-use crate::i18n::Lang;
 use crate::i18n::learn::{handouts, lessons};
 use crate::i18n::window::Texts;
 use crate::i18n::window::{canvas, compare, labels, sharing};
@@ -223,7 +222,10 @@ pub const MENUS: &[Menu] = &[
                 row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.model.settings.zoom = 1.0)
                     .browsers_keys(),
             ],
-            &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| toggle_language(s)).browsers_keys()],
+            &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| {
+                s.model.settings.lang = s.model.settings.lang.other();
+            })
+            .browsers_keys()],
         ],
     },
     Menu {
@@ -507,13 +509,6 @@ fn toggle_theme(state: &mut State) {
 
 fn zoom_by(state: &mut State, more: f32) {
     state.model.settings.zoom = (state.model.settings.zoom + more).clamp(0.5, 3.0);
-}
-
-fn toggle_language(state: &mut State) {
-    state.model.settings.lang = match state.model.settings.lang {
-        Lang::En => Lang::PtBr,
-        Lang::PtBr => Lang::En,
-    };
 }
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {
