@@ -290,8 +290,7 @@ fn say_whether_saved(model: &mut Model, path: &Path, saved: Result<(), FileError
 }
 
 fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
-    let task = Task::new((&state.model.document, state.model.figure_as_shown()), state.model.settings.lang, what, to)
-        .with_family(state.family.clone(), state.model.operations.convention);
+    let task = Task::new(&state.model, &state.family, what, to);
     state.file_flow.exporting.push(Exporting::start(ctx, task));
     state.model.say(Message::Exporting);
 }
