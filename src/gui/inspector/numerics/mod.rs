@@ -173,10 +173,7 @@ fn methods(ui: &mut Ui, model: &Model, numerics: &mut Numerics, findings: &Findi
     let colors = findings.methods();
     Grid::new("methods").num_columns(5).striped(true).show(ui, |ui| {
         for (head, hint) in [(t.method, ""), (t.error, ""), (t.nanos, ""), (t.bits, t.bits_hint), ("", "")] {
-            let head = ui.label(RichText::new(head).strong());
-            if !hint.is_empty() {
-                head.explained(hint);
-            }
+            ui.label(RichText::new(head).strong()).explained(hint);
         }
         ui.end_row();
         for row in rows.into_iter().filter(|row| row.parameter == parameter) {
