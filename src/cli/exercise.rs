@@ -17,7 +17,9 @@ use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, OwnExercises};
 use crate::handout::{self, HandoutOptions, NoPicture};
-use crate::i18n::learn::{exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, lessons};
+use crate::i18n::learn::{
+    exercise_messages as said, exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
+};
 use crate::i18n::why::notes;
 use crate::i18n::{Lang, messages};
 use crate::inspect::json_text;
@@ -341,19 +343,19 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
 
 /// The output as text.
 fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswered: &[&str], hints: usize) -> String {
-    let t = said::texts(lang);
+    let (t, words) = (said::texts(lang), exercise_window::texts(lang));
     let mut text = String::new();
     for (ask, verdict) in judged {
         let understood = texts::understood(lang, ask, &verdict.understood);
         let entries: Vec<bool> = verdict.entries.iter().flatten().copied().collect();
         let right = entries.iter().filter(|is| **is).count();
         let share = match (verdict.right, entries.len()) {
-            (true, _) => t.right.to_owned(),
-            _ if !verdict.carried.is_empty() => t.follows.to_owned(),
-            (false, 1) => t.wrong.to_owned(),
-            (false, all) => format!("{} ({})", t.wrong, said::right_of(lang, right, all)),
+            (true, _) => words.right.to_owned(),
+            _ if !verdict.carried.is_empty() => words.follows.to_owned(),
+            (false, 1) => words.wrong.to_owned(),
+            (false, all) => format!("{} ({})", words.wrong, said::right_of(lang, right, all)),
         };
-        let _ = writeln!(text, "{}: {share}  ({} {understood})", ask.name, t.understood);
+        let _ = writeln!(text, "{}: {share}  ({} {understood})", ask.name, words.understood);
         if !verdict.reading.is_empty() {
             let _ = writeln!(text, "  {}: {}", t.read_as, texts::reading(lang, verdict.reading));
         }
@@ -370,7 +372,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
             let _ = writeln!(text, "  {}", plain(&diagnosis));
         }
         for hint in said::hints(lang, exercise, ask, verdict).iter().take(hints) {
-            let _ = writeln!(text, "  {}: {}", t.hint, plain(hint));
+            let _ = writeln!(text, "  {}: {}", words.hint, plain(hint));
         }
     }
     if !unanswered.is_empty() {

@@ -12,8 +12,6 @@ texts! {
     typed: "another key", "outra chave";
     view_angle: "view angle θ", "ângulo de vista θ";
     projection: "projection", "projeção";
-    visibility: "hidden faces", "faces ocultas";
-    shading: "shading", "sombreamento";
     samples: "samples per pixel", "amostras por pixel";
     values: "values", "valores";
     values_hint: "Separate them by commas. 20..90:4 are four from 20 to 90. With another key, write camera.near=1, 2", "Separe-os por vírgulas. 20..90:4 são quatro de 20 a 90. Com outra chave, escreva camera.near=1, 2";

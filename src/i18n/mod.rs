@@ -94,6 +94,11 @@ pub fn told(lang: Lang, text: &Bilingual) -> &str {
     pick!(lang; &text.en, &text.pt_br)
 }
 
+/// A text of a file that is changed in a language.
+pub fn told_mut(lang: Lang, text: &mut Bilingual) -> &mut String {
+    pick!(lang; &mut text.en, &mut text.pt_br)
+}
+
 /// A language of the interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lang {
@@ -111,6 +116,11 @@ impl Lang {
             Self::En => DecimalMark::Point,
             Self::PtBr => DecimalMark::Comma,
         }
+    }
+
+    /// The other one.
+    pub const fn other(self) -> Self {
+        pick!(self; Self::PtBr, Self::En)
     }
 
     /// Its tag in files for others: `en`, `pt-BR`.

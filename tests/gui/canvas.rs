@@ -144,7 +144,7 @@ fn a_drag_turns_the_observer_by_half_a_degree_a_point_and_is_no_undo_step() {
     assert!((now.azimuth - 70.0).abs() < 1e-4 && (now.elevation - 40.0).abs() < 1e-4, "{now:?}");
     assert_eq!((now.target, now.distance), (observer().target, observer().distance));
     assert_eq!(canonical_observer(&h).azimuth, observer().azimuth, "the other picture is not linked");
-    assert!(!h.state().state.model.document.can_undo());
+    assert!(!h.state().state.model.document.can_undo(true));
 }
 
 #[test]
@@ -205,9 +205,9 @@ fn c_goes_over_its_plane_in_one_undo_step() {
     let now = handle(&h, Handle::Position);
     assert!(now.distance(from + vec2(30.0, 12.0)) < 2.0, "C is under the pointer: {now}");
     let document = &mut h.state_mut().state.model.document;
-    document.undo();
+    document.undo(true);
     assert_eq!(*document.draft(), before);
-    assert!(!document.can_undo(), "one step");
+    assert!(!document.can_undo(true), "one step");
 }
 
 #[test]
@@ -438,7 +438,7 @@ fn the_hand_on_the_image_moves_the_camera() {
     let [near, far] = [before, turned].map(|p| p.position.distance(p.focal_point));
     assert!((near - far).abs() < 1e-9 && turned.position.y > before.position.y, "downwards it rises");
     let state = &mut h.state_mut().state;
-    state.learn.undo(&mut state.model);
+    state.learn.undo(&mut state.model, true);
     h.run();
     assert_eq!(parameters(&h), before);
     let shift = Modifiers::SHIFT;
@@ -447,7 +447,7 @@ fn the_hand_on_the_image_moves_the_camera() {
     let moved = panned.focal_point - before.focal_point;
     assert!(moved.length() > 0.1 && (panned.position - before.position - moved).length() < 1e-9);
     let state = &mut h.state_mut().state;
-    state.learn.undo(&mut state.model);
+    state.learn.undo(&mut state.model, true);
     h.hover_at(from);
     h.run();
     h.event(Event::MouseWheel {

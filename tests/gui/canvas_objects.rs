@@ -53,7 +53,7 @@ fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2
 fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.document.commit();
-    let undoable = h.state().state.model.document.can_undo();
+    let undoable = h.state().state.model.document.can_undo(true);
     // The group's x is the world's −z, its z the world's x.
     let arrows = gizmo(Transforming::Move, DVec3::new(1.5, 1.0, 0.0), [DVec3::NEG_Z, DVec3::Y, DVec3::X]);
     let cone = |h: &Harness<Stage>| h.state().state.model.document.figure().scene.objects[1].translate;
@@ -64,10 +64,10 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
     // Tidy: no more digits than pixels.
     assert_eq!(after.y, (after.y * 1000.0).round() / 1000.0);
-    assert!(h.state().state.model.document.can_undo());
-    h.state_mut().state.model.document.undo();
+    assert!(h.state().state.model.document.can_undo(true));
+    h.state_mut().state.model.document.undo(true);
     h.run();
-    assert_eq!((cone(&h), h.state().state.model.document.can_undo()), (before, undoable));
+    assert_eq!((cone(&h), h.state().state.model.document.can_undo(true)), (before, undoable));
 
     h.hover_at(from);
     h.run();
@@ -91,7 +91,7 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     };
     assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
     // Selecting is no change of the figure.
-    h.state_mut().state.model.document.undo();
+    h.state_mut().state.model.document.undo(true);
     h.state_mut().state.model.tree.select(None);
     h.run();
     let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.document.figure().scene.lights[0]
@@ -155,7 +155,7 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
     assert!(turned.y != 0.0 && turned.y % 15.0 == 0.0 && turned.x == 0.0 && turned.z == 0.0, "{turned}");
     assert_eq!((cone(&h).translate, cone(&h).scale), (before.translate, before.scale));
     let state = &mut h.state_mut().state;
-    state.learn.undo(&mut state.model);
+    state.learn.undo(&mut state.model, true);
     h.run();
     assert_eq!(cone(&h), before, "one step");
 
@@ -196,7 +196,7 @@ fn objects_that_are_selected_together_go_together() {
     let (cone, ball) = (after.0 - before.0, after.1 - before.1);
     assert!(cone.y > 0.0 && (ball - cone * 2.0).length() < 1e-9, "{cone} {ball}");
     let state = &mut h.state_mut().state;
-    state.learn.undo(&mut state.model);
+    state.learn.undo(&mut state.model, true);
     h.run();
     assert_eq!(places(&h), before);
     assert_eq!(
@@ -237,7 +237,7 @@ fn turns_of_the_view_are_gone_back_through() {
     assert_ne!(turned, before);
     let views = &mut h.state_mut().state.model.views;
     views.reset(before);
-    assert!(views.can_go_back(turned) && !views.can_go_forward(turned));
-    assert_eq!(views.back(turned), Some(before));
-    assert_eq!(views.forward(before), Some(turned));
+    assert!(views.can_go(turned, true) && !views.can_go(turned, false));
+    assert_eq!(views.go(turned, true), Some(before));
+    assert_eq!(views.go(before, false), Some(turned));
 }

@@ -57,7 +57,7 @@ fn turns_after_a_plus_are_undone_one_by_one() {
         window.command_key(Key::Z);
         assert_eq!(camera(&window), *before, "step {i} is taken back alone");
     }
-    assert!(!window.state().model.document.can_undo());
+    assert!(!window.state().model.document.can_undo(true));
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn what_a_held_key_repeats_is_one_step() {
     assert_eq!(camera(&window), turned);
     window.command_key(Key::Z);
     assert_eq!(camera(&window), before);
-    assert!(!window.state().model.document.can_undo());
+    assert!(!window.state().model.document.can_undo(true));
 }
 
 #[test]
@@ -88,9 +88,9 @@ fn a_key_that_never_comes_up_is_not_held_for_ever() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
     window.key_event(Key::ArrowRight, true, Modifiers::NONE);
-    assert!(!window.state().model.document.can_undo(), "it may repeat yet");
+    assert!(!window.state().model.document.can_undo(true), "it may repeat yet");
     window.harness.run_steps(6);
-    assert!(window.state().model.document.can_undo());
+    assert!(window.state().model.document.can_undo(true));
 }
 
 #[test]
@@ -213,7 +213,7 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Dark);
     // It is not the figure that has changed.
     let document = &window.state().model.document;
-    assert!(!document.is_changed() && !document.can_undo());
+    assert!(!document.is_changed() && !document.can_undo(true));
     assert_eq!(document.figure().style.theme, Theme::Light);
     // Nor does another figure change it, not even one that was drawn for print.
     let folder = Folder::new("theme");
@@ -276,7 +276,7 @@ fn pictures_are_hidden_and_shown_and_looked_at() {
         ObserverChange::From(Viewpoint::Top)
     );
     // Looking from somewhere else is no change of the figure.
-    assert!(!window.state().model.document.is_changed() && !window.state().model.document.can_undo());
+    assert!(!window.state().model.document.is_changed() && !window.state().model.document.can_undo(true));
 }
 
 #[test]
@@ -334,7 +334,7 @@ fn every_key_of_a_frame_acts() {
         window.enter("C x", &(10 * value).to_string());
     }
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Z); 6]);
-    assert_eq!((x(&window), window.state().model.document.can_undo()), (start, false));
+    assert_eq!((x(&window), window.state().model.document.can_undo(true)), (start, false));
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Y); 4]);
     assert_eq!(x(&window), 40.0);
     // In their order: two back, one forward.

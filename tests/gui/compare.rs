@@ -68,7 +68,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
         window.command_key(Key::Z);
         assert_eq!(window.compared().map(|comparison| comparison.wiper), expected);
     }
-    while window.state().model.document.can_undo() {
+    while window.state().model.document.can_undo(true) {
         window.command_key(Key::Z);
     }
     assert_eq!(window.compared(), None);

@@ -294,7 +294,7 @@ fn the_layout_is_saved_with_its_figure_and_comes_back() {
     window.command_key(Key::S);
     let screen = "[screen]\npictures = [\"canonical\", \"image\"]\npanel = \"depth\"\n";
     assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
-    assert!(!window.state().learn.has_unsaved(&window.state().model) && !window.state().model.document.can_redo());
+    assert!(!window.state().learn.has_unsaved(&window.state().model) && !window.state().model.document.can_undo(false));
     // The layout is no step to be undone.
     window.command_key(Key::Z);
     assert_eq!(window.state().model.layout.shown, [false, true, true]);

@@ -184,7 +184,7 @@ fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
     assert!(window.state().file_flow.dialog.is_none());
     // As a finger does.
     window.command_key(Key::G);
-    window.click(en::GALLERY.close);
+    window.click(en::WINDOW.close);
     assert!(window.state().file_flow.dialog.is_none());
     window.command_key(Key::G);
     window.key(Key::Enter);

@@ -75,7 +75,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     }
     assert_eq!(step(&window), 1);
     assert_eq!(window.state().model.document.figure().camera, lesson.steps[1].figure.camera);
-    assert!(!window.state().model.document.can_undo(), "the move is no change");
+    assert!(!window.state().model.document.can_undo(true), "the move is no change");
     // Back, and the question is still answered.
     window.harness.key_press(Key::PageUp);
     window.run();
@@ -509,7 +509,7 @@ fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     window.run();
     assert!(!window.state().learn.has_unsaved(&window.state().model));
     let state = &mut window.app_mut().state;
-    state.learn.undo(&mut state.model);
+    state.learn.undo(&mut state.model, true);
     assert!(window.state().learn.has_unsaved(&window.state().model) && window.state().model.document.draft() == &tried);
 }
 

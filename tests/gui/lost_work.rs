@@ -210,8 +210,8 @@ impl Work {
         let mut is_near = false;
         for _ in 0..20 {
             is_near |= self.is_in(&back) || self.is_in(&forth);
-            back.undo();
-            forth.redo();
+            back.undo(true);
+            forth.undo(false);
         }
         is_near || state.learn.held_documents(&state.model).into_iter().any(|document| self.is_in(document))
     }

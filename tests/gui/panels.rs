@@ -148,7 +148,7 @@ fn a_drag_changes_a_number_in_one_undo_step() {
     assert!(after > 3.0);
     window.command_key(Key::Z);
     assert_eq!(window.state().model.document.draft().position.x, 3.0);
-    assert!(!window.state().model.document.can_undo());
+    assert!(!window.state().model.document.can_undo(true));
     window.command_key(Key::Y);
     assert_eq!(window.state().model.document.draft().position.x, after);
 }
@@ -310,7 +310,7 @@ fn an_operation_turns_the_camera_by_its_step() {
     for _ in 0..4 {
         window.command_key(Key::Z);
     }
-    assert!(!window.state().model.document.can_undo());
+    assert!(!window.state().model.document.can_undo(true));
 }
 
 #[test]
@@ -331,7 +331,7 @@ fn a_slider_scrubs_from_where_the_camera_is_and_springs_back() {
     assert_eq!(slider.accesskit_node().numeric_value(), Some(0.0));
     window.command_key(Key::Z);
     assert_eq!(*window.state().model.document.draft(), before);
-    assert!(!window.state().model.document.can_undo());
+    assert!(!window.state().model.document.can_undo(true));
 }
 
 #[test]
@@ -564,7 +564,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
         window.command_key(Key::Z);
         assert_eq!(camera(&window), expected);
     }
-    assert!(!window.state().model.document.can_undo());
+    assert!(!window.state().model.document.can_undo(true));
     // Where motion is to be reduced it is there at once.
     window.app_mut().state.model.settings.reduce_motion = true;
     click(&mut window);

@@ -76,7 +76,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert!(window.says(en::WINDOW.last_figure));
     window.key(Key::PageUp);
     assert_eq!((name(&window).as_str(), window.state().model.document.figure().camera.far), ("aula 2.toml", 77.0));
-    assert!(window.state().model.document.is_changed() && window.state().model.document.can_undo());
+    assert!(window.state().model.document.is_changed() && window.state().model.document.can_undo(true));
     window.key(Key::PageUp);
     assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("aula 1.toml", 1));
     // What was gone through is among the files that were used last.

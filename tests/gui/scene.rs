@@ -152,7 +152,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     assert_eq!(window.names(), ["box", "sphere"]);
     window.command_key(Key::Z);
     window.command_key(Key::Z);
-    assert!(window.names().is_empty() && !window.state().model.document.can_undo());
+    assert!(window.names().is_empty() && !window.state().model.document.can_undo(true));
     for _ in 0..8 {
         window.command_key(Key::Y);
     }
@@ -484,7 +484,7 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     assert_eq!((scene.objects.len(), scene.objects[0].world_from_object.w_axis.z), (1, 1.0));
     std::fs::write(folder.file("torn.obj"), format!("{triangle}f 1 2\n")).expect("written");
     window.select("torn");
-    window.click(en::SCENES.read_again);
+    window.click(en::WINDOW.reload);
     window.run();
     assert_eq!(window.state().model.scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
@@ -608,7 +608,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
         let mut image = image::RgbImage::new(4, 2);
         image.put_pixel(0, 0, image::Rgb([255, 0, 0]));
         image.save(&missing).expect("a folder of the test");
-        window.click(t.read_again);
+        window.click(camera_lab::i18n::window::texts(lang).reload);
         for _ in 0..20 {
             window.run();
         }

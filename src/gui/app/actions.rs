@@ -18,14 +18,7 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
         ctx.request_repaint();
         let open = |state: &mut State, dialog| state.file_flow.dialog = Some(dialog);
         match action {
-            Action::Mesh(mesh) => ask(ctx, state, Purpose::Mesh(mesh)),
-            Action::Texture(object) => ask(ctx, state, Purpose::Texture(object)),
-            Action::Photograph => ask(ctx, state, Purpose::Photograph),
-            Action::CompareWith => ask(ctx, state, Purpose::CompareWith),
-            Action::Animation(way) => ask(ctx, state, Purpose::Animation(way)),
-            Action::Chart(chart) => ask(ctx, state, Purpose::Chart(chart)),
-            Action::Progress => ask(ctx, state, Purpose::Progress),
-            Action::Exercises => ask(ctx, state, Purpose::Exercises),
+            Action::File(file) => ask(ctx, state, Purpose::For(file)),
             Action::Begin(next) => begin(ctx, state, next),
             Action::ForgetFigure => {
                 (state.file_flow.theirs, state.file_flow.decided) = (None, None);

@@ -42,7 +42,7 @@ struct Row {
     /// The reason why it is disabled, where that is not plain.
     hint_disabled: Option<fn(&Texts) -> &'static str>,
     on: Option<fn(&State) -> bool>,
-    run: Run,
+    run: fn(&mut State, &Context),
 }
 
 /// The part of a command that a page in a browser has.
@@ -55,15 +55,6 @@ enum InBrowser {
     WithoutKeys,
     /// Nothing: a page has no files that it could open again by itself, and is closed by the browser.
     Nothing,
-}
-
-/// The way in which a command is done.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::gui) enum Run {
-    /// By a change of the state.
-    Change(fn(&mut State, &Context)),
-    /// By going on to the next figure, or back to the one before, of which the session has to know.
-    Step { forwards: bool },
 }
 
 fn rows() -> impl Iterator<Item = &'static Row> {
@@ -134,9 +125,9 @@ impl Command {
         self.row().on.map(|on| on(state))
     }
 
-    /// The way in which it is done.
-    pub(in crate::gui) fn run(self) -> Run {
-        self.row().run
+    /// Does it.
+    pub(in crate::gui) fn run(self, state: &mut State, ctx: &Context) {
+        (self.row().run)(state, ctx);
     }
 
     /// True for what a text field does itself while it has the keyboard.

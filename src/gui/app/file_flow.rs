@@ -35,7 +35,7 @@ use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
 use crate::gui::inspector::state::compare;
 use crate::gui::model::Model;
-use crate::gui::model::action::{AfterSave, MeshFor};
+use crate::gui::model::action::{AfterSave, FileFor, MeshFor};
 use crate::gui::model::document::Document;
 use crate::gui::model::document::source::Source;
 use crate::gui::model::export_error::ExportError;
@@ -212,7 +212,8 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
 
 /// The files that are there already, and that writing to `path` replaces. A picture may have another file beside it.
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
-    let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_));
+    let writes_pictures =
+        matches!(purpose, Purpose::Export(_) | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_)));
     let beside = file_beside(path).filter(|_| writes_pictures);
     std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::exists(path)).collect()
 }
@@ -223,10 +224,8 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Open => open(ctx, state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
         Purpose::Export(_)
-        | Purpose::Animation(_)
-        | Purpose::Chart(_)
+        | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress)
         | Purpose::Handout(_)
-        | Purpose::Progress
         | Purpose::Step
         | Purpose::NewLesson
         | Purpose::OwnLesson
@@ -235,11 +234,11 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
-        Purpose::Mesh(which) => mesh(&mut state.model, which, path),
-        Purpose::CompareWith => read(ctx, state, ToRead::Compared(path.to_owned())),
-        Purpose::Texture(object) => texture(&mut state.model, &object, path),
-        Purpose::Photograph => photograph(&mut state.model, path),
-        Purpose::Progress => {
+        Purpose::For(FileFor::Mesh(which)) => mesh(&mut state.model, which, path),
+        Purpose::For(FileFor::CompareWith) => read(ctx, state, ToRead::Compared(path.to_owned())),
+        Purpose::For(FileFor::Texture(object)) => texture(&mut state.model, &object, path),
+        Purpose::For(FileFor::Photograph) => photograph(&mut state.model, path),
+        Purpose::For(FileFor::Progress) => {
             save_bytes(&mut state.model, path, Ok(state.learn.exercises.progress.to_csv().into_bytes()), &agreed);
         }
         Purpose::Step => state.learn.add_step(&mut state.model, path, agreed.overwrite()),
@@ -255,11 +254,11 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
                 begin(ctx, state, next);
             }
         }
-        Purpose::Chart(block) => {
+        Purpose::For(FileFor::Chart(block)) => {
             let saved = save_chart(&block, state.model.settings.lang, path, agreed.overwrite());
             say_whether_saved(&mut state.model, path, saved);
         }
-        Purpose::Animation(decomposition) => {
+        Purpose::For(FileFor::Animation(decomposition)) => {
             let what = ExportKind::Animation(decomposition, state.model.settings.theme);
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
@@ -267,7 +266,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             let what = ExportKind::Handout(Box::new(form.job(&state.learn)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
-        Purpose::Exercises => state.learn.exercises.look_into(Some(path.to_owned())),
+        Purpose::For(FileFor::Exercises) => state.learn.exercises.look_into(Some(path.to_owned())),
         Purpose::Folder => {
             state.gallery.look_into(path.to_owned());
             state.file_flow.dialog = Some(Dialog::Gallery);
@@ -291,8 +290,7 @@ fn say_whether_saved(model: &mut Model, path: &Path, saved: Result<(), FileError
 }
 
 fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
-    let task = Task::new((&state.model.document, state.model.figure_as_shown()), state.model.settings.lang, what, to)
-        .with_family(state.family.clone(), state.model.operations.convention);
+    let task = Task::new(&state.model, &state.family, what, to);
     state.file_flow.exporting.push(Exporting::start(ctx, task));
     state.model.say(Message::Exporting);
 }

@@ -27,7 +27,6 @@ use eframe::egui::os::OperatingSystem;
 use eframe::egui::{self, KeyboardShortcut, Vec2, ViewportCommand};
 
 use crate::appearance::Theme;
-use crate::gui::app::command::Run;
 use crate::gui::app::key_repeat::HeldKey;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::preferences::Preferences;
@@ -189,18 +188,7 @@ impl App {
 
     /// Performs a command of a menu or the keyboard.
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
-        match command.run() {
-            Run::Change(change) => change(&mut self.state, ctx),
-            Run::Step { forwards } => {
-                // A frozen picture would be under another title.
-                self.state.annotations.frozen = false;
-                if self.state.learn.lesson.is_some() {
-                    self.state.learn.step_lesson(&mut self.state.model, forwards);
-                } else {
-                    file_flow::step(ctx, &mut self.state, forwards);
-                }
-            }
-        }
+        command.run(&mut self.state, ctx);
         self.act(ctx);
     }
 

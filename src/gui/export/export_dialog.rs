@@ -129,12 +129,6 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
     }
 }
 
-/// The present screen, for the export.
-fn subject(model: &Model, family: &FamilyChoice, export: &Export) -> ExportSource {
-    ExportSource::of(&model.document, model.figure_as_shown(), model.settings.lang, export.theme)
-        .with_family(family.clone(), model.operations.convention)
-}
-
 /// The picture as it will be, how large it is, and the button that copies it.
 fn picture(
     ui: &mut egui::Ui,
@@ -151,7 +145,7 @@ fn picture(
             &ctx,
             (export, choices.family),
             [room.x, room.y].map(|side| side * ctx.pixels_per_point()),
-            || subject(model, choices.family, export),
+            || ExportSource::of(model, choices.family, export.theme),
         );
     }
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
@@ -176,7 +170,7 @@ fn picture(
         };
         if button.explained(hint).explained_disabled(hint).clicked() {
             *choices.last = *export;
-            let subject = subject(model, choices.family, export);
+            let subject = ExportSource::of(model, choices.family, export.theme);
             preview.copy(&ctx, export, subject);
         }
         match &preview.copied {

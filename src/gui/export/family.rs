@@ -79,8 +79,8 @@ fn subjects(t: &'static Texts, nothing: &'static str) -> Vec<(Subject, &'static 
         t.zoom,
         t.dolly,
         words.projection,
-        words.visibility,
-        words.shading,
+        t.visibility,
+        t.shading,
         words.samples,
     ];
     let ready = (0..).zip(names).map(|(place, name)| (Subject::Ready(place), name));

@@ -110,7 +110,6 @@ impl Default for FamilyChoice {
 
 impl FamilyChoice {
     /// The family that was there last, or one of the view angle.
-    #[must_use]
     pub fn or_last(mut self) -> Self {
         if self.first.subject == Subject::Nothing {
             [self.first, self.second] = self.last.clone();

@@ -23,7 +23,7 @@ use crate::figure::variation::{Variation, VariationError, variants};
 use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
 use crate::gui::background::worker::{Running, Worker};
 use crate::gui::export::family_choice::FamilyChoice;
-use crate::gui::model::document::Document;
+use crate::gui::model::Model;
 use crate::gui::model::export_error::ExportError;
 use crate::gui::model::handout::Job;
 use crate::i18n::{Lang, pictures};
@@ -204,7 +204,7 @@ fn together(sizes: [[u32; 2]; View::COUNT]) -> [u32; 2] {
 }
 
 /// Width and height of each picture of a film.
-const FILM: [u32; 2] = [640, 480];
+const FILM: Size = Size { width: 640, height: 480, scale: 1.0 };
 /// Duration of a step in it.
 const STEP_SECONDS: f64 = 2.0;
 
@@ -230,20 +230,13 @@ pub(super) struct ExportSource {
 }
 
 impl ExportSource {
-    /// The present screen, in a theme: `shown` comes from
-    /// [`Model::figure_as_shown`](crate::gui::model::Model::figure_as_shown).
-    pub(super) fn of(document: &Document, shown: Figure, lang: Lang, theme: Theme) -> Self {
-        let mut figure = shown;
+    /// The present screen as a family, in a theme.
+    pub(super) fn of(model: &Model, family: &FamilyChoice, theme: Theme) -> Self {
+        let mut figure = model.figure_as_shown();
         figure.style.theme = theme;
-        let shot = Shot::of(&figure);
-        let folder = document.folder().map(Path::to_owned).unwrap_or_default();
-        let (family, convention) = (FamilyChoice::default(), Convention::default());
-        Self { figure, shot, folder, reach: document.reach(), lang, family, convention }
-    }
-
-    /// The same as a family, whose rotations follow a convention.
-    pub(super) fn with_family(self, family: FamilyChoice, convention: Convention) -> Self {
-        Self { family, convention, ..self }
+        let (shot, folder) = (Shot::of(&figure), model.document.folder().map(Path::to_owned).unwrap_or_default());
+        let (reach, lang, convention) = (model.document.reach(), model.settings.lang, model.operations.convention);
+        Self { figure, shot, folder, reach, lang, family: family.clone(), convention }
     }
 
     /// The sheet of a family.
@@ -276,28 +269,24 @@ impl ExportSource {
         pictures::told_of(self.lang, &self.figure, sheet, figure)
     }
 
-    /// Each picture of the way to the canonical volume.
-    fn film(&self, progress: &Progress) -> Result<Request, ExportError> {
+    /// The camera, and a picture of it.
+    fn request(&self, view: View, size: Size, progress: &Progress) -> Result<(Camera, Request), ExportError> {
         let Self { figure, shot, folder, reach, lang, .. } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
-        let size = Size { width: FILM[0], height: FILM[1], scale: 1.0 };
-        Ok(Request::new(shot, View::Canonical, &camera, &scene, pictures::labels(*lang), size))
+        let request = Request::new(shot, view, &camera, &scene, pictures::labels(*lang), size);
+        Ok((camera, request))
     }
 
     /// The drawn pictures.
     pub(super) async fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
-        let Self { figure, shot, folder, reach, lang, .. } = self;
-        let camera = Camera::new(&figure.camera)?;
-        let mut files = FigureFiles::new(folder, *reach);
-        let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
         let size = Size { width: export.width, height: export.height, scale: export.scale };
-        let request = Request::new(shot, View::Image, &camera, &scene, pictures::labels(*lang), size);
+        let (camera, request) = self.request(View::Image, size, progress)?;
         if let Some(variations) = self.family.variations() {
             return self.family((export, &request), &variations?, &camera, progress);
         }
-        Ok(export.spec(false).sheet(&request, shot, None, progress).await?)
+        Ok(export.spec(false).sheet(&request, &self.shot, None, progress).await?)
     }
 }
 
@@ -361,10 +350,9 @@ impl Exporting {
 }
 
 impl Task {
-    /// `shown`: see [`ExportSource::of`].
     pub(super) fn new(
-        (document, shown): (&Document, Figure),
-        lang: Lang,
+        model: &Model,
+        family: &FamilyChoice,
         what: ExportKind,
         (path, overwrite): (PathBuf, Overwrite),
     ) -> Self {
@@ -373,13 +361,8 @@ impl Task {
             ExportKind::Animation(_, theme) => theme,
             ExportKind::Handout(_) => Theme::Light,
         };
-        let subject = ExportSource::of(document, shown, lang, theme);
-        Self { subject, source: document.source().to_owned(), what, path, overwrite }
-    }
-
-    /// The same as a family.
-    pub(super) fn with_family(self, family: FamilyChoice, convention: Convention) -> Self {
-        Self { subject: self.subject.with_family(family, convention), ..self }
+        let subject = ExportSource::of(model, family, theme);
+        Self { subject, source: model.document.source().to_owned(), what, path, overwrite }
     }
 
     async fn run(self, progress: &Progress) -> Exported {
@@ -402,7 +385,10 @@ impl Task {
                 return Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None });
             }
             ExportKind::Animation(decomposition, _) => {
-                let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
+                let film = Animation {
+                    request: subject.request(View::Canonical, FILM, progress)?.1,
+                    decomposition: *decomposition,
+                };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
                 let told = subject.told(&film.stills(), update(source, &subject.figure)).for_file(path);
                 return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);

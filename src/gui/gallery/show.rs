@@ -18,10 +18,10 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::document::source::Source;
-use crate::i18n::Lang;
 use crate::i18n::window::gallery as words;
 use crate::i18n::window::gallery::Texts;
 use crate::i18n::window::search::also_called;
+use crate::i18n::{Lang, window};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 
@@ -112,7 +112,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     let keys = if gallery.examples_alone { t.keys_of_one } else { t.keys };
     let text = |ui: &mut Ui| drop(ui.add(Label::new(RichText::new(keys).small().weak()).truncate()));
     // A finger has no Esc.
-    let closes = ui.horizontal(|ui| with_room_before(ui, text, |ui| ui.button(t.close).clicked()));
+    let closes = ui.horizontal(|ui| with_room_before(ui, text, |ui| ui.button(window::texts(t.lang).close).clicked()));
     if closes.inner {
         asked = Some(Chosen::Nothing);
     }

@@ -9,11 +9,12 @@ use crate::figure::{Comparison, Figure, read};
 use crate::gui::inspector::complaint;
 use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, keep_as_a, take};
 use crate::gui::kit::focus::at_right;
+use crate::gui::kit::form::toggle;
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::compare as words;
@@ -90,7 +91,7 @@ fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<A
             chosen = Some(compared_with(model, &a));
         }
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
-            model.actions.push(Action::CompareWith);
+            model.actions.push(Action::File(FileFor::CompareWith));
         }
         let with_saved = ui.add_enabled(model.document.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {
@@ -110,10 +111,8 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
         keys == [key] && compared.is_some_and(|comparison| comparison.values(figure).contains(&value.to_owned()))
     };
     let mut chosen = None;
-    let offer =
-        |ui: &mut Ui, on: bool, name: &str| ui.add(Button::selectable(on, name).frame_when_inactive(true)).clicked();
     ui.horizontal_wrapped(|ui| {
-        if offer(ui, compared.is_none(), words.nothing) {
+        if toggle(ui, compared.is_none(), words.nothing).clicked() {
             chosen = Some(Figure { compare: None, ..figure.clone() });
         }
         for (name, key, pair, differences) in [
@@ -124,7 +123,7 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
             (words.convention, "show.ndc", ["opengl", "direct3d"], false),
             (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], false),
         ] {
-            if offer(ui, is_of(key, pair[0]), name) {
+            if toggle(ui, is_of(key, pair[0]), name).clicked() {
                 let mut figure = in_window(model);
                 if key == "camera.projection" {
                     give_other_projection(model, &mut figure);
@@ -182,8 +181,7 @@ fn operation(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) 
     let mut chosen = None;
     let (mut why, mut is_typed) = (None, false);
     ui.horizontal(|ui| {
-        let button = Button::selectable(on, words.operation).frame_when_inactive(true);
-        let clicked = ui.add(button).explained(words.operation_hint).clicked();
+        let clicked = toggle(ui, on, words.operation).explained(words.operation_hint).clicked();
         let field = TextField::line(&mut form.operation, MAX_TYPED_NAME);
         let typed = field.with(|edit| edit.desired_width(160.0)).show(ui, words.lang).explained(words.operation_hint);
         is_typed = typed.has_focus();
@@ -211,8 +209,7 @@ fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Opt
     let on = matches!((&typed, compared), (Ok(typed), Some(compared)) if typed.with == compared.with);
     let mut chosen = None;
     ui.horizontal(|ui| {
-        let button = Button::selectable(on, words.key).frame_when_inactive(true);
-        let clicked = ui.add(button).explained(words.key_hint).clicked();
+        let clicked = toggle(ui, on, words.key).explained(words.key_hint).clicked();
         let field = TextField::line(&mut form.key, MAX_EXPRESSION.0);
         let field = field.with(|edit| edit.desired_width(260.0)).show(ui, words.lang).explained(words.key_hint);
         let field = field.accessible_name(words.key_hint);

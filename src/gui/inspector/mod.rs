@@ -12,5 +12,5 @@ pub(super) mod state;
 pub mod values;
 
 use crate::gui::kit::form::{
-    TEXT_LINE, VectorField, choice_row, complain, complaint, erratum, kept_section, more, row, section,
+    TEXT_LINE, VectorField, choice_row, complain, complaint, erratum, kept_section, more, row, section, toggle,
 };

@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, model: &mut Mo
         question(ui, t, &name, &mut asked);
         if asked.is_done {
             verdict(ui, t, &asked);
-            goes_on = !ui.button(t.close).clicked();
+            goes_on = !ui.button(window.close).clicked();
             return;
         }
         ui.horizontal(|ui| {
@@ -42,7 +42,7 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, model: &mut Mo
                 model.begin_motion(asked.freedom, asked.amount);
                 asked.is_done = true;
             }
-            goes_on = !ui.button(t.cancel).clicked();
+            goes_on = !ui.button(window.cancel).clicked();
         });
     });
     model.operations.predict.asked = Some(asked).filter(|_| goes_on);

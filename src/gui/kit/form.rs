@@ -158,15 +158,15 @@ impl VectorField<'_> {
 }
 
 /// A choice out of few, with the name that screen readers say.
-pub(in crate::gui) fn choice<T: PartialEq + Copy>(
+pub(in crate::gui) fn choice<T: PartialEq + Clone, S: AsRef<str>>(
     ui: &mut egui::Ui,
     name: &str,
     hint: &str,
     value: &mut T,
-    options: &[(T, &str)],
+    options: &[(T, S)],
 ) -> bool {
-    let old = *value;
-    let chosen = options.iter().find(|(option, _)| *option == old).map_or("", |(_, text)| *text);
+    let old = value.clone();
+    let chosen = options.iter().find(|(option, _)| *option == old).map_or("", |(_, text)| text.as_ref());
     let below = ui.layer_id();
     let list = egui::ComboBox::from_id_salt(name)
         .selected_text(chosen)
@@ -178,7 +178,7 @@ pub(in crate::gui) fn choice<T: PartialEq + Copy>(
                 ui.ctx().set_sublayer(below, ui.layer_id());
             }
             for (option, text) in options {
-                ui.selectable_value(value, *option, *text);
+                ui.selectable_value(value, option.clone(), text.as_ref());
             }
         })
         .response
@@ -208,14 +208,19 @@ pub(in crate::gui) fn complain<'a>(ui: &mut egui::Ui, lang: Lang, fields: impl I
 }
 
 /// A choice in a row with its name.
-pub(in crate::gui) fn choice_row<T: PartialEq + Copy>(
+pub(in crate::gui) fn choice_row<T: PartialEq + Clone, S: AsRef<str>>(
     ui: &mut egui::Ui,
     name: &str,
     hint: &str,
     value: &mut T,
-    options: &[(T, &str)],
+    options: &[(T, S)],
 ) -> bool {
     row(ui, "", name, hint, |ui| choice(ui, name, hint, value, options))
+}
+
+/// A button that is on or off.
+pub(in crate::gui) fn toggle<'t>(ui: &mut egui::Ui, on: bool, text: impl egui::IntoAtoms<'t>) -> egui::Response {
+    ui.add(egui::Button::selectable(on, text).frame_when_inactive(true))
 }
 
 /// Buttons of which one is on, each with its hint.
@@ -225,8 +230,7 @@ pub(in crate::gui) fn alternatives<'a, T: PartialEq>(
     options: impl IntoIterator<Item = (T, &'a str, &'a str)>,
 ) {
     for (option, name, hint) in options {
-        let button = egui::Button::selectable(*value == option, name).frame_when_inactive(true);
-        if ui.add(button).explained(hint).clicked() {
+        if toggle(ui, *value == option, name).explained(hint).clicked() {
             *value = option;
         }
     }

@@ -150,25 +150,21 @@ impl<'a> NumberField<'a> {
     }
 
     /// The greatest of its neighbours: a value that can be a rounding error relative to it is shown as 0.
-    #[must_use]
     pub fn beside(self, greatest: f64) -> Self {
         Self { beside: greatest, ..self }
     }
 
     /// Why it is greyed, where it is.
-    #[must_use]
     pub fn greyed(self, why: &'a str) -> Self {
         Self { greyed: why, ..self }
     }
 
     /// Shows 4/3 where it is that to the last digit.
-    #[must_use]
     pub fn fractions(self) -> Self {
         Self { fractions: true, ..self }
     }
 
     /// The owner of the number, where several have one of the same name: text typed for one never goes to another.
-    #[must_use]
     pub fn of(self, owner: &'a str) -> Self {
         Self { owner, ..self }
     }
@@ -179,43 +175,36 @@ impl<'a> NumberField<'a> {
     }
 
     /// Whole numbers only.
-    #[must_use]
     pub fn whole(self) -> Self {
         Self { whole: true, ..self }
     }
 
     /// Only numbers in this range.
-    #[must_use]
     pub fn within(self, range: RangeInclusive<f64>) -> Self {
         Self { range, ..self }
     }
 
     /// Only numbers greater than 0.
-    #[must_use]
     pub fn positive(self) -> Self {
         self.within(f64::MIN_POSITIVE..=f64::MAX)
     }
 
     /// The tooltip.
-    #[must_use]
     pub fn hint(self, hint: &'a str) -> Self {
         Self { hint, ..self }
     }
 
     /// Shown, in a weak colour, before the number.
-    #[must_use]
     pub fn prefix(self, prefix: &'a str) -> Self {
         Self { prefix, ..self }
     }
 
     /// Width in points.
-    #[must_use]
     pub fn width(self, width: f32) -> Self {
         Self { width, ..self }
     }
 
     /// True marks the field. Its value is impossible.
-    #[must_use]
     pub fn marked(self, marked: bool) -> Self {
         Self { marked, ..self }
     }

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use eframe::egui::os::OperatingSystem;
 use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::{Align2, Context, Event, Id, Response, TextEdit, Ui};
+use eframe::egui::{Align2, Context, Event, Id, Key, Margin, Response, TextEdit, Ui};
 
 use super::tooltip;
 use crate::i18n::{Lang, messages};
@@ -60,6 +60,46 @@ impl<'t> TextField<'t> {
             tooltip::beside(&response, |ui| drop(ui.label(messages::at_most_characters(lang, self.most))));
         }
         response
+    }
+}
+
+/// A line that takes effect with Enter, or when its field is left. A text that is refused stays until it is mended, and
+/// Escape drops it.
+pub(in crate::gui) struct KeptLine<'t> {
+    pub(in crate::gui) id: Id,
+    /// The text that is in effect.
+    pub(in crate::gui) old: &'t str,
+    /// Its greatest number of characters.
+    pub(in crate::gui) most: usize,
+    /// Width in points.
+    pub(in crate::gui) width: f32,
+}
+
+impl KeptLine<'_> {
+    /// Shows the field. Gives the value of a text once it takes effect, or why it is refused.
+    pub(in crate::gui) fn show<T, E>(
+        self,
+        ui: &mut Ui,
+        lang: Lang,
+        check: impl FnOnce(&str) -> Result<T, E>,
+    ) -> (Response, Option<Result<T, E>>) {
+        let Self { id, old, most, width } = self;
+        // The text in effect, the one that is typed instead, and whether its field was left although it is wrong.
+        type Typing = (String, String, bool);
+        let typing = ui.data_mut(|data| data.remove_temp::<Typing>(id)).filter(|(of, ..)| of == old);
+        let (old, mut text, was_left) = typing.unwrap_or_else(|| (old.to_owned(), old.to_owned(), false));
+        let field = TextField::line(&mut text, most)
+            .with(|edit| edit.id(id).desired_width(width).margin(Margin::symmetric(4, 2)));
+        let response = field.show(ui, lang);
+        let left = response.lost_focus();
+        let drops = left && ui.input(|input| input.key_pressed(Key::Escape));
+        let is_other = text.trim() != old && !drops;
+        let checked = (is_other && (left || was_left)).then(|| check(text.trim()));
+        let ends = left && checked.as_ref().is_some_and(Result::is_ok);
+        if is_other && !ends || response.has_focus() {
+            ui.data_mut(|data| data.insert_temp::<Typing>(id, (old, text, checked.is_some())));
+        }
+        (response, checked.filter(|checked| left || checked.is_err()))
     }
 }
 

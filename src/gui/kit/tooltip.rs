@@ -47,6 +47,9 @@ pub(in crate::gui) trait Explained {
 impl Explained for Response {
     fn explained(self, text: impl AsRef<str>) -> Self {
         let text = with_titles(text.as_ref());
+        if text.is_empty() {
+            return self;
+        }
         describe(&self, &text);
         self.explained_by(|ui| drop(theme::sentence_label(ui, &text)))
     }

@@ -16,7 +16,7 @@ use crate::gui::model::document::Document;
 use crate::gui::model::follow::Follow;
 use crate::gui::model::operations::placing::{Mark, Placing};
 use crate::gui::model::scene_tree::SceneTree;
-use crate::i18n::learn::exercise_window;
+use crate::i18n::learn::{exercise_window, lessons};
 use crate::lessons::Lesson;
 use exercises::state::Exercises;
 use lesson::state::Playing;
@@ -42,6 +42,13 @@ pub struct Learn {
     pub goes_on: bool,
     /// The first lesson and the gallery are offered, in one line.
     pub welcome: bool,
+}
+
+/// A link to a step of a lesson of the program.
+fn lesson_link(ui: &mut egui::Ui, model: &mut Model, lesson: &Arc<Lesson>, step: usize) {
+    if ui.link(lessons::lesson_link(model.settings.lang, lesson, step)).clicked() {
+        model.actions.push(Action::lesson(Arc::clone(lesson), step));
+    }
 }
 
 impl Learn {
@@ -71,24 +78,20 @@ impl Learn {
         model.actions.push(Action::ForgetFigure);
     }
 
-    /// Undoes a step. Objects that come back are selected. The figure on the screen comes first, then the lesson.
-    pub fn undo(&mut self, model: &mut Model) {
-        if !model.document.can_undo() && self.can_undo_lesson(model, true) {
-            return self.undo_lesson(model, true);
+    /// Undoes a step, or redoes it. Objects that come back are selected. The figure on the screen comes first, then the
+    /// lesson.
+    pub fn undo(&mut self, model: &mut Model, back: bool) {
+        if !model.document.can_undo(back) && self.can_undo_lesson(model, back) {
+            return self.undo_lesson(model, back);
         }
         let before = model.document.figure().scene.clone();
-        model.document.undo();
+        model.document.undo(back);
         model.tree.follow(&before, &model.document.figure().scene);
     }
 
-    /// Redoes a step. Objects that come back are selected.
-    pub fn redo(&mut self, model: &mut Model) {
-        if !model.document.can_redo() && self.can_undo_lesson(model, false) {
-            return self.undo_lesson(model, false);
-        }
-        let before = model.document.figure().scene.clone();
-        model.document.redo();
-        model.tree.follow(&before, &model.document.figure().scene);
+    /// True if there is something to undo (`back`), or to redo.
+    pub(in crate::gui) fn can_undo(&self, model: &Model, back: bool) -> bool {
+        model.document.can_undo(back) || self.can_undo_lesson(model, back)
     }
 
     /// The question for a place in the image that is asked now.

@@ -2,32 +2,19 @@
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use crate::camera::Decomposition;
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::gui::model::operations::placing::Mark;
-use crate::lessons::OpenLesson;
+use crate::lessons::{Lesson, OpenLesson};
 
 /// A request of one feature to another. The window does it once the panels of the frame are drawn.
 #[derive(Clone, Debug)]
 pub enum Action {
-    /// Ask for a mesh.
-    Mesh(MeshFor),
-    /// Ask for a texture for the object of this name.
-    Texture(String),
-    /// Ask for a photograph.
-    Photograph,
-    /// Ask for a figure to compare with.
-    CompareWith,
-    /// Ask where to write the way to the canonical volume, by these steps.
-    Animation(Decomposition),
-    /// Ask where to write a chart.
-    Chart(Box<Block>),
-    /// Ask where to write the progress in exercises.
-    Progress,
-    /// Ask for a folder of exercises.
-    Exercises,
+    /// Ask for a file, or where to write one.
+    File(FileFor),
     /// Do this once nothing can be lost any more.
     Begin(AfterSave),
     /// Play the lesson that the line above the window offers.
@@ -58,10 +45,36 @@ pub enum Action {
 }
 
 impl Action {
+    /// Plays a lesson of the program from a step.
+    pub(in crate::gui) fn lesson(lesson: Arc<Lesson>, step: usize) -> Self {
+        Self::Begin(AfterSave::Lesson(OpenLesson { lesson, path: None, step }))
+    }
+
     /// Asks where to write a chart with this title.
     pub(in crate::gui) fn chart(title: &str, chart: Chart) -> Self {
-        Self::Chart(Box::new(Block { title: title.to_owned(), rows: vec![vec![chart]] }))
+        Self::File(FileFor::Chart(Box::new(Block { title: title.to_owned(), rows: vec![vec![chart]] })))
     }
+}
+
+/// A file that a feature asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileFor {
+    /// To put a mesh into the scene.
+    Mesh(MeshFor),
+    /// To put a texture on the object of this name.
+    Texture(String),
+    /// To put a photograph under the image.
+    Photograph,
+    /// To compare the figure with the one in it.
+    CompareWith,
+    /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
+    Animation(Decomposition),
+    /// To write a chart.
+    Chart(Box<Block>),
+    /// To export progress in exercises, as a table for spreadsheets.
+    Progress,
+    /// A folder of a lecturer's own exercises.
+    Exercises,
 }
 
 /// An action to be done once nothing can be lost any more.

@@ -295,41 +295,22 @@ impl Document {
         }
     }
 
-    /// True if there is something to undo.
-    pub fn can_undo(&self) -> bool {
-        self.history.can_undo() || self.behind.is_some()
+    /// True if there is something to undo (`back`), or to redo.
+    pub fn can_undo(&self, back: bool) -> bool {
+        self.history.can_undo(back) || if back { &self.behind } else { &self.in_front }.is_some()
     }
 
-    /// True if there is something to redo.
-    pub fn can_redo(&self) -> bool {
-        self.history.can_redo() || self.in_front.is_some()
-    }
-
-    /// Goes one step back.
-    pub fn undo(&mut self) {
+    /// Goes one step `back`, or forward.
+    pub fn undo(&mut self, back: bool) {
         self.commit();
-        if !self.history.can_undo()
-            && let Some(behind) = self.behind.take()
+        if !self.history.can_undo(back)
+            && let Some(other) = if back { &mut self.behind } else { &mut self.in_front }.take()
         {
-            let in_front = std::mem::replace(self, *behind);
-            self.in_front = Some(Box::new(in_front));
+            let left = Some(Box::new(std::mem::replace(self, *other)));
+            *if back { &mut self.in_front } else { &mut self.behind } = left;
             return;
         }
-        let moment = self.history.undo(&self.figure);
-        self.restore(moment);
-    }
-
-    /// Goes one step forward.
-    pub fn redo(&mut self) {
-        self.commit();
-        if !self.history.can_redo()
-            && let Some(in_front) = self.in_front.take()
-        {
-            let behind = std::mem::replace(self, *in_front);
-            self.behind = Some(Box::new(behind));
-            return;
-        }
-        let moment = self.history.redo(&self.figure);
+        let moment = self.history.undo(&self.figure, back);
         self.restore(moment);
     }
 

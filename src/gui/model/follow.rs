@@ -1,4 +1,4 @@
-//! The followed point, and the text being typed for it.
+//! The followed point.
 
 use crate::camera::NotProjectable;
 use crate::figure::NamedPoint;
@@ -25,8 +25,6 @@ pub(in crate::gui) enum Space {
 pub struct Follow {
     /// The name of the point that is followed.
     pub(in crate::gui) chosen: Option<String>,
-    /// The name that is being typed, of the point that has this one, and whether its field has been left.
-    pub(in crate::gui) typing: Option<(String, String, bool)>,
     /// The reason why the last typed coordinates belong to no point. Shown until something else is typed.
     pub(in crate::gui) refused: Option<(Space, NotProjectable)>,
 }

@@ -10,7 +10,7 @@ use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
 /// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
 /// large. Different numbers mean nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) struct Revision(u64);
 
 impl Revision {
@@ -179,30 +179,19 @@ impl History {
         self.future.clear();
     }
 
-    pub(in crate::gui) fn can_undo(&self) -> bool {
-        !self.past.is_empty()
+    pub(in crate::gui) fn can_undo(&self, back: bool) -> bool {
+        !if back { &self.past } else { &self.future }.is_empty()
     }
 
-    pub(in crate::gui) fn can_redo(&self) -> bool {
-        !self.future.is_empty()
-    }
-
-    /// Undoes a step. Returns the state then, seen and laid out as `now`.
-    pub(in crate::gui) fn undo(&mut self, now: &Figure) -> Option<Moment> {
-        let earlier = self.past.pop()?;
+    /// Undoes a step (`back`), or redoes it. Returns the state then, seen and laid out as `now`.
+    pub(in crate::gui) fn undo(&mut self, now: &Figure, back: bool) -> Option<Moment> {
+        let (from, to) = if back { (&mut self.past, &mut self.future) } else { (&mut self.future, &mut self.past) };
+        let next = from.pop()?;
         self.now.show = now.show.clone();
-        let later = std::mem::replace(&mut self.now, earlier);
-        let all = later.replaces;
-        self.future.push(later);
+        let last = std::mem::replace(&mut self.now, next);
+        let all = if back { &last } else { &self.now }.replaces;
+        to.push(last);
         Some(self.now.moment(now, all))
-    }
-
-    /// One step forward.
-    pub(in crate::gui) fn redo(&mut self, now: &Figure) -> Option<Moment> {
-        let later = self.future.pop()?;
-        self.now.show = now.show.clone();
-        self.past.push(std::mem::replace(&mut self.now, later));
-        Some(self.now.moment(now, self.now.replaces))
     }
 }
 
@@ -255,13 +244,13 @@ mod tests {
         let mut other = figure.clone();
         other.scene.objects.clear();
         history.commit((&other, history.now.revision), &camera, &figure.camera);
-        assert!(!history.can_undo());
+        assert!(!history.can_undo(true));
         // The same scene under another number has that from then on.
         let renumbered = Revision::new();
         history.commit((&figure, renumbered), &camera, &figure.camera);
-        assert!(!history.can_undo() && history.now.revision == renumbered);
+        assert!(!history.can_undo(true) && history.now.revision == renumbered);
         history.commit((&other, Revision::new()), &camera, &figure.camera);
-        assert_eq!(history.undo(&Figure::default()).unwrap().revision, renumbered);
+        assert_eq!(history.undo(&Figure::default(), true).unwrap().revision, renumbered);
     }
 
     #[test]
@@ -275,7 +264,7 @@ mod tests {
         }
         assert_eq!(history.past.len(), MAX_UNDO_BYTES / scene);
         assert!(history.past.len() < 60 && history.past.len() >= 5);
-        let last = history.undo(&Figure::default()).unwrap().figure;
+        let last = history.undo(&Figure::default(), true).unwrap().figure;
         assert_eq!(last.scene.objects[7].translate.x, 59.0);
         // One step is always there, however large the scene.
         let (mut history, mut figure, camera) = self::history(1);
@@ -285,6 +274,6 @@ mod tests {
         figure.scene.objects[0].name.push('!');
         history.commit((&figure, Revision::new()), &camera, &figure.camera);
         assert_eq!(history.past.len(), 1);
-        assert_eq!(history.undo(&Figure::default()).unwrap().figure.scene.objects[0].name, "object 0");
+        assert_eq!(history.undo(&Figure::default(), true).unwrap().figure.scene.objects[0].name, "object 0");
     }
 }

@@ -23,7 +23,7 @@ pub mod unsaved_text;
 
 use glam::DVec3;
 
-use crate::appearance::{Style, Theme};
+use crate::appearance::Style;
 use crate::camera::{Camera, CameraError};
 use crate::explain::Matrix;
 use crate::figure::Figure;
@@ -31,7 +31,6 @@ use crate::figure::points::free_name;
 use crate::figure::{Explanation, NamedPoint, Observers};
 use crate::gui::background::memo::Memo;
 use crate::gui::model::document::source::Source;
-use crate::gui::model::explained::conventions::Conventions;
 use crate::gui::model::layout::asked_layout::AskedLayout;
 use crate::gui::model::layout::view_history::ViewHistory;
 use crate::gui::model::operations::motion::Motion;
@@ -44,7 +43,7 @@ use coach::Coach;
 use document::Document;
 use explained::Explained;
 use follow::Follow;
-use layout::{Layout, ObserverChange, Panels, Side, Tab};
+use layout::{Layout, ObserverChange, Panels, Side};
 use message::Message;
 use operations::Operations;
 use scene_cache::SceneCache;
@@ -127,20 +126,10 @@ impl Model {
             settings: Settings {
                 lang,
                 zoom: 1.0,
-                presentation: false,
                 panels: Panels { wanted: [true, true, false], ..Panels::default() },
-                presentation_panels: Panels::default(),
-                tab: Tab::default(),
                 aspect_follows_image: square,
-                inverse: false,
-                conventions: Conventions::default(),
                 digits: 5,
-                theme: Theme::default(),
-                reduce_motion: false,
-                numbers_open: false,
-                welcomed: false,
-                bare: false,
-                window: None,
+                ..Settings::default()
             },
             in_browser: cfg!(target_arch = "wasm32"),
             layout: Layout::default(),

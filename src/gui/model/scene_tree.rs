@@ -42,8 +42,6 @@ pub struct SceneTree {
     pub(in crate::gui) folded: BTreeSet<String>,
     /// The scene as the fields show it while it is impossible.
     pub(in crate::gui) draft: Option<Draft>,
-    /// A name or a colour that is being typed, and whose it is.
-    pub(in crate::gui) typing: Option<Typing>,
     /// An object that is hung elsewhere moves with its new parent.
     pub(in crate::gui) moves_with_parent: bool,
 }
@@ -55,22 +53,6 @@ pub(in crate::gui) struct Draft {
     pub(in crate::gui) base: SceneSpec,
     pub(in crate::gui) now: SceneSpec,
     pub(in crate::gui) error: SceneError,
-}
-
-/// A text that is being typed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::gui) struct Typing {
-    pub(in crate::gui) owner: String,
-    pub(in crate::gui) key: &'static str,
-    pub(in crate::gui) text: String,
-    /// It was left although it is wrong.
-    pub(in crate::gui) left: bool,
-}
-
-impl Typing {
-    pub(in crate::gui) fn of(owner: &str, key: &'static str, text: &str) -> Self {
-        Self { owner: owner.to_owned(), key, text: text.to_owned(), left: false }
-    }
 }
 
 impl SceneTree {

@@ -6,7 +6,7 @@ use crate::gui::model::layout::{Panels, Tab, WindowPlace};
 use crate::i18n::Lang;
 
 /// State of the window, and not of the figure.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The language of the interface.
     pub lang: Lang,

@@ -110,7 +110,7 @@ mod tests {
         let path = PathBuf::from("a.png");
         let export = Export::new([[4, 3]; 3], 1.0);
         let (what, to) = (ExportKind::Pictures(export), (path.clone(), Overwrite::Writable));
-        let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
+        let task = Task::new(&state.model, &state.family, what, to);
         let exporting = Exporting::with(&ctx, task, endless);
         state.file_flow.exporting.push(exporting);
         let mut press = |state: &mut State| {

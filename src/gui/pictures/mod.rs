@@ -417,10 +417,8 @@ impl Canvas {
         match action {
             None => return,
             Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
-            Some(TitleAction::ToggleLink) => model.layout.linked = !model.layout.linked,
             Some(TitleAction::ToggleMaximized) => toggle_maximized(model, view),
             Some(TitleAction::Hide) => model.layout.shown[view.index()] = false,
-            Some(TitleAction::ToggleSection) => model.document.edit(|figure| figure.world.section ^= true),
             Some(TitleAction::Do(command)) => self.wanted = Some(command),
             Some(TitleAction::ToggleUndistorted) => {
                 model.document.edit(|figure| figure.undistorted = !figure.undistorted);

@@ -12,6 +12,7 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::elide;
+use crate::gui::kit::form::choice;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::why::sources::with_titles;
@@ -96,18 +97,8 @@ impl Strip<'_> {
         ui.scope_builder(builder, |ui| {
             let mut chosen = self.view;
             ui.add(Label::new(RichText::new(self.texts.strip).strong()).selectable(false));
-            egui::ComboBox::from_id_salt("strip of")
-                .selected_text(self.texts.view(chosen))
-                .width(96.0)
-                .show_ui(ui, |ui| {
-                    for view in View::ALL {
-                        ui.selectable_value(&mut chosen, view, self.texts.view(view));
-                    }
-                })
-                .response
-                .explained(self.texts.strip_of)
-                .accessible_name(self.texts.strip_of);
-            if chosen != self.view {
+            let views = View::ALL.map(|view| (view, self.texts.view(view)));
+            if choice(ui, self.texts.strip_of, self.texts.strip_of, &mut chosen, &views) {
                 action = Some(StripAction::Of(chosen));
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

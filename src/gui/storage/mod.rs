@@ -1,6 +1,5 @@
 //! Storage that outlives a window: sessions, recent files, and the files that several windows write.
 
-pub(in crate::gui) mod plain;
 pub(super) mod recent;
 pub mod recovery;
 pub mod session;

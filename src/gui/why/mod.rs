@@ -26,6 +26,7 @@ use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 use crate::figure::Explanation;
 use crate::gui::kit::elide;
 use crate::gui::kit::focus::keep_in_sight;
+use crate::gui::kit::form::toggle;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
@@ -158,9 +159,8 @@ pub(super) fn ui(
     ui.horizontal_wrapped(|ui| {
         for row in question.answers {
             let (name, hint) = (row.words)(t);
-            let chosen = model.explained.shown() == row.explanation;
-            let button = Button::selectable(chosen, name).frame_when_inactive(true);
-            if ui.add(button).explained(hint).clicked() {
+            let is_shown = model.explained.shown() == row.explanation;
+            if toggle(ui, is_shown, name).explained(hint).clicked() {
                 model.explained.show(row.explanation);
             }
         }

@@ -1,6 +1,6 @@
 //! The tab that follows a point: which one, where it is in every space, and its whole way with the arithmetic.
 
-use eframe::egui::{self, Key, RichText};
+use eframe::egui::{self, RichText};
 use glam::{DVec2, DVec3};
 
 use super::arithmetic;
@@ -9,9 +9,9 @@ use crate::camera::{NotProjectable, Place};
 use crate::explain::{Component, Setting, Symbol};
 use crate::figure::points::may_be_named;
 use crate::gui::kit::context_help::help_topic_row;
-use crate::gui::kit::form::complaint;
+use crate::gui::kit::form::{complaint, toggle};
 use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::KeptLine;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::follow::Space;
@@ -71,8 +71,7 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let chosen = model.follow.index(&points);
     ui.horizontal_wrapped(|ui| {
         for (i, point) in points.iter().enumerate() {
-            let button = egui::Button::selectable(chosen == Some(i), escaped(&point.name)).frame_when_inactive(true);
-            if ui.add(button).clicked() {
+            if toggle(ui, chosen == Some(i), escaped(&point.name)).clicked() {
                 model.follow.choose(&point.name);
             }
         }
@@ -102,30 +101,24 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
 fn name(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
     let points = &model.document.figure().points;
     let old = points[index].name.clone();
-    let kept = model.follow.typing.take().filter(|(of, ..)| *of == old);
-    let (_, mut text, was_left) = kept.unwrap_or_else(|| (old.clone(), old.clone(), false));
-    let field = TextField::line(&mut text, MAX_TYPED_NAME);
-    let field = field.with(|edit| edit.id(egui::Id::unique(("point name", &old))).desired_width(150.0));
-    let response = field.show(ui, model.settings.lang).explained(t.name_hint).accessible_name(t.name);
-    let left = response.lost_focus();
-    let wanted = text.trim().to_owned();
-    if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {
-        if response.has_focus() {
-            model.follow.typing = Some((old, text, false));
+    let id = egui::Id::unique(("point name", model.document.id(), &old));
+    let line = KeptLine { id, old: &old, most: MAX_TYPED_NAME, width: 150.0 };
+    let (response, typed) = line.show(ui, model.settings.lang, |wanted| {
+        let others = points.iter().filter(|point| point.name != old);
+        match may_be_named(wanted, others) {
+            true => Ok(wanted.to_owned()),
+            false => Err(if wanted.is_empty() { t.name_empty } else { t.name_taken }),
         }
-        return;
+    });
+    response.explained(t.name_hint).accessible_name(t.name);
+    match typed {
+        Some(Ok(wanted)) => {
+            model.document.edit(|figure| figure.points[index].name.clone_from(&wanted));
+            model.follow.choose(&wanted);
+        }
+        Some(Err(problem)) => complaint(ui, problem),
+        None => {}
     }
-    let others = points.iter().filter(|point| point.name != old);
-    let good = may_be_named(&wanted, others);
-    if good && left {
-        model.document.edit(|figure| figure.points[index].name.clone_from(&wanted));
-        model.follow.choose(&wanted);
-        return;
-    }
-    if !good && (left || was_left) {
-        complaint(ui, if wanted.is_empty() { t.name_empty } else { t.name_taken });
-    }
-    model.follow.typing = Some((old, text, left || was_left));
 }
 
 /// The coordinates in one space: their name, and their symbols.

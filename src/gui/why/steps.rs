@@ -16,7 +16,7 @@ use crate::gui::kit::mathematics::brackets;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::gui::model::explained::matrices::Reading;
 use crate::gui::model::explained::steps::{Steps, end_of, step_at, time_of};
 use crate::gui::why::matrix::entries;
@@ -45,7 +45,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        model.actions.push(Action::Animation(way));
+        model.actions.push(Action::File(FileFor::Animation(way)));
     }
     let steps = &mut model.explained.steps;
     shown = steps.advance(shown, now, &camera);

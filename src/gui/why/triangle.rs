@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::form::complain;
+use crate::gui::kit::form::{complain, toggle};
 use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -164,8 +164,7 @@ fn choose_step(ui: &mut Ui, t: &Texts, step: &mut TriangleStep) {
             }
         }
         for (i, each) in TriangleStep::ALL.into_iter().enumerate() {
-            let button = egui::Button::selectable(i == to, words::step(t, each)).frame_when_inactive(true);
-            let response = ui.add(button);
+            let response = toggle(ui, i == to, words::step(t, each));
             help_topic(&response, notes::of_stage(stage_of(each)));
             if response.clicked() {
                 to = i;

@@ -8,11 +8,6 @@ use crate::lessons::lesson_of;
 use crate::sanitize::escaped;
 
 texts! {
-    right: "right", "certo";
-    wrong: "wrong", "errado";
-    follows: "follows from a wrong answer", "decorre de uma resposta errada";
-    understood: "understood as", "entendido como";
-    hint: "Hint", "Dica";
     asked: "Asked", "Pede-se";
     assumptions: "Assumptions", "Hipóteses";
     answers: "Answers", "Respostas";

@@ -11,12 +11,6 @@ use crate::views::{Arrangement, View};
 pub type CanvasTexts = Texts;
 
 texts! {
-    // Title of the world.
-    world: "World", "Mundo";
-    // Title of the canonical volume.
-    canonical: "Canonical volume", "Volume canônico";
-    // Title of the image.
-    image: "Image", "Imagem";
     // Tooltip of a button.
     hide: "Hide this view", "Ocultar esta vista";
     maximize: "Enlarge (double-click)", "Ampliar (clique duplo)";
@@ -141,10 +135,6 @@ texts! {
     ray_origin: "Ray from", "Raio de";
     // Where a ray goes.
     ray_direction: "Direction", "Direção";
-    // The distance of the front plane.
-    near_plane: "front plane", "plano da frente";
-    // The distance of the back plane.
-    far_plane: "back plane", "plano de fundo";
 }
 
 /// The observer of a picture went back. The first key fits the picture, undo of the camera brings it back.
@@ -170,10 +160,11 @@ impl CanvasTexts {
 impl Texts {
     /// The name of a picture.
     pub fn view(&self, view: View) -> &'static str {
+        let t = super::texts(self.lang);
         match view {
-            View::World => self.world,
-            View::Canonical => self.canonical,
-            View::Image => self.image,
+            View::World => t.show_world,
+            View::Canonical => t.show_canonical,
+            View::Image => t.show_image,
         }
     }
 }

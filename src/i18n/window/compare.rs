@@ -21,7 +21,6 @@ texts! {
     with_saved_none: "Nothing has changed since then", "Nada mudou desde então";
     kept: "This camera is A now: F4 compares and swaps", "Esta câmera agora é A: F4 compara e troca";
     no_sides: "Nothing is compared, and no camera has been kept as A", "Nada está sendo comparado, e nenhuma câmera foi guardada como A";
-    swap_command: "Swap sides", "Trocar os lados";
     swap_command_hint: "Swaps the two sides of a comparison. Without one, compares with camera A", "Troca os dois lados de uma comparação. Sem uma, compara com a câmera A";
     nothing: "nothing", "nada";
     visibility_painter: "painter | depth buffer", "pintor | z-buffer";

@@ -19,7 +19,6 @@ texts! {
     // The same where there is one part.
     keys_of_one: "Arrows: choose · Enter: open · Esc: close", "Setas: escolher · Enter: abrir · Esc: fechar";
     // A button.
-    close: "Close", "Fechar";
     // Where there is nothing to show.
     no_recent: "Nothing has been opened or saved yet.", "Nada foi aberto ou salvo ainda.";
     no_folder: "You haven't chosen a folder. This list shows the open figure's folder, or one that you choose.", "Você não escolheu uma pasta. Aqui aparece a da figura aberta, ou uma que você escolher.";

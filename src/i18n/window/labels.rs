@@ -7,7 +7,6 @@ use crate::limits::MAX_LABEL_TEXT;
 use crate::sanitize::escaped;
 
 texts! {
-    command: "Labels", "Rótulos";
     command_hint: "Labels can be dragged, renamed and hidden, and annotations added", "Os rótulos podem ser arrastados, renomeados e ocultos, e anotações adicionadas";
     title: "Labels", "Rótulos";
     choose: "label", "rótulo";

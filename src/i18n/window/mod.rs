@@ -190,8 +190,6 @@ texts! {
     side_hint: "In scene units on the plane z_c = −F. [0] (5.13)", "Em unidades da cena no plano z_c = −F. [0] (5.13)";
     image: "Image", "Imagem";
     image_size: "pixels", "pixels";
-    image_width: "width", "largura";
-    image_height: "height (image)", "altura (imagem)";
     image_size_hint: "m × n pixels. [0] (5.22)", "m × n pixels. [0] (5.22)";
     aspect_follows: "A follows the image", "A segue a imagem";
     aspect_follows_hint: "Keeps A = m / n, so that pixels are square", "Mantém A = m / n, para que os pixels sejam quadrados";

@@ -32,7 +32,6 @@ texts! {
     take: "Use this camera", "Usar esta câmera";
     take_hint: "Makes it the camera of the figure. Undo brings the old one back", "Faz dela a câmera da figura. Desfazer traz de volta a antiga";
     clear: "Remove the lines", "Remover as retas";
-    close: "Close", "Fechar";
 }
 
 /// The name of an end of a line: its number from 1 and its axis, and whether it is the first end.

@@ -10,11 +10,8 @@ texts! {
     same: "as large", "do mesmo tamanho";
     do_it: "Do it", "Fazer";
     do_it_hint: "Does the operation, and compares what you said with what happens", "Faz a operação e compara o que você disse com o que acontece";
-    cancel: "Cancel", "Cancelar";
-    close: "Close", "Fechar";
     as_said: "As you said.", "Como você disse.";
     otherwise: "That isn't what you said.", "Não foi como você disse.";
-    no_point: "No vertex is in the image both before and after this operation, so it's done at once.", "Nenhum vértice está na imagem antes e depois desta operação, e ela é feita logo.";
 }
 
 texts_with_values! {

@@ -17,8 +17,6 @@ texts! {
     root: "World", "Mundo";
     root_hint: "Drop an object here to detach it from its parent", "Solte um objeto aqui para separá-lo do pai";
     fold: "Collapse", "Recolher";
-    unfold: "Expand", "Expandir";
-    of_preset: "of the named scene", "da cena nomeada";
     of_preset_hint: "It belongs to the named scene and cannot be edited. “Edit a copy” makes it an object of the figure.", "Pertence à cena nomeada e não pode ser editado. “Editar uma cópia” faz dele um objeto da figura.";
     row_hint: "Click to select, drag onto another object to make it a child, Del to delete", "Clique para selecionar, arraste para outro objeto para torná-lo filho, Del para excluir";
     nothing_selected: "Select an object or a light to edit it, here or with a click in the world or in the image. Ctrl selects several. In the world, arrows, rings and bars move, turn and scale it (keys T, R, S).", "Selecione um objeto ou uma luz para editar, aqui ou com um clique no mundo ou na imagem. Com Ctrl, selecione vários. No mundo, setas, anéis e barras o movem, giram e escalam (teclas T, R, S).";
@@ -48,7 +46,6 @@ texts! {
     color_bad: "a colour is written #rrggbb or #rrggbbaa", "uma cor se escreve #rrggbb ou #rrggbbaa";
     segments: "segments", "segmentos";
     segments_hint: "The number of sides of a prism, cells of a grid, or meridians of a curved shape", "O número de lados de um prisma, células de uma grade ou meridianos de uma forma curva";
-    points: "points", "pontos";
     ends: "ends of segments, in pairs", "extremos de segmentos, aos pares";
     add_point: "Add a point", "Adicionar um ponto";
     add_segment: "Add a segment", "Adicionar um segmento";
@@ -88,7 +85,6 @@ texts! {
     texture_scale: "times", "vezes";
     texture_scale_hint: "Repetitions along u and v. A negative number mirrors", "Repetições ao longo de u e v. Um número negativo espelha";
     browse: "Choose…", "Escolher…";
-    read_again: "Reload", "Recarregar";
     read_again_hint: "The file may have changed since it was read", "O arquivo pode ter mudado desde que foi lido";
     allow_files: "Let this figure read any file", "Deixar esta figura ler qualquer arquivo";
     allow_files_hint: "Until you close it, the figure may name any file of this computer. Files on other machines are never read", "Até você fechá-la, a figura pode indicar qualquer arquivo deste computador. Arquivos de outras máquinas nunca são lidos";
@@ -102,7 +98,6 @@ texts! {
     delete_question: "Objects below it:", "Objetos abaixo dele:";
     deleted: "Deleted:", "Excluído:";
     matrix: "World matrix", "Matriz no mundo";
-    matrix_hint: "Object → world: the matrices of its ancestors times its own", "Objeto → mundo: as matrizes dos ancestrais vezes a sua";
 
     lights: "Lights", "Luzes";
     default_light: "default light", "luz padrão";

@@ -17,7 +17,6 @@ texts! {
     no_address: "Without an address you copy only the part from the # on. Add it to the address of any page with Camera Lab.", "Sem endereço, você copia só a parte a partir do #. Junte-a ao endereço de qualquer página com o Camera Lab.";
     link: "Link", "Link";
     own_files: "The link doesn't include these files, so others won't see them:", "O link não inclui estes arquivos, e os outros não os verão:";
-    copy: "Copy", "Copiar";
     copied: "Link copied:", "Link copiado:";
     characters: "characters", "caracteres";
     opened: "This is the figure of the link.", "Esta é a figura do link.";

@@ -8,7 +8,7 @@ use crate::exercises::Entry;
 use crate::figure::{Bilingual, Figure};
 
 /// A lesson.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Lesson {
     /// Its identifier: a name that is valid in a command line.
     pub id: String,

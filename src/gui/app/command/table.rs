@@ -2,9 +2,9 @@
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
-use super::{InBrowser, Menu, Row, Run};
+use super::{InBrowser, Menu, Row};
 use crate::appearance;
-use crate::figure::{Explanation, Observers};
+use crate::figure::Explanation;
 use crate::files::Overwrite;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
@@ -18,10 +18,8 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::command::Command::{self, *};
-use crate::gui::model::layout::view_history::ViewHistory;
 use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
 use crate::gui::model::message::Message;
-use crate::i18n::Lang;
 use crate::i18n::learn::{handouts, lessons};
 use crate::i18n::window::Texts;
 use crate::i18n::window::{canvas, compare, labels, sharing};
@@ -126,11 +124,11 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[
-                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.learn.undo(&mut s.model))
-                    .enabled(|s| s.model.document.can_undo() || s.learn.can_undo_lesson(&s.model, true)),
-                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.redo(&mut s.model))
+                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.learn.undo(&mut s.model, true))
+                    .enabled(|s| s.learn.can_undo(&s.model, true)),
+                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.undo(&mut s.model, false))
                     .or(ctrl(Key::Y))
-                    .enabled(|s| s.model.document.can_redo() || s.learn.can_undo_lesson(&s.model, false)),
+                    .enabled(|s| s.learn.can_undo(&s.model, false)),
             ],
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.document.reset())
                 .enabled(|s| s.model.document.can_reset())
@@ -155,13 +153,10 @@ pub const MENUS: &[Menu] = &[
                 row!(arrangement Some(Arrangement::Beside), ctrl(Key::Num8)),
             ],
             &[
-                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, ViewHistory::back))
-                    .enabled(|s| s.model.views.can_go_back(s.model.document.figure().observers)),
-                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(
-                    s,
-                    ViewHistory::forward
-                ))
-                .enabled(|s| s.model.views.can_go_forward(s.model.document.figure().observers)),
+                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, true))
+                    .enabled(|s| s.model.views.can_go(s.model.document.figure().observers, true)),
+                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(s, false))
+                    .enabled(|s| s.model.views.can_go(s.model.document.figure().observers, false)),
                 row!(world section, Section, alt(Key::Num8), section_view, section_view_hint),
                 row!(world dimensions, Dimensions, alt(Key::Num9), dimensions, dimensions_hint)
                     .enabled(|s| !s.model.document.figure().world.section)
@@ -172,11 +167,11 @@ pub const MENUS: &[Menu] = &[
                 row!(KeepCamera, shift(Key::F4), compare::keep, keep_hint, |s, _| {
                     kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
                 }),
-                row!(SwapSides, plain(Key::F4), compare::swap_command, swap_command_hint, |s, _| {
+                row!(SwapSides, plain(Key::F4), compare::swap, swap_command_hint, |s, _| {
                     kept_camera::swap(&mut s.model, &s.camera_a);
                 }),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
-                row!(Labels, alt(Key::T), labels::command, command_hint, |s, _| s.label_mode.toggle())
+                row!(Labels, alt(Key::T), labels::title, command_hint, |s, _| s.label_mode.toggle())
                     .on(|s| s.label_mode.on),
             ],
         ],
@@ -227,7 +222,10 @@ pub const MENUS: &[Menu] = &[
                 row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.model.settings.zoom = 1.0)
                     .browsers_keys(),
             ],
-            &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| toggle_language(s)).browsers_keys()],
+            &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| {
+                s.model.settings.lang = s.model.settings.lang.other();
+            })
+            .browsers_keys()],
         ],
     },
     Menu {
@@ -237,8 +235,12 @@ pub const MENUS: &[Menu] = &[
             &[row!(Presentation, plain(Key::F11), presentation, presentation_hint, toggle_presentation)
                 .on(|s| s.model.settings.presentation)],
             &[
-                Row::step(NextFigure, ctrl(Key::PageDown), |t| (t.next_figure, t.next_figure_hint), true),
-                Row::step(PreviousFigure, ctrl(Key::PageUp), |t| (t.previous_figure, t.previous_figure_hint), false),
+                row!(NextFigure, ctrl(Key::PageDown), next_figure, next_figure_hint, |s, ctx| step(s, ctx, true))
+                    .browsers_keys(),
+                row!(PreviousFigure, ctrl(Key::PageUp), previous_figure, previous_figure_hint, |s, ctx| {
+                    step(s, ctx, false);
+                })
+                .browsers_keys(),
             ],
             &[
                 row!(Pen, alt(Key::P), pen, pen_hint, switch annotations.pen),
@@ -331,14 +333,8 @@ impl Row {
             only_if_enabled: false,
             hint_disabled: None,
             on: None,
-            run: Run::Change(run),
+            run,
         }
-    }
-
-    /// A command that goes on to another figure.
-    const fn step(command: Command, shortcut: KeyboardShortcut, words: Words, forwards: bool) -> Self {
-        let row = Self::new(command, shortcut, words, |_, _| {});
-        Self { run: Run::Step { forwards }, ..row }.browsers_keys()
     }
 
     /// Other keys call it too.
@@ -465,9 +461,20 @@ fn copy_numbers(state: &mut State, ctx: &Context) {
 }
 
 /// Shows the 3D pictures as they were seen at another time, where there is one.
-fn see_as(state: &mut State, find: fn(&mut ViewHistory, Observers) -> Option<Observers>) {
-    if let Some(observers) = find(&mut state.model.views, state.model.document.figure().observers) {
+fn see_as(state: &mut State, back: bool) {
+    if let Some(observers) = state.model.views.go(state.model.document.figure().observers, back) {
         *state.model.document.observers_mut() = observers;
+    }
+}
+
+/// Goes on to the next figure or step, or back to the one before.
+fn step(state: &mut State, ctx: &Context, forwards: bool) {
+    // A frozen picture would be under another title.
+    state.annotations.frozen = false;
+    if state.learn.lesson.is_some() {
+        state.learn.step_lesson(&mut state.model, forwards);
+    } else {
+        file_flow::step(ctx, state, forwards);
     }
 }
 
@@ -502,13 +509,6 @@ fn toggle_theme(state: &mut State) {
 
 fn zoom_by(state: &mut State, more: f32) {
     state.model.settings.zoom = (state.model.settings.zoom + more).clamp(0.5, 3.0);
-}
-
-fn toggle_language(state: &mut State) {
-    state.model.settings.lang = match state.model.settings.lang {
-        Lang::En => Lang::PtBr,
-        Lang::PtBr => Lang::En,
-    };
 }
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::export::format::PictureFormat;
 use crate::gui::app::file_flow::questions::{MESH_ENDINGS, Purpose, TEXTURE_ENDINGS};
 use crate::gui::app::state::State;
+use crate::gui::model::action::FileFor;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::i18n::file_names::name_of_title;
 use crate::i18n::learn::{exercise_window, handouts, lessons};
@@ -53,7 +54,7 @@ impl FileKind {
         let folder = |title| (Wanted::Folder, title, t.open_action, Vec::new(), String::new());
         let new_file = |title, filters, name| (Wanted::NewFile, title, t.save_action, filters, name);
         let (wanted, title, action, filters, name) = match purpose {
-            Purpose::Open | Purpose::CompareWith => {
+            Purpose::Open | Purpose::For(FileFor::CompareWith) => {
                 file(t.open_title, t.open_action, t.figure_filter, &["toml", "png", "svg", "pdf"][..])
             }
             Purpose::Save(_) => {
@@ -72,7 +73,7 @@ impl FileKind {
                 let name = format!("{stem}{what}.{}", export.format.ending());
                 new_file(t.export_title, formats(t.picture_filter, export.format), name)
             }
-            Purpose::Animation(decomposition) => {
+            Purpose::For(FileFor::Animation(decomposition)) => {
                 let mut filters = vec![
                     (format!("{} GIF", film.animation), &["gif"][..]),
                     (format!("{} APNG", film.animation), &["apng"][..]),
@@ -89,7 +90,7 @@ impl FileKind {
                     if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };
                 (Wanted::NewFile, title, action, filters, name.unwrap_or_else(|| t.step_file.to_owned()))
             }
-            Purpose::Chart(_) => {
+            Purpose::For(FileFor::Chart(_)) => {
                 let filters = formats(t.chart_filter, PictureFormat::Svg);
                 new_file(t.export_chart_title, filters, format!("{stem}-{}.svg", t.chart_file))
             }
@@ -98,20 +99,22 @@ impl FileKind {
                 let filters = vec![(format!("{} PDF", t.filter), &["pdf"][..])];
                 new_file(t.title, filters, format!("{}.pdf", form.stem()))
             }
-            Purpose::Progress => {
+            Purpose::For(FileFor::Progress) => {
                 let filters = vec![("CSV".to_owned(), &["csv"][..])];
                 new_file(exercises.export_title, filters, exercises.progress_file.to_owned())
             }
-            Purpose::Mesh(_) => file(scene.mesh_title, scene.mesh_action, scene.mesh_filter, MESH_ENDINGS),
-            Purpose::Texture(_) => {
+            Purpose::For(FileFor::Mesh(_)) => {
+                file(scene.mesh_title, scene.mesh_action, scene.mesh_filter, MESH_ENDINGS)
+            }
+            Purpose::For(FileFor::Texture(_)) => {
                 file(scene.texture_title, scene.texture_action, scene.texture_filter, TEXTURE_ENDINGS)
             }
-            Purpose::Photograph => {
+            Purpose::For(FileFor::Photograph) => {
                 let t = photograph::texts(lang);
                 file(t.choose_title, t.choose_action, scene.texture_filter, TEXTURE_ENDINGS)
             }
             Purpose::Folder => folder(gallery::texts(lang).choose),
-            Purpose::Exercises => folder(exercises.own_open),
+            Purpose::For(FileFor::Exercises) => folder(exercises.own_open),
         };
         let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
         let folder = state.model.document.folder().or_else(|| last.and_then(|path| path.parent()));
@@ -167,7 +170,7 @@ mod tests {
         for (given, made) in [("a", "a.toml"), ("a.toml", "a.toml"), ("a.TOML", "a.TOML"), ("v1.2", "v1.2.toml")] {
             assert_eq!(kind.with_ending(PathBuf::from(given)), PathBuf::from(made));
         }
-        let kind = FileKind::of(&state, &Purpose::Animation(Decomposition::ALL[0]));
+        let kind = FileKind::of(&state, &Purpose::For(FileFor::Animation(Decomposition::ALL[0])));
         for (given, made) in [("a", "a.gif"), ("a.APNG", "a.APNG"), ("a.jpeg", "a.jpeg"), ("a.toml", "a.toml.gif")] {
             assert_eq!(kind.with_ending(PathBuf::from(given)), PathBuf::from(made));
         }

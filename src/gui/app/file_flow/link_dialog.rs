@@ -68,8 +68,8 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     }
     ui.add_space(10.0);
     let actions: &[&str] = match &link {
-        Ok(_) if !address.is_empty() => &[words.copy, words.code],
-        Ok(_) => &[words.copy],
+        Ok(_) if !address.is_empty() => &[t.copy, words.code],
+        Ok(_) => &[t.copy],
         Err(_) => &[],
     };
     let asks_address = state.file_flow.refused.is_some();

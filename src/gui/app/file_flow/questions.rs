@@ -4,8 +4,6 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::reading::Reading;
-use crate::camera::Decomposition;
-use crate::export::plot::Block;
 use crate::figure::Bilingual;
 use crate::files::Overwrite;
 use crate::gui::background::worker::Running;
@@ -16,7 +14,7 @@ use crate::gui::files::watch::Watch;
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
-use crate::gui::model::action::{AfterSave, MeshFor};
+use crate::gui::model::action::{AfterSave, FileFor};
 use crate::gui::model::history::Revision;
 use crate::gui::model::message::Message;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
@@ -32,16 +30,10 @@ pub enum Purpose {
     Open,
     /// To save the figure in it, and then to go on.
     Save(Option<AfterSave>),
+    /// For a feature that asks.
+    For(FileFor),
     /// To write a picture.
     Export(Export),
-    /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
-    Animation(Decomposition),
-    /// To put a mesh into the scene.
-    Mesh(MeshFor),
-    /// To put a texture on the object of this name.
-    Texture(String),
-    /// To put a photograph under the image.
-    Photograph,
     /// A folder, whose figures the gallery is to show.
     Folder,
     /// To add a step to a lesson.
@@ -52,16 +44,8 @@ pub enum Purpose {
     OwnLesson,
     /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
     LessonText(AfterSave),
-    /// To compare the figure with the one in it.
-    CompareWith,
-    /// To write a chart.
-    Chart(Box<Block>),
     /// To write a lesson or exercises as pages to print.
     Handout(HandoutForm),
-    /// To export progress in exercises, as a table for spreadsheets.
-    Progress,
-    /// A folder of a lecturer's own exercises.
-    Exercises,
 }
 
 impl Purpose {
@@ -72,7 +56,10 @@ impl Purpose {
 
     /// True if the file is for the figure that is shown.
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
-        !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises | Self::Handout(_))
+        !matches!(
+            self,
+            Self::Open | Self::Folder | Self::For(FileFor::Progress | FileFor::Exercises) | Self::Handout(_)
+        )
     }
 }
 

@@ -12,7 +12,7 @@ fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() ->
     let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
     let export = Export::new([[4, 3]; 3], 1.0);
     let (what, to) = (ExportKind::Pictures(export), (PathBuf::from("a.png"), Overwrite::Writable));
-    let task = Task::new((&state.model.document, state.model.figure_as_shown()), Lang::En, what, to);
+    let task = Task::new(&state.model, &state.family, what, to);
     let exporting = Exporting::with(&ctx, task, make);
     state.file_flow.exporting.push(exporting);
     (ctx, state)

@@ -12,7 +12,7 @@ use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::model::Model;
 use crate::i18n::window::{Texts, sharing};
-use crate::i18n::{Lang, told};
+use crate::i18n::{Lang, told, told_mut};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
 
@@ -57,10 +57,10 @@ pub(in crate::gui) fn show(
         (t.caption_name, &mut form.caption, card_caption, MAX_CAPTION, 3),
     ];
     for (name, text, of_card, most, lines) in rows {
-        for lang in [t.lang, other(t.lang)] {
+        for lang in [t.lang, t.lang.other()] {
             let label = ui.label(format!("{name}, {}", language(t, lang)));
             let hint = of_card.as_ref().map(|text| told(lang, text)).unwrap_or_default();
-            let typed = if lang == Lang::En { &mut text.en } else { &mut text.pt_br };
+            let typed = told_mut(lang, text);
             let typed_length = typed.chars().count();
             let field = if lines == 1 { TextField::line(typed, most) } else { TextField::lines(typed, most) };
             let field = field
@@ -149,19 +149,9 @@ fn written(text: Bilingual) -> Option<Bilingual> {
         words.collect::<Vec<_>>().join(" ")
     };
     let (en, pt_br) = (line(text.en), line(text.pt_br));
-    match (en.is_empty(), pt_br.is_empty()) {
-        (true, true) => None,
-        (true, false) => Some(Bilingual { en: pt_br.clone(), pt_br }),
-        (false, true) => Some(Bilingual { pt_br: en.clone(), en }),
-        (false, false) => Some(Bilingual { en, pt_br }),
-    }
-}
-
-const fn other(lang: Lang) -> Lang {
-    match lang {
-        Lang::En => Lang::PtBr,
-        Lang::PtBr => Lang::En,
-    }
+    let or = |one: &String, other: &String| if one.is_empty() { other.clone() } else { one.clone() };
+    let both = Bilingual { en: or(&en, &pt_br), pt_br: or(&pt_br, &en) };
+    (!both.en.is_empty()).then_some(both)
 }
 
 const fn language(t: &Texts, lang: Lang) -> &'static str {

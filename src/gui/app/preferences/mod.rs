@@ -22,7 +22,6 @@ use crate::gui::app::launch_options::LANGUAGES;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
 use crate::gui::model::layout::{Side, WindowPlace};
-use crate::gui::storage::plain::Plain;
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
@@ -42,7 +41,7 @@ const LESSONS_DONE: &str = "lessons_done";
 /// A key of the file: its value in a window, and its effect on one; an impossible value has none.
 struct Key {
     name: &'static str,
-    of: fn(&State) -> Plain<'_>,
+    of: fn(&State) -> Value,
     apply: fn(&mut State, &Value),
 }
 
@@ -144,12 +143,12 @@ const KEYS: [Key; 42] = [
     Key {
         name: LESSONS,
         of: |state| lessons_value(&state.learn.taken),
-        apply: |state, value| state.learn.taken = lessons_taken(value),
+        apply: |state, value| state.learn.taken = lessons_taken(pairs(value)),
     },
     Key {
         name: LESSONS_DONE,
         of: |state| done_value(&state.learn.done),
-        apply: |state, value| state.learn.done = lessons_done(value),
+        apply: |state, value| state.learn.done = lessons_done(pairs(value)),
     },
     key!("convention", one of CONVENTIONS, model.operations.convention),
     Key {
@@ -268,9 +267,9 @@ fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
 }
 
 /// A key of the last family: its word, then its values.
-fn family_of(family: &FamilyChoice, place: usize) -> Plain<'_> {
+fn family_of(family: &FamilyChoice, place: usize) -> Value {
     let Varied { subject, values } = &family.remembered()[place];
-    [subject.word().into(), Plain::from(values.clone())].into_iter().collect()
+    [subject.word(), values].into_iter().collect()
 }
 
 fn set_family(family: &mut FamilyChoice, value: &Value, place: usize) {
@@ -324,11 +323,12 @@ fn step_key(descriptor: &Descriptor) -> String {
     format!("{}{axis}_step", descriptor.word)
 }
 
-/// The preferences of a window: keys with their values.
-fn values(state: &State) -> impl Iterator<Item = (&'static str, Plain<'_>)> {
-    let step = |row: &Descriptor| Plain::from(state.model.operations.steps[row.freedom as usize]);
+/// The preferences of a window: keys with their values as TOML.
+fn values(state: &State) -> impl Iterator<Item = (&'static str, String)> {
+    let step = |row: &Descriptor| Value::from(state.model.operations.steps[row.freedom as usize]);
     let steps = STEP_KEYS.iter().map(String::as_str).zip(OPERATIONS.iter().map(step));
-    KEYS.iter().map(|key| (key.name, (key.of)(state))).chain(steps)
+    let values = KEYS.iter().map(|key| (key.name, (key.of)(state))).chain(steps);
+    values.map(|(key, value)| (key, value.to_string()))
 }
 
 /// Sets a window up as the file says. A value that a key cannot have counts as none.
@@ -348,55 +348,47 @@ fn apply(document: &DocumentMut, state: &mut State) {
     state.recent.files = recent(document);
 }
 
-/// The value of [`LESSONS`].
-fn lessons_value(taken: &BTreeMap<String, usize>) -> Plain<'static> {
-    taken.iter().map(|(id, step)| format!("{id}={}", step + 1)).collect()
+/// A lesson and a step of it, from 0, as a text of [`LESSONS`] and [`LESSONS_DONE`].
+fn pair(id: &str, step: usize) -> String {
+    format!("{id}={}", step + 1)
 }
 
-/// The furthest step of each lesson, from 0, in such a value.
-fn lessons_taken(value: &Value) -> BTreeMap<String, usize> {
+/// The lessons and steps in such a value.
+fn pairs(value: &Value) -> impl Iterator<Item = (String, usize)> {
     let texts = value.as_array().into_iter().flatten().filter_map(Value::as_str);
-    let taken = |text: &str| {
+    texts.filter_map(|text| {
         let (id, step) = text.split_once('=')?;
         Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
-    };
-    texts.filter_map(taken).collect()
+    })
 }
 
-/// The value of [`LESSONS_DONE`].
-fn done_value(done: &BTreeMap<String, BTreeSet<usize>>) -> Plain<'static> {
-    done.iter().flat_map(|(id, steps)| steps.iter().map(move |step| format!("{id}={}", step + 1))).collect()
+/// The value of [`LESSONS`].
+fn lessons_value(taken: &BTreeMap<String, usize>) -> Value {
+    taken.iter().map(|(id, step)| pair(id, *step)).collect()
 }
 
-/// The done steps of each lesson, from 0, in such a value.
-fn lessons_done(value: &Value) -> BTreeMap<String, BTreeSet<usize>> {
-    let mut done: BTreeMap<String, BTreeSet<usize>> = BTreeMap::new();
-    for text in value.as_array().into_iter().flatten().filter_map(Value::as_str) {
-        let Some((id, step)) = text.split_once('=') else { continue };
-        if let Some(step) = step.parse::<usize>().ok().and_then(|step| step.checked_sub(1)) {
-            done.entry(id.to_owned()).or_default().insert(step);
-        }
-    }
-    done
-}
-
-/// The done steps in two such values.
-fn merged_done(one: &Value, other: &Value) -> Value {
-    let mut done = lessons_done(one);
-    for (id, steps) in lessons_done(other) {
-        done.entry(id).or_default().extend(steps);
-    }
-    (&done_value(&done)).into()
-}
-
-/// The furthest step of each lesson in two such values: two windows lose nothing of each other.
-fn merged_lessons(one: &Value, other: &Value) -> Value {
-    let mut taken = lessons_taken(one);
-    for (id, step) in lessons_taken(other) {
+/// The furthest step of each lesson.
+fn lessons_taken(pairs: impl Iterator<Item = (String, usize)>) -> BTreeMap<String, usize> {
+    let mut taken = BTreeMap::new();
+    for (id, step) in pairs {
         let furthest = taken.entry(id).or_default();
         *furthest = step.max(*furthest);
     }
-    (&lessons_value(&taken)).into()
+    taken
+}
+
+/// The value of [`LESSONS_DONE`].
+fn done_value(done: &BTreeMap<String, BTreeSet<usize>>) -> Value {
+    done.iter().flat_map(|(id, steps)| steps.iter().map(move |step| pair(id, *step))).collect()
+}
+
+/// The done steps of each lesson.
+fn lessons_done(pairs: impl Iterator<Item = (String, usize)>) -> BTreeMap<String, BTreeSet<usize>> {
+    let mut done: BTreeMap<String, BTreeSet<usize>> = BTreeMap::new();
+    for (id, step) in pairs {
+        done.entry(id).or_default().insert(step);
+    }
+    done
 }
 
 /// The files that were opened or saved last, the latest first.
@@ -425,8 +417,7 @@ mod tests {
     }
 
     fn document(state: &State) -> DocumentMut {
-        let lines: Vec<String> =
-            values(state).map(|(key, value)| format!("\"{key}\" = {}\n", Value::from(&value))).collect();
+        let lines: Vec<String> = values(state).map(|(key, value)| format!("\"{key}\" = {value}\n")).collect();
         lines.concat().parse().unwrap()
     }
 
@@ -468,8 +459,7 @@ mod tests {
         changed.family.second.choose(Subject::Typed);
         changed.model.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
         changed.model.explained.show(Explanation::Code);
-        let plain = state();
-        let plain: BTreeMap<_, _> = values(&plain).collect();
+        let plain: BTreeMap<_, _> = values(&state()).collect();
         let told: BTreeMap<_, _> = values(&changed).collect();
         for (key, value) in &told {
             assert_ne!(Some(value), plain.get(key), "{key} was not changed");
@@ -483,11 +473,10 @@ mod tests {
     #[test]
     fn two_windows_lose_no_done_step_of_each_other() {
         let value = |text: &str| text.parse::<Value>().unwrap();
-        let merged = merged_done(&value("[\"cube=2\", \"basis=1\"]"), &value("[\"basis=3\", \"basis=1\", \"x=0\"]"));
-        assert_eq!(
-            lessons_done(&merged),
-            [("basis".to_owned(), [0, 2].into()), ("cube".to_owned(), [1].into())].into()
-        );
+        let (one, other) = (value("[\"cube=2\", \"basis=1\"]"), value("[\"basis=3\", \"basis=1\", \"x=0\"]"));
+        let merged = lessons_done(pairs(&one).chain(pairs(&other)));
+        assert_eq!(merged, [("basis".to_owned(), [0, 2].into()), ("cube".to_owned(), [1].into())].into());
+        assert_eq!(lessons_done(pairs(&done_value(&merged))), merged);
     }
 
     #[test]
@@ -495,9 +484,9 @@ mod tests {
         let text = "language = \"fr\"\ntheme = 3\nzoom = 99\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
                     roll_step = nan\npan_u_step = 2\nlayout = [1]\nrecent = [\"relative\", 3]\n";
         let mut state = state();
-        let mut expected: BTreeMap<_, _> = values(&state).map(|(key, value)| (key, value.into_owned())).collect();
+        let mut expected: BTreeMap<_, _> = values(&state).collect();
         apply(&text.parse().unwrap(), &mut state);
-        expected.insert("pan_u_step", Plain::Number(2.0));
+        expected.insert("pan_u_step", "2.0".to_owned());
         assert_eq!(values(&state).collect::<BTreeMap<_, _>>(), expected);
         assert!(state.recent.files.is_empty());
     }

@@ -11,10 +11,10 @@ use crate::files;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::preferences::progress::KeptProgress;
 use crate::gui::app::preferences::{
-    LESSONS, LESSONS_DONE, RECENT, answers, apply, merged_done, merged_lessons, recent, values,
+    LESSONS, LESSONS_DONE, RECENT, answers, apply, done_value, lessons_done, lessons_taken, lessons_value, pairs,
+    recent, values,
 };
 use crate::gui::app::state::State;
-use crate::gui::storage::plain::Plain;
 use crate::gui::storage::recent::{Recent, merged};
 use crate::gui::storage::session::{Keeping, News};
 use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
@@ -22,7 +22,8 @@ use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
 /// The changes of one window.
 #[derive(Clone, Debug, PartialEq)]
 struct SettingsJob {
-    changed: BTreeMap<&'static str, Plain<'static>>,
+    /// Keys with their values as TOML.
+    changed: BTreeMap<&'static str, String>,
     /// The files that were opened in it, the latest first.
     opened: Vec<PathBuf>,
     /// The typed answers are in a file of their own now.
@@ -51,11 +52,11 @@ impl Change for SettingsJob {
             answers::remove(&mut document);
         }
         for (key, value) in &self.changed {
-            let value = Value::from(value);
+            let Ok(value) = value.parse::<Value>() else { continue };
             let before = document.get(key).and_then(|item| item.as_value());
             let value = match (*key, before) {
-                (LESSONS, Some(before)) => merged_lessons(before, &value),
-                (LESSONS_DONE, Some(before)) => merged_done(before, &value),
+                (LESSONS, Some(before)) => lessons_value(&lessons_taken(pairs(before).chain(pairs(&value)))),
+                (LESSONS_DONE, Some(before)) => done_value(&lessons_done(pairs(before).chain(pairs(&value)))),
                 _ => value,
             };
             document[*key] = value.into();
@@ -74,7 +75,7 @@ impl Change for SettingsJob {
 pub struct Preferences {
     file: SharedFile<SettingsJob>,
     /// The keys of this window as they are in the file, or were when it was read.
-    kept: BTreeMap<&'static str, Plain<'static>>,
+    kept: BTreeMap<&'static str, String>,
     /// The keys in the file.
     remembered: BTreeSet<String>,
     progress: KeptProgress,
@@ -102,7 +103,7 @@ impl Preferences {
         let progress = KeptProgress::begin(folder, &mut state.learn, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
-        let kept = values(state).map(|(key, value)| (key, value.into_owned())).collect();
+        let kept = values(state).collect();
         // A page may be somebody's figure in the middle of a text.
         state.learn.welcome = !state.model.settings.welcomed && !state.model.in_browser;
         state.learn.goes_on = state.model.settings.welcomed && !state.model.in_browser && !state.learn.taken.is_empty();
@@ -117,8 +118,7 @@ impl Preferences {
             return;
         }
         set(state);
-        let set = values(state).filter(|(of, _)| *of == key).map(|(of, value)| (of, value.into_owned()));
-        self.kept.extend(set);
+        self.kept.extend(values(state).filter(|(of, _)| *of == key));
     }
 
     /// Saves changes, beside the window's thread. A failed write is repeated with the next change.
@@ -152,8 +152,7 @@ impl Preferences {
 
     /// The part that is not in the file yet.
     fn job(&mut self, state: &State) -> SettingsJob {
-        let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value));
-        let changed = changed.map(|(key, value)| (key, value.into_owned())).collect();
+        let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value)).collect();
         let answers_moved = self.has_answers && self.progress.is_written(&state.learn);
         SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
     }

@@ -10,6 +10,7 @@ use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::kit::focus::keep_in_sight;
+use crate::gui::kit::form::choice;
 use crate::gui::kit::plotting::{color_of, export_button};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
@@ -123,14 +124,10 @@ fn chart(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Fin
     let case = cases.get(numerics.case).copied().unwrap_or_default();
     ui.vertical(|ui| {
         ui.horizontal(|ui| {
-            let list = ComboBox::from_id_salt("case").selected_text(words::name(lang, case)).show_ui(ui, |ui| {
-                for (i, name) in cases.iter().enumerate() {
-                    if ui.selectable_label(i == numerics.case, words::name(lang, name)).clicked() {
-                        (numerics.case, numerics.parameter) = (i, None);
-                    }
-                }
-            });
-            list.response.accessible_name(t.case);
+            let names: Vec<_> = cases.iter().enumerate().map(|(i, name)| (i, words::name(lang, name))).collect();
+            if choice(ui, t.case, "", &mut numerics.case, &names) {
+                numerics.parameter = None;
+            }
             ui.selectable_value(&mut numerics.over_time, false, t.over_parameter);
             ui.selectable_value(&mut numerics.over_time, true, t.over_time);
             let over_time = numerics.over_time;
@@ -176,10 +173,7 @@ fn methods(ui: &mut Ui, model: &Model, numerics: &mut Numerics, findings: &Findi
     let colors = findings.methods();
     Grid::new("methods").num_columns(5).striped(true).show(ui, |ui| {
         for (head, hint) in [(t.method, ""), (t.error, ""), (t.nanos, ""), (t.bits, t.bits_hint), ("", "")] {
-            let head = ui.label(RichText::new(head).strong());
-            if !hint.is_empty() {
-                head.explained(hint);
-            }
+            ui.label(RichText::new(head).strong()).explained(hint);
         }
         ui.end_row();
         for row in rows.into_iter().filter(|row| row.parameter == parameter) {

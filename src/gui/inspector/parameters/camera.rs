@@ -3,7 +3,7 @@
 use eframe::egui;
 
 use super::free_window::{closed, opened};
-use super::{ParameterForm, lens_menu, row};
+use super::{ParameterForm, lens_menu, row, toggle};
 use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
@@ -77,8 +77,7 @@ fn kind(ui: &mut egui::Ui, form: &mut ParameterForm) {
             (1, Projection::Parallel, t.parallel, t.parallel_hint, "parallel"),
         ] {
             columns[column].vertical_centered_justified(|ui| {
-                let button = egui::Button::selectable(chosen == projection, text).frame_when_inactive(true);
-                let button = ui.add(button).explained(hint);
+                let button = toggle(ui, chosen == projection, text).explained(hint);
                 help_topic(&button, note);
                 if button.clicked() {
                     chosen = projection;

@@ -1,6 +1,6 @@
 //! The cameras of the figure: the current one, the others, and ready-made pairs.
 
-use eframe::egui::{self, Key, Popup, PopupCloseBehavior};
+use eframe::egui::{self, Popup, PopupCloseBehavior};
 
 use super::{complaint, row};
 use crate::appearance::Rgba;
@@ -9,7 +9,7 @@ use crate::figure::{Comparison, NamedCamera};
 use crate::gui::inspector::section;
 use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::kit::number_field::{self, NumberField, Step};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::KeptLine;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::i18n::window;
@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList)
     };
     section(ui, t.cameras, id, opens, |ui| {
         if count > 0 {
-            name(ui, model, cameras, t, None);
+            name_row(ui, model, t, None, |ui| drop(ui.weak(t.current)));
         }
         for index in 0..count {
             // A camera that is removed leaves the list shorter in the same frame.
@@ -47,7 +47,7 @@ fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Tex
     let mut asked = (false, false);
     let mut is_beside = is_beside(model, index);
     let own = model.document.figure().cameras[index].name.clone();
-    name_row(ui, model, cameras, t, Some(index), |ui| {
+    name_row(ui, model, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
         let look = ui.button(t.look).explained(t.look_hint).accessible_name(of(t.look));
         let remove = ui.button("✖").explained(t.remove_hint).accessible_name(of(t.remove));
@@ -61,7 +61,6 @@ fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Tex
     match asked {
         (true, _) => cameras.look_through(model, index),
         (_, true) => {
-            cameras.typing = None;
             model.document.edit_cameras(|figure| figure.remove_camera(index));
         }
         _ => {}
@@ -75,36 +74,25 @@ fn is_beside(model: &Model, index: usize) -> bool {
     name.is_some_and(|name| figure.cameras[index].name == *name)
 }
 
-/// The current camera.
-fn name(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: Option<usize>) {
-    name_row(ui, model, cameras, t, index, |ui| drop(ui.weak(t.current)));
-}
-
 /// Color, name, and the controls at the right.
 fn name_row(
     ui: &mut egui::Ui,
     model: &mut Model,
-    cameras: &mut CameraList,
     t: &Texts,
     index: Option<usize>,
     at_right: impl FnOnce(&mut egui::Ui),
 ) {
+    let mut is_refused = false;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().interact_size.x = 20.0;
         color(ui, model, t, index);
-        name_field(ui, model, cameras, t, index);
+        is_refused = name_field(ui, model, t, index);
         crate::gui::kit::focus::at_right(ui, at_right);
     });
-    if is_refused(model, cameras, index) {
+    if is_refused {
         complaint(ui, t.name_bad);
     }
-}
-
-/// True for a name that was left and cannot be taken.
-fn is_refused(model: &Model, cameras: &CameraList, index: Option<usize>) -> bool {
-    let typing = cameras.typing.as_ref().filter(|(of, ..)| *of == index);
-    typing.is_some_and(|(_, text, left)| *left && !is_free(model, text.trim(), index))
 }
 
 fn is_free(model: &Model, name: &str, index: Option<usize>) -> bool {
@@ -135,28 +123,26 @@ fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) 
     }
 }
 
-/// The field of a name. It takes effect with Enter, or when it is left.
-fn name_field(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: Option<usize>) {
+/// The field of a name. True for one that is refused.
+fn name_field(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) -> bool {
     let figure = model.document.figure();
     let old = index.map_or_else(|| figure.tag.name.clone(), |i| Some(figure.cameras[i].name.clone()));
     let old = old.unwrap_or_default();
-    let kept = cameras.typing.take_if(|(of, ..)| *of == index);
-    let (_, mut text, was_left) = kept.unwrap_or_else(|| (index, old.clone(), false));
-    let id = egui::Id::unique(("camera name", index));
-    let field = TextField::line(&mut text, MAX_CAMERA_NAME).with(|edit| edit.id(id).desired_width(98.0));
-    let response = field.show(ui, model.settings.lang).explained(t.name_hint);
-    let response = response.accessible_name(format!("{}: {}", t.name, escaped(&old)));
-    let left = response.lost_focus();
-    let wanted = text.trim().to_owned();
-    if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {
-        if response.has_focus() {
-            cameras.typing = Some((index, text, false));
-        }
-    } else if left && is_free(model, &wanted, index) {
-        model.document.edit_cameras(|figure| figure.rename_camera(index, &wanted));
-    } else if response.has_focus() || left || was_left {
-        cameras.typing = Some((index, text, left || was_left));
+    let id = egui::Id::unique(("camera name", model.document.id(), index));
+    let line = KeptLine { id, old: &old, most: MAX_CAMERA_NAME, width: 98.0 };
+    let (response, typed) =
+        line.show(
+            ui,
+            model.settings.lang,
+            |wanted| {
+                if is_free(model, wanted, index) { Ok(wanted.to_owned()) } else { Err(()) }
+            },
+        );
+    response.explained(t.name_hint).accessible_name(format!("{}: {}", t.name, escaped(&old)));
+    if let Some(Ok(wanted)) = &typed {
+        model.document.edit_cameras(|figure| figure.rename_camera(index, wanted));
     }
+    typed.is_some_and(|typed| typed.is_err())
 }
 
 /// The buttons that add cameras.

@@ -4,7 +4,7 @@
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 
 use super::free_window::closed;
-use super::{ParameterForm, complain, row};
+use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
@@ -136,9 +136,8 @@ fn sensor(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, sensor: &mut Senso
             (SensorFit::Vertical, t.fit_vertical, t.fit_vertical_hint),
             (SensorFit::Larger, t.fit_larger, t.fit_larger_hint),
         ] {
-            let button = egui::Button::selectable(sensor.fit == fit, name).frame_when_inactive(true);
-            let button = ui.add(button).explained(hint).accessible_name(format!("{}: {name}", t.fit));
-            if button.clicked() {
+            let button = toggle(ui, sensor.fit == fit, name).explained(hint);
+            if button.accessible_name(format!("{}: {name}", t.fit)).clicked() {
                 sensor.fit = fit;
             }
         }

@@ -12,7 +12,7 @@ mod world_section;
 use eframe::egui;
 use glam::DVec3;
 
-use super::{complain, complaint, row};
+use super::{complain, complaint, row, toggle};
 use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
@@ -71,8 +71,8 @@ fn tabs(ui: &mut egui::Ui, model: &mut Model) {
             let impossible = tab == Tab::Camera && model.document.problem().is_some();
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
             column.vertical_centered_justified(|ui| {
-                let button = egui::Button::selectable(model.settings.tab == tab, text).frame_when_inactive(true);
-                if ui.add(button).explained(hint).accessible_name(command.label(t)).clicked() {
+                let button = toggle(ui, model.settings.tab == tab, text).explained(hint);
+                if button.accessible_name(command.label(t)).clicked() {
                     model.settings.tab = tab;
                 }
             });

@@ -9,7 +9,7 @@ use crate::gui::inspector::scene;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::gui::model::photograph::PhotographTool;
 use crate::i18n::window::photograph::{self as words, Texts};
 use crate::i18n::{messages, window};
@@ -32,7 +32,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut Ph
         let response = ui.add(button).explained(hint).accessible_name(t.choose_title);
         number_field::answer_call(ui, &response, t.choose_title);
         if response.clicked() {
-            model.actions.push(Action::Photograph);
+            model.actions.push(Action::File(FileFor::Photograph));
         }
     });
     if let Some(photograph) = &photograph {

@@ -7,7 +7,7 @@ use crate::camera::{Camera, Projection};
 use crate::gui::inspector::state::insert::{free_place, rounded};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::{Action, MeshFor};
+use crate::gui::model::action::{Action, FileFor, MeshFor};
 use crate::gui::model::scene_tree::Selected;
 use crate::i18n::window::scenes::Texts;
 use crate::numbers;
@@ -45,7 +45,7 @@ fn entries(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         }
     }
     if chosen(ui, t.shape_mesh_file) {
-        model.actions.push(Action::Mesh(MeshFor::New));
+        model.actions.push(Action::File(FileFor::Mesh(MeshFor::New)));
     }
     ui.separator();
     if chosen(ui, t.group) {

@@ -8,7 +8,7 @@ mod tree;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use eframe::egui::{self, Key, RichText};
+use eframe::egui::{self, RichText};
 
 use super::{choice_row, row, section};
 use crate::explain::{Component, Symbol};
@@ -16,12 +16,12 @@ use crate::figure::Measured;
 use crate::gui::kit::context_help::{has_focus, help_topic_row};
 use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::number_field::{FieldOutput, whole};
-use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::text_field::KeptLine;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
-use crate::gui::model::scene_tree::{Draft, Selected, Typing};
+use crate::gui::model::scene_tree::{Draft, Selected};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
 use crate::i18n::why::notes;
@@ -312,21 +312,6 @@ fn perform(model: &mut Model, edit: Edit) {
     }
 }
 
-/// A field that is as high as those of numbers.
-fn text_field(
-    ui: &mut egui::Ui,
-    lang: Lang,
-    text: &mut String,
-    most: usize,
-    (id, width): (egui::Id, f32),
-) -> egui::Response {
-    let field = TextField::line(text, most).with(|edit| {
-        let edit = edit.id(id).desired_width(width).align(egui::Align2::LEFT_CENTER);
-        edit.margin(egui::Margin::symmetric(4, 2))
-    });
-    field.show(ui, lang)
-}
-
 /// A row for a file of an object, named as in a figure file. You type its path, or the button asks for one.
 fn file_row(
     ui: &mut egui::Ui,
@@ -337,27 +322,17 @@ fn file_row(
     browse: Action,
 ) {
     let t = scenes::texts(model.settings.lang);
-    let mut typing = typing(model, owner, key).unwrap_or_else(|| Typing::of(owner, key, path));
-    let mut left = false;
-    row(ui, "", t.path, hint, |ui| {
-        let id = egui::Id::unique(("file of an object", owner, key));
-        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0));
-        let response = response.explained(hint).accessible_name(name);
+    let id = egui::Id::unique(("file of an object", model.document.id(), owner, key));
+    let line = KeptLine { id, old: path, most: MAX_TYPED, width: 110.0 };
+    let typed = row(ui, "", t.path, hint, |ui| {
+        let (response, typed) = line.show(ui, t.lang, |text| Ok::<_, ()>(text.to_owned()));
+        response.explained(hint).accessible_name(name);
         if ui.button(t.browse).clicked() {
             model.actions.push(browse);
         }
-        left = response.lost_focus();
+        typed
     });
-    let text = typing.text.trim().to_owned();
-    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
+    if let Some(Ok(text)) = typed.filter(|typed| typed.as_ref().is_ok_and(|text| !text.is_empty())) {
         *path = text;
-    } else if !left && text != *path {
-        model.tree.typing = Some(typing);
     }
-}
-
-/// The text being typed for an object.
-fn typing(model: &mut Model, owner: &str, key: &'static str) -> Option<Typing> {
-    let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
-    if model.tree.typing.as_ref().is_some_and(is_it) { model.tree.typing.take() } else { None }
 }

@@ -2,19 +2,20 @@
 
 use std::collections::BTreeSet;
 
-use eframe::egui::{self, Key, RichText};
+use eframe::egui::{self, RichText};
 use glam::DVec3;
 
-use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, file_row, text_field, texture, typing};
+use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, file_row, texture};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
-use crate::gui::inspector::{VectorField, complaint, row};
+use crate::gui::inspector::{VectorField, choice_row, complaint, row};
 use crate::gui::kit::context_help::{help_topic, help_topic_row};
 use crate::gui::kit::number_field::{FieldError, NumberField, Step, whole};
+use crate::gui::kit::text_field::KeptLine;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::{Action, MeshFor};
-use crate::gui::model::scene_tree::{Selected, Typing, preset_objects};
+use crate::gui::model::action::{Action, FileFor, MeshFor};
+use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::i18n::messages;
 use crate::i18n::messages::faults;
 use crate::i18n::why::notes;
@@ -86,30 +87,22 @@ pub(super) fn of_preset(ui: &mut egui::Ui, model: &Model, form: &mut SceneForm, 
 /// mended.
 fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str) {
     let t = form.t;
-    let mut typing = typing(model, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));
-    let mut left = false;
-    row(ui, "", t.name, t.name_hint, |ui| {
-        let id = egui::Id::unique(("object name", name));
-        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED_NAME, (id, 150.0))
-            .explained(t.name_hint)
-            .accessible_name(t.name);
-        left = response.lost_focus();
+    let id = egui::Id::unique(("object name", model.document.id(), name));
+    let line = KeptLine { id, old: name, most: MAX_TYPED_NAME, width: 150.0 };
+    let typed = row(ui, "", t.name, t.name_hint, |ui| {
+        let (response, typed) = line.show(ui, t.lang, |wanted| {
+            if wanted.is_empty() {
+                return Err(t.name_empty.to_owned());
+            }
+            let renamed = edit::rename(&mut form.scene.clone(), name, wanted);
+            renamed.map(|_| wanted.to_owned()).map_err(|error| faults::scene_error(t.lang, &error))
+        });
+        response.explained(t.name_hint).accessible_name(t.name);
+        typed
     });
-    let wanted = typing.text.trim().to_owned();
-    let escaped = left && ui.input(|input| input.key_pressed(Key::Escape));
-    if wanted == name || escaped {
-        return;
-    }
-    let problem = if wanted.is_empty() {
-        Some(t.name_empty.to_owned())
-    } else {
-        let renamed = edit::rename(&mut form.scene.clone(), name, &wanted);
-        renamed.err().map(|error| faults::scene_error(model.settings.lang, &error))
-    };
-    typing.left |= left;
-    match problem {
-        Some(problem) if typing.left => complaint(ui, &problem),
-        None if left => {
+    match typed {
+        Some(Err(problem)) => complaint(ui, &problem),
+        Some(Ok(wanted)) => {
             // The draft of impossible numbers, if there is one, goes on under the new name.
             let mut base = form.base.clone();
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
@@ -119,11 +112,9 @@ fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str
                 form.base = base;
                 model.tree.select(Some(Selected::Object(wanted)));
             }
-            return;
         }
-        _ => {}
+        None => {}
     }
-    model.tree.typing = Some(typing);
 }
 
 /// Another shape with the same transform. A shape with data of its own is not offered.
@@ -137,23 +128,10 @@ fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     }
     let shapes = Shape::NAMED.iter().map(|(_, shape)| shape).filter(|shape| is_plain(shape));
     let kinds = [None].into_iter().chain(shapes.cloned().map(Some));
+    let kinds: Vec<_> = kinds.map(|kind| (kind.clone(), t.shape(kind.as_ref()))).collect();
     let usual = Shape::usual_segments;
     let mut chosen = object.shape.clone();
-    row(ui, "", t.kind, t.kind_hint, |ui| {
-        egui::ComboBox::from_id_salt(t.kind)
-            .selected_text(t.shape(chosen.as_ref()))
-            .width(116.0)
-            .show_ui(ui, |ui| {
-                for kind in kinds {
-                    let text = t.shape(kind.as_ref());
-                    ui.selectable_value(&mut chosen, kind, text);
-                }
-            })
-            .response
-            .explained(t.kind_hint)
-            .accessible_name(t.kind);
-    });
-    if chosen != object.shape {
+    if choice_row(ui, t.kind, t.kind_hint, &mut chosen, &kinds) {
         if object.segments == usual(object.shape.as_ref()) {
             object.segments = usual(chosen.as_ref());
         }
@@ -247,35 +225,25 @@ fn color(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usiz
     let now = form.scene.objects[index].color.or(shown).unwrap_or(crate::scene::palette::BLUE);
     let mut chosen = form.scene.objects[index].color;
     let mut is_automatic = automatic;
-    let mut typing = typing(model, &owner, "color").unwrap_or_else(|| Typing::of(&owner, "color", &now.to_string()));
-    let (mut editing, mut left) = (false, false);
-    row(ui, "", t.color, t.color_hint, |ui| {
+    let id = egui::Id::unique(("object colour", model.document.id(), &owner));
+    let line = KeptLine { id, old: &now.to_string(), most: MAX_TYPED_NAME, width: 66.0 };
+    let typed = row(ui, "", t.color, t.color_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.checkbox(&mut is_automatic, t.color_auto).explained(t.color_auto_hint);
-        let id = egui::Id::unique(("object colour", &owner));
-        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED_NAME, (id, 66.0))
-            .explained(t.color_hint)
-            .accessible_name(format!("{} #", t.color));
-        (editing, left) = (response.has_focus(), response.lost_focus());
+        let (response, typed) = line.show(ui, t.lang, str::parse);
+        response.explained(t.color_hint).accessible_name(format!("{} #", t.color));
         let mut bytes = [now.r, now.g, now.b, now.a];
         let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
         if picker.changed() {
             let [r, g, b, a] = bytes;
             chosen = Some(Rgba::rgba(r, g, b, a));
         }
+        typed
     });
-    let escaped = left && ui.input(|input| input.key_pressed(Key::Escape));
-    let text = typing.text.trim().to_owned();
-    if text != now.to_string() && !escaped {
-        match text.parse() {
-            Ok(color) if left => chosen = Some(color),
-            Err(_) if left || typing.left => {
-                complaint(ui, t.color_bad);
-                model.tree.typing = Some(Typing { left: true, ..typing });
-            }
-            _ if editing || typing.left => model.tree.typing = Some(typing),
-            _ => {}
-        }
+    match typed {
+        Some(Ok(color)) => chosen = Some(color),
+        Some(Err(_)) => complaint(ui, t.color_bad),
+        None => {}
     }
     if is_automatic != automatic {
         chosen = (!is_automatic).then_some(now);
@@ -311,7 +279,7 @@ fn data(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize
     let (window, step) = (form.window, form.step);
     match &mut form.scene.objects[index].shape {
         Some(Shape::Points(points)) => {
-            point_list(ui, t, window, (&owner, step), t.points, points, 1);
+            point_list(ui, t, window, (&owner, step), t.shape_points, points, 1);
             if points.len() < MAX_POINTS_IN_PANEL && ui.button(t.add_point).clicked() {
                 points.push(points.last().copied().unwrap_or_default());
             }
@@ -377,7 +345,7 @@ fn point_list(
 }
 
 fn mesh_file(ui: &mut egui::Ui, model: &mut Model, t: &Texts, owner: &str, path: &mut String) {
-    let browse = Action::Mesh(MeshFor::Object(owner.to_owned()));
+    let browse = Action::File(FileFor::Mesh(MeshFor::Object(owner.to_owned())));
     file_row(ui, model, (owner, "path"), [t.path, t.path_hint], path, browse);
     let problem = model.scene_cache.problem_of(owner);
     let unread = model.scene_cache.unread_of(owner);

@@ -8,8 +8,8 @@ use crate::gui::inspector::{choice_row, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
-use crate::i18n::messages;
+use crate::gui::model::action::{Action, FileFor};
+use crate::i18n::{messages, window};
 use crate::limits::MAX_TEXTURE_SCALE;
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
 
@@ -56,12 +56,12 @@ pub(super) fn notices(ui: &mut egui::Ui, model: &Model, owner: &str) -> [bool; 2
 
 /// The buttons by which the user mends what could not be read.
 pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, model: &mut Model, [is_outside, is_lacking]: [bool; 2]) {
-    let t = crate::i18n::window::scenes::texts(model.settings.lang);
+    let t = window::scenes::texts(model.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         model.document.allow_files();
         model.message = None;
     }
-    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
+    if is_lacking && ui.button(window::texts(t.lang).reload).explained(t.read_again_hint).clicked() {
         model.scene_cache.read_again();
         model.message = None;
     }
@@ -80,26 +80,14 @@ fn source(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) 
         Some(TextureSource::File(_)) => t.texture_file,
     };
     let is_file = |source: &Option<TextureSource>| matches!(source, Some(TextureSource::File(_)));
-    row(ui, "", t.texture, t.texture_hint, |ui| {
-        egui::ComboBox::from_id_salt(t.texture)
-            .selected_text(name(&chosen))
-            .width(116.0)
-            .show_ui(ui, |ui| {
-                ui.selectable_value(&mut chosen, None, unsaid);
-                // Without a file there is nothing that the texture could be told not to be.
-                let named = TextureSource::NAMED.into_iter().map(|(_, source)| source);
-                for source in named.filter(|source| is_mesh || *source != TextureSource::None) {
-                    let source = Some(source);
-                    let words = name(&source);
-                    ui.selectable_value(&mut chosen, source, words);
-                }
-                let now = if is_file(&chosen) { chosen.clone() } else { Some(TextureSource::File(String::new())) };
-                ui.selectable_value(&mut chosen, now, t.texture_file);
-            })
-            .response
-            .explained(t.texture_hint)
-            .accessible_name(t.texture);
-    });
+    // Without a file there is nothing that the texture could be told not to be.
+    let is_listed =
+        |source: &TextureSource| is_mesh || *source != TextureSource::None || chosen.as_ref() == Some(source);
+    let named = TextureSource::NAMED.into_iter().map(|(_, source)| source).filter(is_listed).map(Some);
+    let file = if is_file(&chosen) { chosen.clone() } else { Some(TextureSource::File(String::new())) };
+    let all = [None].into_iter().chain(named).chain([file]);
+    let all: Vec<_> = all.map(|source| (source.clone(), name(&source))).collect();
+    choice_row(ui, t.texture, t.texture_hint, &mut chosen, &all);
     form.scene.objects[index].texture = chosen;
 }
 
@@ -108,7 +96,7 @@ fn file(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let Some(TextureSource::File(path)) = &mut form.scene.objects[index].texture else { return };
-    let browse = Action::Texture(owner.clone());
+    let browse = Action::File(FileFor::Texture(owner.clone()));
     file_row(ui, model, (&owner, "texture"), [t.texture_file, t.texture_file_hint], path, browse);
 }
 
@@ -142,7 +130,7 @@ fn or_unsaid<T: Copy + PartialEq>(
 }
 
 /// The inner work of texturing, in all pictures.
-fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &crate::i18n::window::scenes::Texts) {
+fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &window::scenes::Texts) {
     let mut chosen = model.document.figure().reveal.texture;
     let all = [
         (TextureReveal::Affine, t.texture_affine),

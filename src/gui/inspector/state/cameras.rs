@@ -8,8 +8,6 @@ use crate::i18n::window::cameras;
 /// The list of cameras.
 #[derive(Clone, Debug, Default)]
 pub struct CameraList {
-    /// The name that is being typed for a camera (`None` means the current one), and whether its field has been left.
-    pub(in crate::gui) typing: Option<(Option<usize>, String, bool)>,
     /// The baseline of the next stereo pair; `None` means a thirtieth of D, as the textbooks of stereo photography have
     /// it.
     pub baseline: Option<f64>,
@@ -20,7 +18,6 @@ pub struct CameraList {
 impl CameraList {
     /// Looks through one of the other cameras of the figure.
     pub(in crate::gui) fn look_through(&mut self, model: &mut Model, index: usize) {
-        self.typing = None;
         model.document.commit();
         model.document.look_through(index);
         // Its aspect is its own.

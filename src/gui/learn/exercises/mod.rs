@@ -51,11 +51,8 @@ pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) 
                 learn_state.exercises.leave();
             }
         }
-        if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
-            && let Some((next, why)) = learn_state.exercises.next(clock::seconds_since_1970())
-        {
-            learn_state.exercises.work_on(next.clone());
-            learn_state.exercises.why = Some((next, why));
+        if ui.button(t.practise_next).explained(t.practise_next_hint).clicked() {
+            learn_state.exercises.practise();
         }
         if let Some(chosen) = open
             && is_family
@@ -93,10 +90,7 @@ pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
         ui.scroll_to_rect(egui::Rect::from_min_size(top, egui::Vec2::ZERO), Some(egui::Align::TOP));
     }
     let chosen = learn.exercises.open.clone();
-    let just_said = learn.exercises.take_said();
-    if just_said.is_some() {
-        ui.ctx().request_repaint();
-    }
+    let just_said = learn.exercises.take_said(ui.ctx());
     ui.push_id(chosen, |ui| {
         statement::ui(ui, model, learn, sheet);
         let mut in_focus = None;
@@ -131,10 +125,7 @@ pub(in crate::gui) fn questions(ui: &mut Ui, model: &mut Model, learn: &mut Lear
     let t = words::texts(model.settings.lang);
     let Some((entry, exercise)) = learn.exercises.exercise() else { return };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
-    let just_said = learn.exercises.take_said();
-    if just_said.is_some() {
-        ui.ctx().request_repaint();
-    }
+    let just_said = learn.exercises.take_said(ui.ctx());
     for ask in &exercise.asks {
         question(ui, model, learn, sheet, ask, just_said.as_ref() == Some(&ask.name));
     }

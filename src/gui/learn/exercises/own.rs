@@ -7,7 +7,7 @@ use crate::gui::kit::form::complaint;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::messages;
 use crate::sanitize;
@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut 
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.own_open).explained(t.own_open_hint).clicked() {
-            model.actions.push(Action::Exercises);
+            model.actions.push(Action::File(FileFor::Exercises));
         }
         let Some(own) = learn.exercises.own.clone() else { return };
         if ui.button(t.own_again).explained(t.own_again_hint).clicked() {

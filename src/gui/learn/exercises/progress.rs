@@ -7,7 +7,7 @@ use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
-use crate::gui::model::action::Action;
+use crate::gui::model::action::{Action, FileFor};
 use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::learn::exercises as said;
 use crate::sanitize;
@@ -31,7 +31,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Lear
             let has_some = !learn.exercises.progress.is_empty();
             let export = ui.add_enabled(has_some, egui::Button::new(t.export_progress));
             if export.explained(t.export_progress_hint).clicked() {
-                model.actions.push(Action::Progress);
+                model.actions.push(Action::File(FileFor::Progress));
             }
             let has_typed = learn.exercises.typed.values().any(|typed| !typed.is_empty());
             let delete = ui.add_enabled(has_some || has_typed, egui::Button::new(format!("{}…", t.delete_progress)));

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use eframe::egui;
 
 use crate::camera::{Camera, RecoveryError};
+use crate::clock;
 use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Guess, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 use crate::files::{self, FileError, OwnExercises};
@@ -249,8 +250,9 @@ impl Exercises {
     }
 
     /// The name of the ask with a new verdict or help.
-    pub(in crate::gui) fn take_said(&mut self) -> Option<String> {
+    pub(in crate::gui) fn take_said(&mut self, ctx: &egui::Context) -> Option<String> {
         let (name, frames) = self.just_said.take()?;
+        ctx.request_repaint();
         if frames > 1 {
             self.just_said = Some((name.clone(), frames - 1));
         }
@@ -470,6 +472,14 @@ impl Exercises {
             let is_open = |entry: &Entry| self.open.as_ref().is_some_and(|open| open.id == entry.id);
             self.next_of(&all.iter().copied().filter(|entry| !is_open(entry)).collect::<Vec<_>>(), now)
         })
+    }
+
+    /// Goes on with the next exercise to practise. False if there is none.
+    pub(in crate::gui) fn practise(&mut self) -> bool {
+        let Some((next, why)) = self.next(clock::seconds_since_1970()) else { return false };
+        self.work_on(next.clone());
+        self.why = Some((next, why));
+        true
     }
 
     fn next_of(&self, entries: &[&Entry], now: u64) -> Option<(Chosen, Why)> {

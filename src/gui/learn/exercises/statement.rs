@@ -7,11 +7,10 @@ use crate::gui::kit::form::complaint;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::learn::Learn;
+use crate::gui::learn::{Learn, lesson_link};
 use crate::gui::model::Model;
-use crate::gui::model::action::{Action, AfterSave};
-use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
-use crate::lessons::{OpenLesson, Way, lesson_of};
+use crate::i18n::learn::{exercise_messages as messages, exercises as said};
+use crate::lessons::{Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
 
 /// Shows the statement.
@@ -43,13 +42,11 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
 }
 
 /// The way to the lesson of the exercise, unless it is being played.
-fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &Learn, Sheet { t, entry, .. }: Sheet<'_>) {
+fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &Learn, Sheet { entry, .. }: Sheet<'_>) {
     let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
     let plays = |way: &Way| learn_state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
-    let Some(way) = way.filter(|way| !plays(way)) else { return };
-    if ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked() {
-        let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
-        model.actions.push(Action::Begin(AfterSave::Lesson(open)));
+    if let Some(Way { lesson, step }) = way.filter(|way| !plays(way)) {
+        lesson_link(ui, model, &lesson, step);
     }
 }
 

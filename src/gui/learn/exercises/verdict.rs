@@ -6,12 +6,11 @@ use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
 use crate::gui::kit::prose;
 use crate::gui::kit::theme;
-use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, joined};
+use crate::gui::learn::{Learn, lesson_link};
 use crate::gui::model::Model;
-use crate::gui::model::action::{Action, AfterSave};
-use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
-use crate::lessons::{OpenLesson, lesson_of};
+use crate::i18n::learn::{exercise_messages as messages, exercises as said};
+use crate::lessons::{Way, lesson_of};
 
 /// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
@@ -97,11 +96,8 @@ fn offer(ui: &mut Ui, model: &mut Model, learn: &mut Learn, Sheet { t, entry, ex
     }
     ui.horizontal_wrapped(|ui| {
         ui.label(t.many_wrong);
-        if let Some(way) = way
-            && ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked()
-        {
-            let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
-            model.actions.push(Action::Begin(AfterSave::Lesson(open)));
+        if let Some(Way { lesson, step }) = way {
+            lesson_link(ui, model, &lesson, step);
         }
         if entry.is_family && ui.link(t.new_numbers).clicked() {
             learn.exercises.work_on(Chosen { id: exercise.id.clone(), seed: exercise.seed + 1 });

@@ -14,7 +14,7 @@ use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;
-use crate::i18n::{Lang, messages};
+use crate::i18n::{Lang, messages, told_mut};
 use crate::lessons::TaskKind;
 use crate::limits::{MAX_TITLE, MAX_TYPED};
 
@@ -127,10 +127,7 @@ fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing) -> bool {
     };
     let mut is_left = false;
     for ((k, told), (name, rows)) in writing.typed.words.iter_mut().enumerate().skip(first).zip(names) {
-        let text = match of {
-            Lang::PtBr if name != t.lesson_minutes_field => &mut told.pt_br,
-            Lang::En | Lang::PtBr => &mut told.en,
-        };
+        let text = told_mut(if name == t.lesson_minutes_field { Lang::En } else { of }, told);
         let label = ui.label(name);
         let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
         let id = Id::unique(("text of a step", k, of));

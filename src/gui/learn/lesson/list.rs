@@ -9,8 +9,7 @@ use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::i18n::learn::lessons as words;
-use crate::i18n::told;
-use crate::i18n::window::gallery;
+use crate::i18n::{told, window};
 use crate::lessons::{OpenLesson, shipped};
 
 /// The width of the dialog.
@@ -79,7 +78,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
         }
     });
     ui.separator();
-    let close = ui.horizontal(|ui| at_right(ui, |ui| ui.button(gallery::texts(lang).close))).inner;
+    let close = ui.horizontal(|ui| at_right(ui, |ui| ui.button(window::texts(lang).close))).inner;
     let closes = close.clicked() || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     let stays = chosen.is_none() && !closes;
     model.actions.extend(chosen.map(|open| Action::Begin(AfterSave::Lesson(open))));

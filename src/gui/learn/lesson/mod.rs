@@ -17,16 +17,15 @@ use std::time::Duration;
 
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 
-use crate::clock;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::kit::focus;
 use crate::gui::kit::focus::Region;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{prose, theme};
-use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
+use crate::gui::learn::{Learn, lesson_link};
 use crate::gui::model::Model;
-use crate::gui::model::action::{Action, AfterSave};
+use crate::gui::model::action::Action;
 use crate::gui::model::command::Command;
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
@@ -133,11 +132,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
                 open = Some(lessons::OpenLesson { lesson: lesson.clone(), path: None, step });
             }
             ui.label("·");
-            if ui.link(t.practise).clicked()
-                && let Some((next, why)) = learn.exercises.next(clock::seconds_since_1970())
-            {
-                learn.exercises.work_on(next.clone());
-                learn.exercises.why = Some((next, why));
+            if ui.link(t.practise).clicked() && learn.exercises.practise() {
                 model.show_explanation(Explanation::Exercises);
                 learn.goes_on = false;
             }
@@ -329,8 +324,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
         } else if let Some(next) = after(&lesson) {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
             if ui.button(name).clicked() {
-                let open = lessons::OpenLesson { lesson: next, path: None, step: 0 };
-                model.actions.push(Action::Begin(AfterSave::Lesson(open)));
+                model.actions.push(Action::lesson(next, 0));
             }
         }
         let place = words::place(lang, step + 1, count);
@@ -482,10 +476,8 @@ fn links(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn, links: &[
                     }
                 }
                 Link::Lesson(id, step) => {
-                    let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
-                    if ui.link(words::lesson_link(lang, &other.lesson, *step)).clicked() {
-                        let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: *step };
-                        model.actions.push(Action::Begin(AfterSave::Lesson(open)));
+                    if let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) {
+                        lesson_link(ui, model, &other.lesson, *step);
                     }
                 }
             }

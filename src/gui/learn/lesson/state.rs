@@ -26,7 +26,7 @@ use crate::share;
 const SEEN: f64 = 2.0;
 
 /// A lesson that is played.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Playing {
     /// The lesson.
     pub lesson: Arc<Lesson>,
@@ -249,26 +249,11 @@ impl Learn {
             lesson,
             path,
             step,
-            moving: None,
             shows_text: true,
             shows_question: !model.settings.presentation,
-            shows_notes: false,
-            writing: None,
-            was_written: false,
             links_whole: true,
-            hands: Hands::default(),
-            fades: 0,
-            is_cut: false,
-            height: None,
-            worked_on: BTreeMap::new(),
-            done: BTreeSet::new(),
-            passed: BTreeSet::new(),
-            shown: BTreeSet::new(),
-            warned: None,
-            typed: None,
-            looked_at: None,
-            seen: Seen::default(),
             panels_before: *self.own_panels(model),
+            ..Playing::default()
         };
         self.show_step(model, playing, step, false);
     }

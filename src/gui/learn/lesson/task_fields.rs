@@ -8,9 +8,9 @@ use crate::figure::{Bilingual, Figure};
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::Lang;
 use crate::i18n::learn::exercises::title;
 use crate::i18n::learn::lesson_tasks::{Texts, texts};
+use crate::i18n::{Lang, told_mut};
 use crate::inspect::Report;
 use crate::lessons::{ConditionKind, ConditionText, TaskKind, TaskText};
 use crate::limits::{MAX_CONDITIONS, MAX_TITLE, MAX_TYPED};
@@ -87,18 +87,11 @@ struct Fields<'a> {
 }
 
 impl Fields<'_> {
-    const fn in_lang<'t>(&self, text: &'t mut Bilingual) -> &'t mut String {
-        match self.lang {
-            Lang::En => &mut text.en,
-            Lang::PtBr => &mut text.pt_br,
-        }
-    }
-
     /// A text over the whole width.
     fn text(&mut self, ui: &mut Ui, name: &str, text: &mut Bilingual) {
         let label = ui.label(name);
         let (id, width) = (Id::unique(("text of a task", self.lang)), ui.available_width());
-        let field = TextField::lines(self.in_lang(text), MAX_TYPED);
+        let field = TextField::lines(told_mut(self.lang, text), MAX_TYPED);
         let field = field.with(|edit| edit.id(id).desired_width(width).desired_rows(ROWS));
         let response = field.show(ui, self.t.lang).labelled_by(label.id);
         number_field::answer_call(ui, &response, name);
@@ -128,13 +121,13 @@ impl Fields<'_> {
                 marks.push((letter, ui.allocate_space(size).1));
                 let width = width_of_fields(ui);
                 let choice = &mut task.choices[place];
-                self.line(ui, 0.38 * width, (t.choice_field, place), self.in_lang(&mut choice.text));
+                self.line(ui, 0.38 * width, (t.choice_field, place), told_mut(self.lang, &mut choice.text));
                 if task.right == place {
                     let mut right = t.is_right;
                     let field = TextField::fixed_line(&mut right).with(|edit| edit.desired_width(0.62 * width));
                     ui.add_enabled_ui(false, |ui| field.show(ui, t.lang));
                 } else {
-                    self.line(ui, 0.62 * width, (t.message_field, place), self.in_lang(&mut choice.message));
+                    self.line(ui, 0.62 * width, (t.message_field, place), told_mut(self.lang, &mut choice.message));
                 }
                 if can_go && remove(ui, t.remove_choice) {
                     gone = Some(place);
@@ -172,7 +165,7 @@ impl Fields<'_> {
             ui.horizontal(|ui| {
                 let width = width_of_fields(ui);
                 self.line(ui, 0.25 * width, (t.wrong_field, place), number);
-                self.line(ui, 0.75 * width, (t.wrong_message, place), self.in_lang(message));
+                self.line(ui, 0.75 * width, (t.wrong_message, place), told_mut(self.lang, message));
                 if remove(ui, t.remove_wrong) {
                     gone = Some(place);
                 }

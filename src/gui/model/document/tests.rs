@@ -16,16 +16,16 @@ fn undo_covers_what_was_chosen_to_be_shown_and_not_what_was_pointed_at_or_plays(
     let mut document = Document::new(Figure::default(), None).unwrap();
     document.show_mut().stage = Some(Stage::Clip);
     document.commit();
-    assert!(document.can_undo() && !document.is_changed(), "a step, but nothing to save");
+    assert!(document.can_undo(true) && !document.is_changed(), "a step, but nothing to save");
     document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE));
     let step = ShownStep { way: crate::camera::Decomposition::Notes, at: Some(1.5) };
     document.show_mut().step = Some(step);
     document.commit();
-    document.undo();
+    document.undo(true);
     let show = &document.figure().show;
     assert_eq!((show.stage, show.probe, show.step), (None, Some(ShownProbe::World(DVec3::ONE)), Some(step)));
-    assert!(!document.can_undo(), "pointing and playing are no steps");
-    document.redo();
+    assert!(!document.can_undo(true), "pointing and playing are no steps");
+    document.undo(false);
     assert_eq!(document.figure().show.stage, Some(Stage::Clip));
 }
 
@@ -37,9 +37,9 @@ fn the_figure_that_another_one_has_replaced_comes_back_with_all_that_it_explaine
     other.show.measure = vec![crate::figure::Measured::Dimension(crate::figure::Measure::Near)];
     document.replace(other.clone()).unwrap();
     assert_eq!(document.figure().show, other.show);
-    document.undo();
+    document.undo(true);
     assert_eq!(document.figure().show.painted, Some(0.25));
-    document.redo();
+    document.undo(false);
     assert_eq!(document.figure().show, other.show);
 }
 
@@ -70,11 +70,11 @@ fn a_scene_is_changed_until_it_is_the_saved_one_again_however_that_came() {
     assert!(document.is_changed() && document.revision() != first);
     document.edit(|figure| figure.scene = saved);
     assert!(!document.is_changed());
-    document.undo();
+    document.undo(true);
     assert!(document.is_changed(), "the light is back");
-    document.undo();
+    document.undo(true);
     assert!(!document.is_changed() && document.revision() == first);
-    document.redo();
+    document.undo(false);
     assert!(document.is_changed());
     document.mark_saved(PathBuf::from("/a.toml"), String::new(), Screen::default());
     assert!(!document.is_changed());
@@ -91,8 +91,8 @@ fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
         &|document| document.set_parameters(Parameters { aspect: 2.0, ..*document.draft() }),
         &|document| document.set_parameters(Parameters { near: 1e9, ..*document.draft() }),
         &|document| document.edit(|figure| figure.image.width = 7),
-        &|document| document.undo(),
-        &|document| document.redo(),
+        &|document| document.undo(true),
+        &|document| document.undo(false),
         &|document| document.replace(other.clone()).unwrap(),
         &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned(), Screen::default()),
         &|document| document.show_in_front(shown.clone()).unwrap(),
@@ -122,11 +122,11 @@ fn undo_and_redo_keep_what_the_camera_knows_beyond_its_parameters() {
         cameras.push(document.camera().clone());
     }
     for camera in cameras.iter().rev().skip(1) {
-        document.undo();
+        document.undo(true);
         assert_eq!(document.camera(), camera);
     }
     for camera in cameras.iter().skip(1) {
-        document.redo();
+        document.undo(false);
         assert_eq!(document.camera(), camera);
     }
     for _ in 5..12 {

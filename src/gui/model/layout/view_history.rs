@@ -63,30 +63,19 @@ impl ViewHistory {
         }
     }
 
-    /// True if there is a view to go back to from `observers`.
-    pub fn can_go_back(&self, observers: Observers) -> bool {
-        !self.past.is_empty() || observers != self.now
+    /// True if there is a view before `observers`, or after them.
+    pub fn can_go(&self, observers: Observers, back: bool) -> bool {
+        let is_now = observers == self.now;
+        if back { !self.past.is_empty() || !is_now } else { !self.future.is_empty() && is_now }
     }
 
-    /// True if there is a view to go forward to from `observers`.
-    pub fn can_go_forward(&self, observers: Observers) -> bool {
-        !self.future.is_empty() && observers == self.now
-    }
-
-    /// The view before `observers`.
-    pub fn back(&mut self, observers: Observers) -> Option<Observers> {
+    /// The view before `observers`, or after them.
+    pub fn go(&mut self, observers: Observers, back: bool) -> Option<Observers> {
         self.settle(observers);
-        let before = self.past.pop()?;
-        self.future.push(std::mem::replace(&mut self.now, before));
-        Some(before)
-    }
-
-    /// The view after `observers`.
-    pub fn forward(&mut self, observers: Observers) -> Option<Observers> {
-        self.settle(observers);
-        let after = self.future.pop()?;
-        self.past.push(std::mem::replace(&mut self.now, after));
-        Some(after)
+        let (from, to) = if back { (&mut self.past, &mut self.future) } else { (&mut self.future, &mut self.past) };
+        let next = from.pop()?;
+        to.push(std::mem::replace(&mut self.now, next));
+        Some(next)
     }
 }
 
@@ -111,14 +100,14 @@ mod tests {
         assert_eq!(history.follow(turned(9.0), 0.9), None);
         // One that has not come to rest counts when one goes back from it.
         assert!(history.follow(turned(30.0), 1.0).is_some());
-        assert_eq!(history.back(turned(30.0)), Some(turned(9.0)));
-        assert!(history.can_go_back(turned(9.0)) && history.can_go_forward(turned(9.0)));
-        assert_eq!(history.back(turned(9.0)), Some(Observers::default()));
-        assert_eq!(history.back(Observers::default()), None);
-        assert_eq!(history.forward(Observers::default()), Some(turned(9.0)));
+        assert_eq!(history.go(turned(30.0), true), Some(turned(9.0)));
+        assert!(history.can_go(turned(9.0), true) && history.can_go(turned(9.0), false));
+        assert_eq!(history.go(turned(9.0), true), Some(Observers::default()));
+        assert_eq!(history.go(Observers::default(), true), None);
+        assert_eq!(history.go(Observers::default(), false), Some(turned(9.0)));
         // Another turn ends the way forward.
-        assert_eq!(history.back(turned(50.0)), Some(turned(9.0)));
-        assert_eq!(history.forward(turned(9.0)), Some(turned(50.0)));
-        assert_eq!(history.forward(turned(50.0)), None);
+        assert_eq!(history.go(turned(50.0), true), Some(turned(9.0)));
+        assert_eq!(history.go(turned(9.0), false), Some(turned(50.0)));
+        assert_eq!(history.go(turned(50.0), false), None);
     }
 }

@@ -17,16 +17,12 @@ use crate::views::observer::Viewpoint;
 pub(in crate::gui::pictures) enum TitleAction {
     /// Look from somewhere else.
     Observe(ObserverChange),
-    /// Turn both three-dimensional pictures together, or no more.
-    ToggleLink,
     /// Give the picture all the room, or give it back.
     ToggleMaximized,
     /// Do not show the picture.
     Hide,
     /// Show the image as the eye would see it, or its m × n pixels again.
     ToggleUndistorted,
-    /// Show the world as the section along **u**, or in space again.
-    ToggleSection,
     /// Something that belongs to the window.
     Do(Command),
 }
@@ -175,11 +171,11 @@ impl Title<'_> {
             if let Some(mut on) = self.section
                 && ui.checkbox(&mut on, self.texts.section).changed()
             {
-                action = Some(TitleAction::ToggleSection);
+                action = Some(TitleAction::Do(Command::Section));
             }
             let mut linked = self.linked;
             if ui.checkbox(&mut linked, self.texts.link).changed() {
-                action = Some(TitleAction::ToggleLink);
+                action = Some(TitleAction::Do(Command::LinkOrbits));
             }
         });
         action

@@ -57,7 +57,7 @@ impl Canvas {
                 if ui.add_enabled(!is_empty, Button::new(t.clear)).clicked() {
                     photograph.clear();
                 }
-                if ui.button(t.close).clicked() {
+                if ui.button(window::texts(t.lang).close).clicked() {
                     photograph.step_back();
                 }
             });

@@ -4,6 +4,7 @@ use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
+use crate::i18n::window;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers::DecimalMark;
 use crate::views::Request;
@@ -67,8 +68,8 @@ pub(in crate::gui) fn readout(handle: Handle, camera: &Camera, digits: usize, te
         Handle::Position => format!("C = {}", point(camera.position(), digits, mark)),
         Handle::FocalPoint => format!("PF = {}", point(camera.focal_point(), digits, mark)),
         Handle::ViewUp => format!("VUP = {}", point(camera.view_up(), digits, mark)),
-        Handle::Near => format!("F = {} ({})", mark.number(camera.near(), digits), texts.near_plane),
-        Handle::Far => format!("B = {} ({})", mark.number(camera.far(), digits), texts.far_plane),
+        Handle::Near => format!("F = {} ({})", mark.number(camera.near(), digits), window::texts(texts.lang).near),
+        Handle::Far => format!("B = {} ({})", mark.number(camera.far(), digits), window::texts(texts.lang).far),
     }
 }
 

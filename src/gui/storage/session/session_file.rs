@@ -89,10 +89,11 @@ pub struct Restored {
 }
 
 impl SessionFile {
-    pub(super) fn new(place: &SessionPlace, source: String, figure: &Figure, restoring: bool) -> Self {
+    /// The session of a figure from `place`: its file, or the folder of the picture that it came from.
+    pub(super) fn new(place: &[Option<PathBuf>; 2], source: String, figure: &Figure, restoring: bool) -> Self {
         let figure = update(&source, figure);
-        let kept = |path: &Option<PathBuf>| path.as_deref().map(KeptPath::from);
-        Self { path: kept(&place.path), folder: kept(&place.folder), source, figure, restoring, lesson: None }
+        let [path, folder] = place.each_ref().map(|path| path.as_deref().map(KeptPath::from));
+        Self { path, folder, source, figure, restoring, lesson: None }
     }
 
     /// The same with the text of a lesson.
@@ -170,20 +171,5 @@ impl SessionFile {
             return None;
         }
         Some(Restored { document, unknown, text })
-    }
-}
-
-/// The source of a document.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct SessionPlace {
-    pub(super) path: Option<PathBuf>,
-    pub(super) folder: Option<PathBuf>,
-}
-
-impl SessionPlace {
-    pub(super) fn of(document: &Document) -> Self {
-        let path = document.path().cloned();
-        let folder = document.folder().filter(|_| path.is_none()).map(Path::to_owned);
-        Self { path, folder }
     }
 }

@@ -1,12 +1,12 @@
 //! Writes a window's figure down, beside the window's thread.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui;
 
-use super::session_file::{SessionFile, SessionPlace};
+use super::session_file::SessionFile;
 use crate::clock;
 use crate::figure::Figure;
 use crate::files::disk::{self, Lock};
@@ -23,12 +23,11 @@ const MAX_WAIT: Duration = Duration::from_secs(10);
 /// The content of a session file.
 #[derive(Debug)]
 struct Note {
-    place: SessionPlace,
+    /// The figure's file, and without one the folder of the picture that it came from.
+    place: [Option<PathBuf>; 2],
     source: String,
     figure: Figure,
     text: Option<Arc<UnsavedText>>,
-    /// The revision of the scene.
-    revision: Revision,
     restoring: bool,
 }
 
@@ -56,13 +55,19 @@ impl Kept<'_> {
     }
 }
 
+fn place(document: &Document) -> [Option<PathBuf>; 2] {
+    let path = document.path().cloned();
+    let folder = document.folder().filter(|_| path.is_none()).map(Path::to_owned);
+    [path, folder]
+}
+
 impl Note {
     fn is_of(&self, document: &Document) -> bool {
         let figure = document.figure();
-        self.place == SessionPlace::of(document)
+        self.place == place(document)
             && self.source == document.source()
             && self.figure.without_scene() == figure.without_scene()
-            && (self.revision == document.revision() || self.figure.scene == figure.scene)
+            && self.figure.scene == figure.scene
     }
 
     /// Whether it has these observers, and what is shown.
@@ -148,11 +153,10 @@ impl Writer {
         let note = kept.is_worth_keeping().then(|| {
             let Seen { observers, show, screen } = seen.clone();
             Arc::new(Note {
-                place: SessionPlace::of(document),
+                place: place(document),
                 source: document.source().to_owned(),
                 figure: Figure { observers, show, screen, ..document.figure().clone() },
                 text: text.cloned(),
-                revision: document.revision(),
                 restoring,
             })
         });
