@@ -59,7 +59,7 @@ impl Rgba {
         a.max(b) / a.min(b)
     }
 
-    /// This colour where a stroke in it can be seen on `ground` (contrast at least 3), else the nearest one on the way
+    /// This colour if a stroke in it can be seen on `ground` (contrast at least 3), else the nearest one on the way
     /// to black or to white, whichever `ground` is farther from. The opacity stays.
     #[must_use]
     pub fn legible_on(self, ground: Self) -> Self {
@@ -135,7 +135,7 @@ pub enum Visibility {
     /// A depth per pixel. The nearest wins.
     #[default]
     DepthBuffer,
-    /// Faces sorted by the depth of their centroid: fails where faces interlock, and is there to be seen failing.
+    /// Faces sorted by the depth of their centroid: fails if faces interlock, and is there to show it.
     Painter,
     /// Exact order by splitting faces at each other's planes.
     Bsp,

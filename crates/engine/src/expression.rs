@@ -38,7 +38,7 @@ pub enum Dimension {
 pub struct ExpressionError {
     /// The rule that the text breaks.
     pub problem: ExpressionProblem,
-    /// The bytes of the text that are at fault. Empty, at its end, where something is missing.
+    /// The bytes of the text that are at fault. Empty, at its end, if something is missing.
     pub span: Range<usize>,
 }
 
@@ -60,7 +60,7 @@ pub enum ExpressionProblem {
     /// More opening than closing parentheses.
     #[error("a “)” is missing")]
     MissingParenthesis,
-    /// An angle where a number must stand, or the other way round.
+    /// An angle in the place of a number, or the other way round.
     #[error("an angle and a number do not mix here")]
     MixedUnits,
     /// An angle without parentheses and without its unit: this number.
@@ -124,7 +124,7 @@ pub fn evaluate_with(text: &str, dimension: Dimension, names: &[(&str, f64)]) ->
     if value.value.is_finite() { Ok(value.value) } else { Err(parser.error(0, ExpressionProblem::NotFinite)) }
 }
 
-/// The parts of a list of expressions: between semicolons, where there are any, so that a comma can be a decimal point;
+/// The parts of a list of expressions: between semicolons, if there are any, so that a comma can be a decimal point;
 /// otherwise between the commas outside of parentheses.
 ///
 /// ```
@@ -250,7 +250,7 @@ impl<'a> Parser<'a> {
         Some(c)
     }
 
-    /// Takes one of these texts, where it comes next.
+    /// Takes one of these texts if it comes next.
     fn eat_any(&mut self, texts: &[&str]) -> bool {
         self.peek();
         let rest = texts.iter().find_map(|text| self.rest.strip_prefix(text));
@@ -382,7 +382,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The argument of a function: in parentheses, in braces, an angle in degrees, as in `tan 20°`, or a number where
+    /// The argument of a function: in parentheses, in braces, an angle in degrees, as in `tan 20°`, or a number if
     /// no angle is meant, as in `sqrt 2`.
     fn argument(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
         match self.peek() {

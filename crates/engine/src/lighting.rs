@@ -11,7 +11,7 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 /// The colour that the viewer gets from a point of a surface: the one formula for faces, vertices and pixels.
 ///
 /// `color · (ambient + diffuse Σ max(0, n·l)) + white · specular Σ max(0, n·h)^shininess`, with **h** halfway between
-/// the directions to the light and to the viewer, and no specular term where the light is behind the surface. `normal`
+/// the directions to the light and to the viewer, and no specular term if the light is behind the surface. `normal`
 /// and `position` are in view space. The normal may have any length, and without one only the ambient share is left.
 /// With `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
@@ -23,7 +23,7 @@ pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: R
 }
 
 /// [`shade`] for eight points at once. Colours are [`packed`]; `most` is the greatest value of their channels: 255, or
-/// the alpha of each where they are premultiplied by it.
+/// the alpha of each if they're premultiplied by it.
 #[inline(always)]
 pub(crate) fn shade_eight<S: Simd>(
     simd: S,
@@ -125,7 +125,7 @@ fn dot<S: Simd>(a: Eight<S>, b: Eight<S>) -> f32x8<S> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The unit vectors along `v`. Zero where there is none.
+/// The unit vectors along `v`. Zero if there is none.
 #[inline(always)]
 fn unit<S: Simd>(simd: S, v: Eight<S>) -> Eight<S> {
     let zero = f32x8::splat(simd, 0.0);

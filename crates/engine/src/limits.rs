@@ -133,7 +133,7 @@ pub const MAX_SCENE_BYTES: usize = 512 << 20;
 pub const MAX_TEXTURE_SIDE: u32 = 16_384;
 
 /// The most texels of a texture, and of all textures of a scene together: 4096 × 4096, which take 90 MB with their
-/// levels of detail, and 270 where a filter mixes two of these, for which they are laid out once more.
+/// levels of detail, and 270 if a filter mixes two of these, for which they are laid out once more.
 pub const MAX_TEXELS: u64 = 1 << 24;
 
 /// The most bytes that a texture's file may unpack beside its texels, such as a color profile. A real one takes at most
@@ -158,15 +158,15 @@ pub const MAX_PIECE_BYTES: usize = 256 << 20;
 /// take some seconds. A stored result counts as several steps, so that memory stays below some hundred MiB.
 pub const MAX_STROKE_STEPS: usize = 1 << 28;
 
-/// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper
+/// The longest expression in characters, and how deep its parentheses may be nested: more than people type; deeper
 /// ones would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 
-/// The most characters of a name, a colour or words to look for that are typed: more than a picture or a list has room
-/// for.
+/// The most characters of a name, a colour or words to look for that you can type: more than a picture or a list has
+/// room for.
 pub const MAX_TYPED_NAME: usize = 200;
 
-/// The most characters of a path or an address that are typed: Windows' longest path, four times the longest link.
+/// The most characters of a path or an address that you can type: Windows' longest path, four times the longest link.
 pub const MAX_TYPED: usize = 1 << 15;
 
 /// The longest formula of a text in characters, and the greatest depth of its pairs: more than fits on a line, and less
@@ -188,7 +188,7 @@ pub const MAX_ASKS: usize = 26;
 /// The longest identifier of an exercise or of a question, in characters. It is part of a command line.
 pub const MAX_EXERCISE_NAME: usize = 64;
 
-/// The most undo steps: more than anybody goes back.
+/// The most undo steps, more than people go back.
 pub const MAX_UNDO_STEPS: usize = 500;
 
 /// The most bytes of scenes that undo stores besides the one that is shown: several steps of the largest figures, all
@@ -198,10 +198,10 @@ pub const MAX_UNDO_BYTES: usize = 64 << 20;
 /// The longest list of points that the panel shows as fields. Longer ones are edited in the file.
 pub const MAX_POINTS_IN_PANEL: usize = 48;
 
-/// The most lines that are shown where two texts are compared: more than anybody reads.
+/// The most lines that are shown if two texts are compared, more than people read.
 pub const MAX_COMPARED_LINES: usize = 2000;
 
-/// The most stored sessions of windows, those that did not close included: more than anybody opens at once.
+/// The most stored sessions of windows, including those that didn't close. More than people open at once.
 pub const MAX_SESSIONS: usize = 16;
 
 /// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.

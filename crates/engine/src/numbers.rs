@@ -57,7 +57,7 @@ impl DecimalMark {
         self.typed(number).replace('-', "−")
     }
 
-    /// As a number is typed: with this mark.
+    /// As you type a number, with this mark.
     pub fn typed(self, number: &str) -> String {
         match self {
             Self::Point => number.to_owned(),
@@ -85,8 +85,8 @@ impl DecimalMark {
         format!("({})", self.list(values, digits))
     }
 
-    /// `value` in full where that `fits`, else rounded to as many digits as fit, which are no more than anybody reads;
-    /// as short as can be where nothing fits.
+    /// `value` in full if that `fits`, else rounded to as many digits as fit, which are no more than a reader needs.
+    /// It's as short as can be if nothing fits.
     pub fn fitted(self, value: f64, fits: impl Fn(&str) -> bool) -> String {
         let exact = self.number(value, EXACT_DIGITS);
         if fits(&exact) {

@@ -1,7 +1,7 @@
-//! Progress and cancellation of long work: shared by whoever does it and whoever waits for it.
+//! Progress and cancellation of long work: shared by the code that does it and the code that waits for it.
 //!
 //! Without threads, long work is done in slices, with other work between them. It is written as a future, which pauses
-//! after each step. Nothing wakes it: whoever does it [polls](Future::poll) it when there is time, or does it [all at
+//! after each step. Nothing wakes it: its worker [polls](Future::poll) it when there is time, or does it [all at
 //! once](at_once).
 
 use std::future::poll_fn;
@@ -37,7 +37,7 @@ pub struct Progress {
 /// Each value says something by itself. No order between them is needed.
 #[derive(Debug, Default)]
 struct Steps {
-    /// The index of what is being done, from 1; 0: nothing that is told.
+    /// The index of the present activity, from 1. 0 if there's nothing to report.
     doing: AtomicU8,
     done: AtomicUsize,
     of: AtomicUsize,
@@ -93,7 +93,7 @@ impl Progress {
         pause().await;
     }
 
-    /// The present activity, and its share done, where it is known.
+    /// The present activity, and its share done, if known.
     pub fn now(&self) -> Option<(Activity, Option<f32>)> {
         let doing = *Activity::ALL.get(usize::from(self.steps.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
         let (done, of) = (self.steps.done.load(Ordering::Relaxed), self.steps.of.load(Ordering::Relaxed));

@@ -1,5 +1,5 @@
 //! Display of text from outside: paths, names, words of files. Characters that a terminal would obey, and those that
-//! reverse the writing direction, are written as escapes, and nobody has to read five megabytes.
+//! reverse the writing direction, are written as escapes. Five megabytes are cut short.
 
 use std::path::Path;
 

@@ -70,7 +70,7 @@ impl Face {
 }
 
 /// The font of a character, and the character that it has there. The bold and italic letters of Unicode's mathematics
-/// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these
+/// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, if these
 /// have it.
 pub fn face(c: char, mathematical: bool) -> (Face, char) {
     let letter = |from: u32, to: char| char::from_u32(u32::from(to) + (u32::from(c) - from)).unwrap_or(c);
@@ -132,11 +132,11 @@ impl Font {
 /// The room that a text takes, in the unit of its size (pixels).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extent {
-    /// From the origin to where the next letter would begin.
+    /// From the origin to the start of the next letter.
     pub width: f32,
     /// Height of its letters above the baseline.
     pub above: f32,
-    /// Depth of its letters below the baseline; 0 where they stand on it.
+    /// Depth of its letters below the baseline; 0 if they stand on it.
     pub below: f32,
 }
 
@@ -307,7 +307,7 @@ pub struct SetRun {
     pub size: f32,
 }
 
-/// The runs of `text` at `size` (height of the em in pixels), where [`outline`] draws them.
+/// The runs of `text` at `size` (height of the em in pixels), as [`outline`] draws them.
 pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
     let mut x = 0.0;
     let mut set: Vec<SetRun> = Vec::new();
@@ -328,7 +328,7 @@ pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
     set
 }
 
-/// The number of a character's glyph in a font; 0 where the font lacks it.
+/// The number of a character's glyph in a font; 0 if the font lacks it.
 pub fn glyph(face: Face, c: char) -> u16 {
     let found = face.font().and_then(|font| font.charmap.map(c)).unwrap_or(GlyphId::NOTDEF);
     u16::try_from(found.to_u32()).unwrap_or_default()

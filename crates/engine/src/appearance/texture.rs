@@ -1,4 +1,4 @@
-//! Pictures on surfaces: their levels of detail, and how they are asked for a colour.
+//! Pictures on surfaces: their levels of detail, and how they're sampled.
 
 use std::sync::OnceLock;
 
@@ -10,11 +10,11 @@ use super::level_pairs::LevelPairs;
 #[derive(Clone, Debug)]
 pub struct Texture {
     /// The picture itself, then smaller ones, each half as wide and high as the one before, down to one texel. Only the
-    /// first is there where no filter asks for the others.
+    /// first is there if no filter needs the others.
     levels: Vec<Level>,
-    /// The same for filters that mix two levels. Laid out once, where a picture is drawn with such a filter.
+    /// The same for filters that mix two levels. Laid out once a picture is drawn with such a filter.
     pairs: OnceLock<LevelPairs>,
-    /// Looked for once, where somebody asks.
+    /// Computed once, when it's needed.
     one_color: OnceLock<Option<[u8; 4]>>,
     opaque: OnceLock<bool>,
 }
@@ -82,7 +82,7 @@ pub const LEVEL_COLORS: [Rgba; 6] = [
     Rgba::rgb(0xcc, 0x79, 0xa7),
 ];
 
-/// How a picture is asked for a colour.
+/// How a picture is sampled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sampler {
     /// Along u.

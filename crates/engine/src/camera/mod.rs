@@ -13,7 +13,7 @@
 //! | image | pixels | (0, 0) is the top left corner, y down | [`ImageSize::image_from_window`] (5.22) |
 //! | viewport | pixels, depth | (0, 0) is the bottom left corner, y up | (5.24), (5.25) |
 //!
-//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit also
+//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit even
 //! where the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its
 //! function and its test.
 
@@ -83,7 +83,7 @@ impl Camera {
     /// Checks the parameters and derives basis and window.
     ///
     /// *Guarantees*: D, basis, window, matrices and corners are finite, and rounded from a computation in twice the
-    /// precision of `f64`. VUP and DOP are collinear when they are so exactly, or when what is left of their cross
+    /// precision of `f64`. VUP and DOP are collinear when they are so exactly, or when the rest of their cross
     /// product could come from rounding their components. An angle of 1e-10 rad between them is none of both.
     ///
     /// ```
@@ -100,7 +100,7 @@ impl Camera {
     /// ```
     ///
     /// # Errors
-    /// [`CameraError`] names what is impossible, with the values and what is allowed.
+    /// [`CameraError`] names the impossible value and the allowed ones.
     pub fn new(parameters: &Parameters) -> Result<Self, CameraError> {
         let p = *parameters;
         p.check()?;

@@ -75,7 +75,7 @@ impl Camera {
         (w.value() > 0.0).then(|| DVec2::new((x / w).value(), (y / w).value()))
     }
 
-    /// The rest of C after rounding: where C is the result of operations, it is [`position`](Self::position) and this.
+    /// The rest of C after rounding. If C is the result of operations, it is [`position`](Self::position) and this.
     pub(crate) fn position_rest(&self) -> DVec3 {
         self.pose.position_rest()
     }
@@ -93,7 +93,7 @@ impl Camera {
         view.z < slack && view.z <= NOTHING * view.x.max(view.y)
     }
 
-    /// The point from which x_c and y_c of `p_world` are measured: C, or PF where C is so much farther away that even
+    /// The point from which x_c and y_c of `p_world` are measured: C, or PF if C is so much farther away that even
     /// double-double would keep too little of p − C. Both give the same, since **u** and **v** are perpendicular to C −
     /// PF.
     pub(super) fn sideways_origin(&self, p_world: DVec3) -> Dd3 {

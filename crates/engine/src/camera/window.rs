@@ -63,7 +63,7 @@ impl WideWindow {
         (atan_degrees(self.top / distance) - atan_degrees(self.bottom / distance)).value()
     }
 
-    /// Writes the window where the parameters keep it: θ, H or l, r, b, t.
+    /// Writes the window into the parameters that keep it: θ, H or l, r, b, t.
     pub(super) fn write(&self, parameters: &mut Parameters) {
         if parameters.window.is_some() {
             parameters.window = Some(self.value());
@@ -88,11 +88,11 @@ impl Camera {
     /// high in parallel projection as the frustum is at distance D.
     ///
     /// *Guarantees*: without drift. There and back again gives the same parameters: the angle (or the height) that the
-    /// parameters still hold is used where it is equivalent, and a given window returns within one rounding, and from
+    /// parameters still hold is used if it's equivalent, and a given window returns within one rounding, and from
     /// then on exactly.
     ///
     /// # Errors
-    /// [`CameraError`] where the new window overflows, or its angle is so near to 180° that no `f64` is nearer.
+    /// [`CameraError`] if the new window overflows, or its angle is so near to 180° that no `f64` is nearer.
     pub fn with_projection(&self, projection: Projection) -> Result<Self, CameraError> {
         if projection == self.projection() {
             return Ok(self.clone());

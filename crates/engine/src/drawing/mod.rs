@@ -2,12 +2,12 @@
 //!
 //! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
 //! (i + ½, j + ½). Depth: **1 at the front plane, 0 at the back plane** (reversed, so that `f32` keeps its resolution
-//! where perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. Where the volume
+//! where perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. If the volume
 //! is much deeper than the part of it in view, the depths are those of the part in view, and may be greater than 1. The
 //! frame defines their meaning.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal
-//! depths the first drawn stays), then translucent surfaces from back to front (hidden by what is opaque and nearer),
+//! depths the first drawn stays), then translucent surfaces from back to front (hidden by nearer opaque ones),
 //! then strokes, then areas in the order of the list (over all strokes, whatever their depths), then marks, then
 //! labels.
 //!
@@ -81,7 +81,7 @@ impl Drawing {
 pub struct StrokeSet {
     /// x, y in pixels and depth.
     pub points: Vec<[f32; 3]>,
-    /// Each polyline: a range of `points`. The arrow head, where the style has one, is at the last point of each.
+    /// Each polyline: a range of `points`. The arrow head, if the style has one, is at the last point of each.
     pub polylines: Vec<Range<u32>>,
     /// Their look. The width is in pixels of this drawing (already scaled).
     pub style: LineStyle,
@@ -153,7 +153,7 @@ pub enum Anchor {
 /// A text. `_c` in the text lowers one character, `_{prp}` several (subscripts).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The name by which an author changes it: the same in every language, and where the text says another number.
+    /// The name by which an author changes it: the same in every language, even if the text says another number.
     pub name: String,
     /// x, y in pixels (before `offset`) and depth.
     pub position: [f32; 3],
@@ -161,7 +161,7 @@ pub struct Label {
     pub offset: [f32; 2],
     /// Letters on one line; `_` and `{}` lower what follows.
     pub text: String,
-    /// In the letters of mathematics, where these have them.
+    /// In the letters of mathematics, if these have them.
     pub mathematical: bool,
     /// Height of the type in pixels.
     pub size: f32,
@@ -171,7 +171,7 @@ pub struct Label {
     pub halo: Rgba,
     /// Horizontal place. Vertically the middle of the x-height is at the point.
     pub anchor: Anchor,
-    /// Drawn faintly (true) or fully (false) where a face hides its point.
+    /// Drawn faintly (true) or fully (false) if a face hides its point.
     pub fade_if_hidden: bool,
 }
 

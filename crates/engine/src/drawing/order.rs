@@ -40,7 +40,7 @@ pub struct StrokePoint {
     pub width: f32,
 }
 
-/// Whether the later of two strokes is over the earlier one where they touch. The nearer one is; where neither is
+/// Whether the later of two strokes is over the earlier one where they touch. The nearer one is. If neither is
 /// nearer by more than their reach, one that is visible over one behind a face, then the wider over the finer one, then
 /// the later in the list.
 #[inline]

@@ -20,7 +20,7 @@ pub struct Surface {
     pub inverse_w: Vec<f32>,
     /// Indices into `positions`. Either winding (culling has been done).
     pub triangles: Vec<[u32; 3]>,
-    /// The colours before light, or with it where `light` says so.
+    /// The colours before light, or with it if `light` says so.
     pub base: Base,
     /// The light on them.
     pub light: SurfaceLight,
@@ -45,7 +45,7 @@ pub enum Base {
     Texture {
         /// The picture.
         image: Arc<Texture>,
-        /// How it is asked for a colour.
+        /// How it's sampled.
         sampler: Sampler,
         /// Texture coordinates of each vertex: (0, 0) at the top left of the picture, (1, 1) at its bottom right.
         uv: Vec<[f32; 2]>,
@@ -140,7 +140,7 @@ impl Surface {
         matches!(self.base, Base::Texture { .. })
     }
 
-    /// The base colour of a triangle; `None` if the list has none, and where it varies over the triangle.
+    /// The base colour of a triangle; `None` if the list has none, or if it varies over the triangle.
     #[inline]
     pub fn face_color(&self, triangle: usize) -> Option<Rgba> {
         match &self.base {
@@ -219,7 +219,7 @@ impl Surface {
 }
 
 impl ViewLight {
-    /// Parallel light from where this unit vector points.
+    /// Parallel light from the direction of this unit vector.
     pub const fn directional(to_light: [f32; 3]) -> Self {
         Self { vector: to_light, distant: true }
     }

@@ -1,4 +1,4 @@
-//! Numbers of twice the precision of `f64`, for the few places where one rounding too many would show.
+//! Numbers of twice the precision of `f64`, for the few cases in which one rounding too many would show.
 //!
 //! A [`Dd`] is an unevaluated sum `hi + lo` with `hi = fl(hi + lo)`: 106 bits, the range of `f64`. The model computes
 //! in it and rounds once, at the end. Sources: T. J. Dekker, *A floating-point technique for extending the available
@@ -17,7 +17,7 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - (s - t)) + (b - t))
 }
 
-/// `a + b` as rounded sum and exact error, where |a| ≥ |b|.
+/// `a + b` as rounded sum and exact error, if |a| ≥ |b|.
 #[inline]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
@@ -119,12 +119,12 @@ impl Dd {
         Self::sum(a, rest * (x * 0.5))
     }
 
-    /// Zero where nothing is left of a sum but the noise of its summands: below 2⁻⁹⁶ of their `size`.
+    /// Zero if nothing is left of a sum but the noise of its summands: below 2⁻⁹⁶ of their `size`.
     pub fn without_noise(self, size: f64) -> Self {
         if self.hi.abs() <= size * NOISE { Self::ZERO } else { self }
     }
 
-    /// The sum. Zero where nothing but noise is left of it.
+    /// The sum. Zero if nothing but noise is left of it.
     pub fn plus(self, other: Self) -> Self {
         (self + other).without_noise(self.hi.abs() + other.hi.abs())
     }
@@ -323,7 +323,7 @@ impl Dd3 {
         Self { x: f(self.x), y: f(self.y), z: f(self.z) }
     }
 
-    /// The scalar product. Zero where nothing but noise is left of it.
+    /// The scalar product. Zero if nothing but noise is left of it.
     pub fn dot(self, other: Self) -> Dd {
         let [x, y, z] = [self.x * other.x, self.y * other.y, self.z * other.z];
         (x + y + z).without_noise(x.hi.abs() + y.hi.abs() + z.hi.abs())

@@ -1,6 +1,6 @@
 //! A tree of boxes over triangles, in `f64`, for rays: the reference for quicker methods.
 //!
-//! Nothing is rounded to single precision and no triangle is left out: a ray meets what it meets when all triangles are
+//! Nothing is rounded to single precision and no triangle is left out: a ray meets the same as if all triangles are
 //! tried one by one.
 
 use std::ops::Range;

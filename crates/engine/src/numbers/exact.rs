@@ -5,7 +5,7 @@
 pub struct ExactForm {
     /// p. Carries the sign.
     pub numerator: i64,
-    /// b, free of squares; 1 where there is no root.
+    /// b, free of squares; 1 if there is no root.
     pub root: i64,
     /// q
     pub denominator: i64,
@@ -49,7 +49,7 @@ pub fn exact_form(value: f64) -> Option<ExactForm> {
     (square / common <= MOST && root <= MOST && q / common <= MOST).then_some(form)
 }
 
-/// p/q in lowest terms, where that is the number but for the rounding of a few operations; by continued fractions.
+/// p/q in lowest terms, if that's the number but for the rounding of a few operations. By continued fractions.
 fn ratio(value: f64) -> Option<(i64, i64)> {
     const LARGEST: f64 = 20_000.0;
     let (mut rest, mut before, mut now) = (value, (0.0_f64, 1.0_f64), (1.0_f64, 0.0_f64));

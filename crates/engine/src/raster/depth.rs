@@ -25,7 +25,7 @@ pub struct DepthBuffer {
     rows_log: u32,
     pitch: usize,
     bands: Vec<BandDepth>,
-    /// From one stored depth to the next, where they are whole numbers, else 0.
+    /// From one stored depth to the next if they're whole numbers, else 0.
     pub(super) step: f32,
 }
 
@@ -224,7 +224,7 @@ impl Around {
 pub(super) struct Occluders<'a> {
     /// Of opaque surfaces.
     pub(super) opaque: &'a DepthBuffer,
-    /// Of tints, where there are any.
+    /// Of tints, if there are any.
     pub(super) tints: Option<&'a DepthBuffer>,
 }
 

@@ -68,13 +68,13 @@ impl Rasterizer {
     }
 
     /// Paints `drawing` on `pixmap`, which is replaced if it has another size: for pictures that follow one another.
-    /// False, and nothing is painted, where [`paint`](Self::paint) would give `None`. On one thread it pauses after
+    /// False, and nothing is painted, if [`paint`](Self::paint) would give `None`. On one thread it pauses after
     /// each band of rows.
     pub async fn paint_into(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) -> bool {
         self.paint_pass(drawing, pixmap, [0, 1]).await
     }
 
-    /// As [`paint_into`](Self::paint_into), where it is one of several passes over a picture: which one, from 0, and of
+    /// As [`paint_into`](Self::paint_into), for one of several passes over a picture: which one, from 0, and of
     /// how many. The progress goes on from one to the next.
     pub async fn paint_pass(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, pass: [usize; 2]) -> bool {
         if (pixmap.width(), pixmap.height()) != (drawing.width, drawing.height) {

@@ -72,7 +72,7 @@ pub fn build_with(
             return Err(SceneError::TooManyObjects);
         }
     }
-    // After the textures: of what is too much, they come first.
+    // After the textures, which come first if there's too much.
     maker.photograph(&mut scene, photograph.as_deref());
     scene.lights = lights(&spec.lights)?;
     Ok(scene)
@@ -135,7 +135,7 @@ impl Maker<'_, '_> {
         Ok(())
     }
 
-    /// The parts of a mesh file: named after the object, and after themselves where there are several. A colour that
+    /// The parts of a mesh file: named after the object, and after themselves if there are several. A colour that
     /// the figure gives wins over those of the file's materials.
     fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
         let name = &placed.spec.name;
@@ -181,7 +181,7 @@ impl Maker<'_, '_> {
         Ok(())
     }
 
-    /// The texture of an object, and how it is asked for a colour: that of the figure, else its own. Where it cannot be
+    /// The texture of an object, and how it's sampled: that of the figure, else its own. If it can't be
     /// used, a notice says so.
     fn texture(
         &mut self,
@@ -217,7 +217,7 @@ impl Maker<'_, '_> {
         self.files.textures.get(path, Alpha::Kept, &mut beside)
     }
 
-    /// The photograph in a file; where it cannot be used, a notice says so.
+    /// The photograph in a file. If it can't be used, a notice says so.
     fn photograph(&mut self, scene: &mut Scene, path: Option<&str>) {
         match path.map(|path| self.picture(path)) {
             Some(Err(error)) => scene.notices.push(("[image]".to_owned(), MeshNotice::Photograph(error))),

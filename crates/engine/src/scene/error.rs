@@ -97,7 +97,7 @@ pub fn chain_text(chain: &[String]) -> String {
 }
 
 impl SceneError {
-    /// The name of the object that is at fault, where it is one.
+    /// The name of the object at fault, if it is one.
     pub fn object(&self) -> Option<&str> {
         match self {
             Self::DuplicateName { name }

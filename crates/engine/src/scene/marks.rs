@@ -16,7 +16,7 @@ pub(super) fn point_mark(position: DVec3, shape: MarkShape, color: Rgba) -> Poin
     PointMark { position, shape, radius: MARK_RADIUS, color, fade_if_hidden: true }
 }
 
-/// The name of an object that is a point, as it is typed.
+/// The name of an object that is a point, as you type it.
 pub(super) fn object_name(position: DVec3, name: &str, color: Rgba) -> Text {
     Text { text: literal(name), ..point_name(position, name, color) }
 }

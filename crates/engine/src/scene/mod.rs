@@ -47,7 +47,7 @@ pub struct Scene {
     pub marks: Vec<PointMark>,
     /// Texts in the world.
     pub texts: Vec<Text>,
-    /// The photograph under the image, where the figure has one and its file can be read.
+    /// The photograph under the image, if the figure has one and its file can be read.
     pub photograph: Option<Arc<Texture>>,
     /// Parts of mesh files that were left out, by the name of the object. None of them is drawn.
     pub notices: Vec<(String, MeshNotice)>,
@@ -100,7 +100,7 @@ pub struct SceneVertex<'a> {
 pub struct Object {
     /// For messages, the scene tree and the probe.
     pub name: String,
-    /// The object of the figure of whose mesh file it is a part, where that has several. Names may hold any character,
+    /// The object of the figure of whose mesh file it is a part, if that has several. Names may hold any character,
     /// so that a name does not tell.
     pub part_of: Option<Arc<str>>,
     /// The shape, shared between copies.
@@ -121,7 +121,7 @@ pub struct Object {
     /// Style of the silhouette and the creases of a curved solid, found by the [`adjacency`](Mesh::adjacency) of its
     /// mesh; `None`, and in wireframe: not drawn.
     pub outline: Option<LineStyle>,
-    /// The object in the world, where this one is its image under a projection.
+    /// The object in the world, if this one is its image under a projection.
     pub in_world: Option<Arc<InWorld>>,
 }
 
@@ -131,7 +131,7 @@ pub struct Object {
 pub struct InWorld {
     /// The light on it.
     pub light: FoundLight,
-    /// 1/w of each vertex, in any unit: between the vertices, what is affine in the world is so here divided by w.
+    /// 1/w of each vertex, in any unit: an attribute that is affine in the world is so here divided by w.
     /// Empty without perspective: it is as it is.
     pub inverse_w: Vec<f32>,
     /// The vertices. Empty if no light casts shadows.
@@ -194,7 +194,7 @@ pub enum ObjectPaint {
 pub struct Pictured {
     /// Its texels, shared by all objects that use it.
     pub image: Arc<Texture>,
-    /// How it is asked for a colour.
+    /// How it's sampled.
     pub sampler: Sampler,
     /// One for each vertex of the mesh: (0, 0) at the top left of the picture, (1, 1) at its bottom right.
     pub uv: Arc<Vec<[f32; 2]>>,
@@ -226,7 +226,7 @@ impl Pictured {
 /// Light that has been found before a picture is made.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum FoundLight {
-    /// None: the lights of the scene fall on it, where it takes light.
+    /// None: the lights of the scene fall on it, if it takes light.
     #[default]
     None,
     /// At each triangle.
@@ -273,7 +273,7 @@ pub struct PointMark {
 /// A text in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// The name by which an author changes it: the same in every language, and where the text says another number.
+    /// The name by which an author changes it: the same in every language, even if the text says another number.
     pub name: String,
     /// World.
     pub position: DVec3,
@@ -285,7 +285,7 @@ pub struct Text {
     pub size: f32,
     /// Colour of the letters.
     pub color: Rgba,
-    /// Faint where a face hides its point, else always fully drawn.
+    /// Faint if a face hides its point, else always fully drawn.
     pub fade_if_hidden: bool,
 }
 

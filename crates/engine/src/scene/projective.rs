@@ -57,7 +57,7 @@ mod tests {
     use crate::appearance::Style;
     use crate::scene::{Preset, SceneSpec, build, no_files};
 
-    /// Back where it came from, an image under a perspective is not bent any more, and by another one it is.
+    /// Taken back, an image under a perspective isn't bent any more. Under another perspective it is.
     #[test]
     fn what_is_bent_by_a_perspective_is_straight_again_after_its_inverse() {
         let mut matrix = DMat4::IDENTITY;

@@ -39,7 +39,7 @@ pub enum ReadProblem {
     System {
         /// The kind of refusal.
         kind: io::ErrorKind,
-        /// The system's number for it, where it has one.
+        /// The system's number for it, if it has one.
         code: Option<i32>,
     },
     /// A directory.
@@ -132,7 +132,7 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
     words.into()
 }
 
-/// The kind of an error of the system, also where the standard library knows none: Windows' files that another program
+/// The kind of an error of the system, even if the standard library knows none: Windows' files that another program
 /// keeps to itself (its errors 32 and 33).
 pub fn system_kind(kind: io::ErrorKind, code: Option<i32>) -> io::ErrorKind {
     if cfg!(windows) && matches!(code, Some(32 | 33)) { io::ErrorKind::ResourceBusy } else { kind }

@@ -9,12 +9,12 @@ use super::Shadows;
 use crate::appearance::{Filter, Rgba, Wrap};
 use crate::limits::DEFAULT_SEGMENTS;
 
-/// Makes `NAMED` and `name` from one list of names, patterns and values, in the order in which they are offered; where
+/// Makes `NAMED` and `name` from one list of names, patterns and values, in the order in which they are offered. If
 /// a variant has data, the value is the one that has none yet.
 macro_rules! named {
     ($type:ident { $($name:literal: $pattern:pat, $value:expr;)* }) => {
         impl $type {
-            /// Each with its name in a figure file, in the order of a menu; where there are data, they are those that a
+            /// Each with its name in a figure file, in the order of a menu. If there are data, they are those that a
             /// file need not give.
             pub const NAMED: &'static [(&'static str, Self)] = &[$(($name, $value)),*];
 
@@ -178,7 +178,7 @@ impl Shape {
 /// The source of the texture of an object, `texture` in a figure file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum TextureSource {
-    /// None, also where the mesh file has one.
+    /// None, even if the mesh file has one.
     None,
     /// Black and white squares, eight by eight.
     Chequer,
@@ -235,7 +235,7 @@ pub struct ObjectSpec {
     pub color: Option<Rgba>,
     /// Segments of curved shapes, sides of a prism, cells of a grid; 3 … 512.
     pub segments: u32,
-    /// Its texture; `None` means that of its mesh file, where it has one.
+    /// Its texture; `None` means that of its mesh file, if it has one.
     pub texture: Option<TextureSource>,
     /// The continuation of the texture beyond its border; `None` means that of the mesh file, else it repeats.
     pub wrap: Option<Wrap>,

@@ -134,7 +134,7 @@ impl Camera {
 
     /// The smallest difference of depth that a depth buffer of 24 bits keeps at a depth in front of the eye, in scene
     /// units: one step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection.
-    /// Infinite where an `f64` has no such number.
+    /// Infinite if an `f64` has no such number.
     pub fn depth_step(&self, depth: f64) -> f64 {
         let (near, far) = (self.near(), self.far());
         match self.projection() {

@@ -12,8 +12,8 @@
 /// | all of them `reversed` | 1 | 0 | as it is |
 ///
 /// OpenGL reversed has 0 … 1 as well, which is `glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)`: in −1 … 1 the digits
-/// that reversing is to win are lost around 0 again. `infinite` lets B → ∞, where z_n has the limit that B had. Nothing
-/// is too far away.
+/// that reversing is to win are lost around 0 again. `infinite` lets B → ∞, and z_n there has the limit that B had.
+/// Nothing is too far away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Ndc {
     /// Whose.
@@ -84,7 +84,7 @@ impl Ndc {
         self.api.row().1[self.reversed as usize + 2 * self.infinite as usize]
     }
 
-    /// z_n at F and at B (at infinity, where there is no far plane).
+    /// z_n at F and at B (at infinity, if there is no far plane).
     pub const fn depths(self) -> [f64; 2] {
         if self.reversed { [1.0, 0.0] } else { [self.api.row().2, 1.0] }
     }

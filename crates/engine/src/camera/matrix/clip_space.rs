@@ -20,7 +20,7 @@ pub struct ClipSpace<'a> {
 impl Camera {
     /// The clip space of this camera in a convention.
     ///
-    /// *Guarantees*: entries are finite, as those of the notes are: |z|, |d| and what is divided by F are never greater
+    /// *Guarantees*: entries are finite, as those of the notes are: |z|, |d| and their quotients by F are never greater
     /// than there.
     ///
     /// # Errors
@@ -46,7 +46,7 @@ impl Camera {
         Ok(ClipSpace { camera: self, ndc, lens })
     }
 
-    /// The clip space of this camera in a convention, or, where that has no matrices without a far plane, with one.
+    /// The clip space of this camera in a convention. If that has no matrices without a far plane, then with one.
     pub fn possible_clip_space(&self, ndc: Ndc) -> ClipSpace<'_> {
         self.clip_space(ndc)
             .or_else(|_| self.clip_space(Ndc { infinite: false, ..ndc }))
@@ -138,7 +138,7 @@ impl<'a> ClipSpace<'a> {
             }
             Projection::Perspective => {
                 let difference = Dd::difference(self.camera.far(), self.camera.near()) / far / near;
-                // F/B may underflow: it is left out where nothing is added to it.
+                // F/B may underflow. It's left out if nothing is added to it.
                 let sum = if at_far == 0.0 {
                     Dd::new(at_near) / far
                 } else {

@@ -224,7 +224,7 @@ impl Step {
 }
 
 impl Factor {
-    /// The step where z points towards the viewer before and after it: how a right-handed picture shows it. `before`:
+    /// The step with z towards the viewer before and after it: how a right-handed picture shows it. `before`:
     /// whether the space before it is left-handed.
     pub fn displayed(&self, before: bool) -> DMat4 {
         let side = |left_handed: bool| if left_handed { mirror() } else { DMat4::IDENTITY };

@@ -117,7 +117,7 @@ impl Lens {
 /// − F) in perspective, z = (z₀ − z₁)/(B − F) and d = (z₀ B − z₁ F)/(B − F) in parallel projection. With B → ∞ in
 /// perspective, z → −z₁ and d → (z₀ − z₁) F.
 ///
-/// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only where they
+/// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only if they
 /// are not `f64`s themselves.
 pub(crate) fn lens(projection: Projection, window: &WideWindow, near: f64, far: f64, ndc: Ndc) -> Lens {
     let (width, height) = (window.width(), window.height());

@@ -48,7 +48,7 @@ pub enum Amount {
 pub struct Descriptor {
     /// The degree of freedom.
     pub freedom: Freedom,
-    /// The operation, as it is written on the command line; where two have the same word, their numbers follow it in
+    /// The operation, as you write it on the command line. If two have the same word, their numbers follow it in
     /// order.
     pub word: &'static str,
     /// The meaning of its number.
@@ -193,7 +193,7 @@ fn allowed(descriptor: &Descriptor) -> String {
 impl FromStr for Operation {
     type Err = OperationError;
 
-    /// Reads `NAME=VALUE`, where the value is an expression, as of [`expression::evaluate`]; of `pan` it is two of
+    /// Reads `NAME=VALUE`. The value is an expression, as of [`expression::evaluate`]. For `pan` it's two of
     /// them, `DX,DY`.
     fn from_str(text: &str) -> Result<Self, OperationError> {
         let (name, value) = text.split_once('=').ok_or_else(|| OperationError::NoValue { text: text.to_owned() })?;

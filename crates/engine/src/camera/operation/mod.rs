@@ -131,7 +131,7 @@ impl Operation {
     /// ```
     ///
     /// # Errors
-    /// [`CameraError`] for a value out of its range, and where the result is not a camera: numbers that overflow, or C
+    /// [`CameraError`] for a value out of its range, or if the result isn't a camera: numbers that overflow, or C
     /// so near PF that they are the same `f64`s.
     pub fn apply(&self, camera: &Camera, convention: Convention) -> Result<Camera, CameraError> {
         self.check()?;
@@ -165,7 +165,7 @@ impl Operation {
                 let step = frame.u * Dd::new(dx) + frame.v * Dd::new(dy);
                 pose.position = pose.position.plus(step);
                 pose.focal_point = pose.focal_point.plus(step);
-                // Moved alike, C and PF are as far from each other as before; where their numbers do not say so, it is
+                // Moved alike, C and PF are as far from each other as before. If their numbers don't say so, it is
                 // the numbers that end.
                 let (position, focal_point) = (pose.position.value(), pose.focal_point.value());
                 if position == focal_point || !position.is_finite() || !focal_point.is_finite() {

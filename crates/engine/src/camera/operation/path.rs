@@ -1,8 +1,8 @@
 //! The way from one camera to another: arcs about what stays, never a mixture of matrices.
 //!
-//! The axes **u**, **v**, **n** turn together about one axis at an even speed; D changes by equal factors. Where PF
-//! stays, C goes round it on an arc (azimuth, elevation), or on a spiral where D changes; where C stays, PF goes round
-//! C (yaw, pitch); where both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
+//! The axes **u**, **v**, **n** turn together about one axis at an even speed; D changes by equal factors. If PF
+//! stays, C goes round it on an arc (azimuth, elevation), or on a spiral if D changes too. If C stays, PF goes round
+//! C (yaw, pitch). If both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
 //! factors too, so that things grow evenly, and every camera on the way is one.
 
 use glam::{DMat3, DQuat, DVec3};
@@ -14,16 +14,16 @@ use crate::camera::{Camera, CameraError, Parameters, Projection, ViewWindow};
 pub struct CameraPath {
     from: Camera,
     to: Camera,
-    /// The ends as the other half of the way has them, where the projection changes.
+    /// The ends as the other half of the way has them, if the projection changes.
     seen: [Camera; 2],
 }
 
 impl CameraPath {
-    /// The way between two cameras. Where one is in perspective and the other in parallel projection, this changes
-    /// half-way, where things at the focal point keep their size.
+    /// The way between two cameras. If one is in perspective and the other in parallel projection, this changes
+    /// half-way, and things at the focal point keep their size.
     ///
     /// # Errors
-    /// [`CameraError`] where one of them cannot be in the projection of the other.
+    /// [`CameraError`] if one of them cannot be in the projection of the other.
     pub fn new(from: &Camera, to: &Camera) -> Result<Self, CameraError> {
         let seen = [to.with_projection(from.projection())?, from.with_projection(to.projection())?];
         Ok(Self { from: from.clone(), to: to.clone(), seen })
@@ -34,7 +34,7 @@ impl CameraPath {
     /// *Guarantees*: the ends are the cameras that they were given.
     ///
     /// # Errors
-    /// [`CameraError`] where the coordinates are so large or so small that rounding leaves no camera.
+    /// [`CameraError`] if the coordinates are so large or so small that rounding leaves no camera.
     pub fn at(&self, share: f64) -> Result<Camera, CameraError> {
         if share <= 0.0 {
             return Ok(self.from.clone());
@@ -101,7 +101,7 @@ fn lens(from: &Camera, to: &Camera, t: f64) -> Parameters {
         angle.clamp(a.view_angle.min(b.view_angle), a.view_angle.max(b.view_angle))
     };
     let window = (a.window.is_some() || b.window.is_some()).then(|| {
-        // In perspective the slopes of the sides are what is seen.
+        // In perspective the slopes of the sides are visible.
         let [unit_a, unit_b, unit] = match a.projection {
             Projection::Perspective => [a.near, b.near, near],
             Projection::Parallel => [1.0; 3],

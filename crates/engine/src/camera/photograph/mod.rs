@@ -98,7 +98,7 @@ pub struct PhotographCamera {
     /// f in pixels; `None` means it cannot be known.
     pub focal_length: Option<f64>,
     /// By how many degrees θ changes if each end of each line is wrong by one pixel, root of the sum of squares; `None`
-    /// where θ cannot be known.
+    /// if θ can't be known.
     pub view_angle_per_pixel: Option<f64>,
     /// The same of the direction of **n**, degrees.
     pub direction_per_pixel: f64,
@@ -196,7 +196,7 @@ struct Solved {
     located: Vec<Located>,
     /// In half diagonals; `None` means it cannot be known.
     focal_length: Option<f64>,
-    /// The one that is used: the given one where it cannot be known.
+    /// The one in use: the given one if it can't be known.
     used_focal_length: f64,
     /// The directions of x, y, z in the VRC are its columns, so **u**, **v**, **n** its rows.
     axes: DMat3,

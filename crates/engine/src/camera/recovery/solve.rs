@@ -81,7 +81,7 @@ impl Recovery {
         self.unknown.push(Unknown::Lens);
     }
 
-    /// Unit vectors at right angles, where the rows are that up to their digits.
+    /// Unit vectors at right angles, if the rows are so up to their digits.
     fn straightened(&mut self, lines: Lines, rows: [DVec3; 3]) -> Result<[DVec3; 3], RecoveryError> {
         for (i, row) in rows.iter().enumerate() {
             if row.length() == 0.0 {

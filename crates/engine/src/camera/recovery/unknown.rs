@@ -6,7 +6,7 @@ crate::worded! {
     pub enum Unknown {
         /// PF lies anywhere along DOP: D is the one that was there.
         FocalDistance = "focal-distance",
-        /// VUP is any vector above **v**. It is the one that was there where that fits, else **v**.
+        /// VUP is any vector above **v**. The present one stays if it fits, else it's **v**.
         ViewUp = "view-up",
         /// C lies anywhere along **n**: F is the one that was there.
         PositionAlongNormal = "position-along-normal",

@@ -10,7 +10,7 @@
 pub(crate) enum Origin {
     /// The corner of the polygon with this index.
     Corner(usize),
-    /// A new one, where an edge crosses the plane.
+    /// A new one, at the point where an edge crosses the plane.
     Edge(Edge),
 }
 
@@ -62,7 +62,7 @@ pub(crate) fn cut(
         }
         let next = (first + 1) % corners;
         let there = distance(next);
-        // Not by the sign of the product, which is 0 where both are tiny.
+        // Not by the sign of the product, which is 0 if both are tiny.
         let (inner, outer, d1, d2) = if here > 0.0 && there < 0.0 {
             (first, next, here, -there)
         } else if here < 0.0 && there > 0.0 {

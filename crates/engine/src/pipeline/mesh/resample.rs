@@ -30,7 +30,7 @@ pub(crate) enum VertexOrigin {
 pub(crate) const OWN_WEIGHTS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl VertexOrigin {
-    /// A point on the triangle with these vertices, with its share of each: one of them, where it has all of one.
+    /// A point on the triangle with these vertices, with its share of each. It's one of them if it has all of one.
     #[inline]
     pub(crate) fn on(of: [u32; 3], weights: [f64; 3]) -> Self {
         match OWN_WEIGHTS.iter().position(|own| *own == weights) {
@@ -51,7 +51,7 @@ impl VertexOrigin {
 
 /// An attribute of a vertex.
 pub(crate) trait Attribute: Copy {
-    /// The weighted sum. The order of the three changes nothing where one weight is 0, so that neighbours that share an
+    /// The weighted sum. The order of the three changes nothing if one weight is 0, so that neighbours that share an
     /// edge agree on it.
     fn mean(of: [Self; 3], weights: [f64; 3]) -> Self;
 }
@@ -184,7 +184,7 @@ pub(crate) fn base_of(paint: ObjectPaint) -> Base {
     }
 }
 
-/// The normals of a mesh whose vertices come from those of another. None where that has none.
+/// The normals of a mesh whose vertices come from those of another. None if that has none.
 pub(crate) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
     if old.normals.is_empty() {
         return Vec::new();

@@ -109,7 +109,7 @@ impl Segment {
         std::array::from_fn(|k| self.from[k] + t * self.along[k])
     }
 
-    /// The input to the rule of the order, where its middle line has this depth.
+    /// The input to the rule of the order, if its middle line has this depth.
     fn point(&self, depth: f64) -> StrokePoint {
         let reach = stroke_reach(single(self.radius), single(self.along[2]), single(self.length));
         StrokePoint { depth: single(depth), reach, visible: self.layer.1 != Occlusion::Opaque, width: self.width }
@@ -377,7 +377,7 @@ fn in_cycles(count: usize, contacts: &[Contact]) -> Vec<bool> {
     left
 }
 
-/// Each run after all that it is over; where that leaves a choice, or no run to begin with, in the order of the
+/// Each run after all that it is over. If that leaves a choice, or no run to begin with, in the order of the
 /// drawing.
 fn back_to_front(count: usize, contacts: &[Contact]) -> Vec<usize> {
     let (next, mut before) = neighbours(count, contacts.iter().map(Contact::below_and_over));

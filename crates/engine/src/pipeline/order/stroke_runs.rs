@@ -92,7 +92,7 @@ impl WorkBudget {
 pub(crate) const LISTED: usize = 8;
 pub(crate) const KEPT: usize = 64;
 
-/// The faces in front of places in a drawing: behind opaque ones labels are painted faintly where they say so, and
+/// The faces in front of places in a drawing: behind opaque ones labels are painted faintly if they say so, and
 /// marks behind any.
 ///
 /// # Errors

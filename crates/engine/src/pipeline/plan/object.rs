@@ -57,7 +57,7 @@ pub struct ObjectPlan {
     pub shadowed: bool,
     /// Something shows through it.
     pub translucent: bool,
-    /// Its picture is asked for the colour of each pixel. It has one, and that has more than one colour.
+    /// Each pixel takes its colour from a picture: the object has one, with more than one colour.
     pub textured: bool,
 }
 

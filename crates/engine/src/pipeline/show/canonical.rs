@@ -26,10 +26,10 @@ use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPai
 /// with z away from the eye, and this is their display in a right-handed space.
 ///
 /// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise), but for
-/// what is textured or in the reach of shadows: light stays apart there, and shadows fall where they fall in the world.
-/// The result takes no light, so the meshes have no normals. No face is culled. The observer of the result is elsewhere
-/// than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays closed, and
-/// convex if it was.
+/// textured objects and those in the reach of shadows: light stays apart there, and shadows fall where they fall in the
+/// world. The result takes no light, so the meshes have no normals. No face is culled. The observer of the result is
+/// elsewhere than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays
+/// closed, and convex if it was.
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     clipped_by(scene, &Projector::new(camera), shading).0
 }

@@ -133,7 +133,7 @@ impl Divide {
                 wrong.remake.edges.push([a, b]);
             }
         }
-        // Open now, so that its inside shows, as where clipping has cut it open.
+        // Open now, so that its inside shows, as if clipping had cut it open.
         let two_sided = object.two_sided || mesh.closed;
         let right = Object { two_sided, ..with_triangles(object, &right, edges, outlined) };
         (right, wrong.finish(object))

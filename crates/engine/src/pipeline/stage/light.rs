@@ -284,7 +284,7 @@ impl Shaded<'_> {
         Base::Vertices(colors)
     }
 
-    /// Light at each pixel, from what is interpolated between the vertices.
+    /// Light at each pixel, from attributes that are interpolated between the vertices.
     fn per_pixel(&self, faces: &Faces, light: &ObjectLight) -> SurfaceLight {
         let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
         let mut normals = self.at_vertices(|i| normal(i).as_vec3().to_array());
@@ -334,7 +334,7 @@ impl Shaded<'_> {
     }
 }
 
-/// The light of a lamp, and the ambient share with it: to the bit what is found for both together.
+/// The light of a lamp, and the ambient share with it: to the bit the same as for both together.
 fn with_ambient(of_lamp: &[LightShare], light: &ObjectLight) -> Vec<LightShare> {
     let ambient = light.lighting.ambient;
     of_lamp.iter().map(|[share, white]| [share + ambient, *white]).collect()

@@ -22,7 +22,7 @@ use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, Shadows};
 
-/// F of the camera of a lamp, as a share of B: what is nearer casts no shadow.
+/// F of the camera of a lamp, as a share of B. Anything nearer casts no shadow.
 const NEAREST: f64 = 1e-4;
 /// Room around what casts shadows, as a share of its size.
 const ROOM: f64 = 0.01;
@@ -109,7 +109,7 @@ fn casting(scenes: Scenes<'_>) -> impl Iterator<Item = (usize, Light)> {
 }
 
 impl Kept {
-    /// The things that hide light in a scene, and what is known of its lights that cast shadows.
+    /// The occluders of a scene, and the known maps of its lights that cast shadows.
     fn known(&mut self, scenes: Scenes) -> (Arc<[Occluder]>, Vec<Option<ShadowLight>>) {
         if !self.holds(scenes) {
             self.made.clear();

@@ -28,7 +28,7 @@ pub(super) struct Coverage {
     /// Of the layer at hand 255 times the share of each pixel, and ½; in a layer with a rank, the whole number below.
     shares: Vec<f32>,
     /// The depth of a stroke's middle line where it is nearest to the pixel, and its [`Fragment::reach`]. Arbitrary
-    /// where the share is 0. Only in layers with a rank.
+    /// if the share is 0. Only in layers with a rank.
     depths: Vec<f32>,
     reaches: Vec<f32>,
     /// The eights of columns that the layer may cover.

@@ -16,7 +16,7 @@ pub(super) struct Fragments {
     rows: usize,
     layers: Vec<Layer>,
     fragments: Vec<Fragment>,
-    /// For each pixel the fragment that came last, counted from 1; 0 where there is none.
+    /// For each pixel the fragment that came last, counted from 1; 0 if there is none.
     last: Vec<u32>,
     touched: TouchedColumns,
     /// The fragments of the pixel at hand, from back to front.

@@ -166,7 +166,7 @@ impl Segment {
         Columns { along: x * self.ux, beside: x * self.uy }
     }
 
-    /// At each of the pixels of a row: 255 times its share and ½, or less than ½ where it has none; and the depth of
+    /// At each of the pixels of a row: 255 times its share and ½, or less than ½ if it has none; and the depth of
     /// the nearest point of the middle line.
     #[inline(always)]
     pub(super) fn at<K: Simd>(&self, columns: Columns<K>, row: usize) -> [f32x8<K>; 2] {

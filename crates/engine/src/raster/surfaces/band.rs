@@ -31,11 +31,11 @@ pub(super) struct Band<'a> {
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
-    /// Nothing of the surface at hand is painted behind what is there.
+    /// Nothing of the surface at hand is painted behind the stored depths.
     pub(super) hides: bool,
     /// The greatest number of the format of the depths; 0: they are stored as they are.
     pub(super) greatest: f32,
-    /// If anybody wants to know.
+    /// If requested.
     pub(super) counts: Option<&'a mut Counts>,
 }
 
@@ -46,7 +46,7 @@ impl Band<'_> {
         TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
     }
 
-    /// The pixels, one for each lane, at which these depths, as they are stored, are nearer than what is there.
+    /// The pixels, one for each lane, at which these depths, as they are stored, are nearer than the stored ones.
     #[inline(always)]
     pub(super) fn nearer<K: Simd>(
         &self,

@@ -192,7 +192,7 @@ impl<K: Simd> Batch<K> {
         for k in 0..3 {
             let next = (k + 1) % 3;
             (a[k], b[k]) = (y[k] - y[next], x[next] - x[k]);
-            // An edge owns its points where it is left or top; the others are moved inwards by the least there is.
+            // An edge owns its points if it's left or top. Others are moved inwards by the least step.
             let owns = a[k].simd_gt(0) | (a[k].simd_eq(0) & b[k].simd_gt(0));
             let bias = owns.select(zero, zero - 1);
             edges[k] = a[k] * (center_x - x[k]) + b[k] * (center_y - y[k]) + bias;

@@ -17,7 +17,7 @@ use crate::raster::pixel::Pixel;
 
 /// Largest number of columns and rows of triangles that are filled together.
 pub(super) const FEW: u32 = 4;
-/// The same where colours cost much: a lane that waits costs more then than a larger box.
+/// The same if colours cost much: a lane that waits costs more then than a larger box.
 pub(super) const FEW_COSTLY: u32 = 11;
 
 /// Pixels of the largest box.
@@ -31,7 +31,7 @@ pub(super) struct TinyBatch {
     owned: [usize; BATCH],
     /// Which of its box they are, row by row.
     places: [[u32; BATCH]; MOST],
-    /// By the pixel's place in its box; where colours cost much, by its number among those that the triangle owns.
+    /// By the pixel's place in its box, or if colours cost much, by its number among those that the triangle owns.
     depths: [[f32; BATCH]; MOST],
     colors: [[Pixel; BATCH]; MOST],
 }
@@ -136,8 +136,8 @@ impl TinyBatch {
         }
     }
 
-    /// Depths and colours where colours cost much. Each triangle goes on to its next pixel, wherever in the box it
-    /// lies, so that few lanes wait, and what is hidden by now gets no colour.
+    /// Depths and colours if colours cost much. Each triangle goes on to its next pixel, wherever in the box it
+    /// lies, so that few lanes wait, and a pixel that is hidden by now gets no colour.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn color<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,

@@ -342,7 +342,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         }
     }
 
-    /// Paints a tile where it is covered. `center`: its depths at the centres of pixels; `own`: the pixels that are
+    /// Paints the covered part of a tile. `center`: its depths at the centres of pixels; `own`: the pixels that are
     /// counted.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn paint<const SQUARE: bool>(

@@ -140,7 +140,7 @@ fn sides<K: Simd>(simd: K, level: &Level) -> [i32x8<K>; 2] {
     [i32x8::splat(simd, level.width.cast_signed()), i32x8::splat(simd, level.height.cast_signed())]
 }
 
-/// The texels at these columns and rows, where they are wanted, as they lie in memory.
+/// The texels at these columns and rows, if requested, as they lie in memory.
 #[inline(always)]
 fn texels<K: Simd>(level: &Level, wanted: mask32x8<K>, x: i32x8<K>, y: i32x8<K>) -> u32x8<K> {
     let places = wanted.select(y * level.width.cast_signed() + x, i32x8::splat(wanted.witness(), 0));
@@ -212,7 +212,7 @@ pub(super) fn channel<K: Simd>(pixels: u32x8<K>) -> f32x8<K> {
     (pixels & 0xff).bitcast::<i32x8<K>>().to_float()
 }
 
-/// Coordinates as those of the picture, 0 … 1; as they are where the border goes on.
+/// Coordinates as those of the picture, 0 … 1. Unchanged if the border goes on.
 #[inline(always)]
 fn folded<K: Simd>(t: f32x8<K>, wrap: Wrap) -> f32x8<K> {
     match wrap {

@@ -174,7 +174,7 @@ impl Scratch {
         let plane = (rows + 1) * pitch;
         fit(&mut self.colors, samples.len() * plane, frame.background);
         let sample_rows = || (0..samples.len()).flat_map(|s| (0..rows).map(move |row| s * plane + row * pitch));
-        // Where no triangle is, nobody looks at what is left of an older band.
+        // Pixels without a triangle keep an older band's values, which nothing reads.
         for start in sample_rows() {
             self.colors[start + columns.start..start + columns.end].fill(frame.background);
         }

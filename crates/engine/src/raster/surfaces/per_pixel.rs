@@ -59,7 +59,7 @@ enum Light<'a, K: Simd> {
     InBase,
     /// Found at their vertices.
     Vertices(Attribute<K, 2>),
-    /// To be found at each pixel, from what is interpolated between the vertices.
+    /// Computed at each pixel, from attributes that are interpolated between the vertices.
     Pixels { normals: Attribute<K, 3>, positions: Attribute<K, 3>, lighting: &'a Lighting },
 }
 
@@ -334,7 +334,7 @@ impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
         // The value of each vertex whose share is wanted.
         let planes =
             [set_up.planes(&[one, zero, zero]), set_up.planes(&[zero, one, zero]), set_up.planes(&[zero, zero, one])];
-        // Shares are as exact as colours are where these go together: of attributes only the differences count.
+        // Shares are as exact as colours if these go together, because only the differences of attributes count.
         let simple = (set_up.steepness() * 255.0).simd_lt(STEEPEST) & present(simd, surface, triangles, corners);
         Self::apart(simd, surface, planes, triangles, *corners, simple)
     }

@@ -17,7 +17,7 @@ use crate::simd::round_bits_f64;
 pub(super) struct Triangle {
     /// The vertices on the grid, turned so that the edge functions are positive inside.
     pub(super) v: [[i32; 2]; 3],
-    /// Vertex 0 in pixels: where the planes are anchored. Exact.
+    /// Vertex 0 in pixels, the anchor of the planes. Exact.
     pub(super) origin: [f32; 2],
     /// Coefficients of a gradient from the differences to vertex 0, per pixel: ∂q/∂x = d1·m[0] − d2·m[1], ∂q/∂y =
     /// d2·m[2] − d1·m[3].
@@ -197,7 +197,7 @@ pub(super) fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
     all.any_true()
 }
 
-/// The greater of two numbers. One machine instruction, where `f64::max` takes four for the sake of NaN.
+/// The greater of two numbers. One machine instruction, while `f64::max` takes four for the sake of NaN.
 #[inline(always)]
 pub(super) fn greater<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }

@@ -131,7 +131,7 @@ impl<'a, K: Simd> Colors<'a, K> for FlatColors<K> {
     }
 }
 
-/// Channels that are interpolated where colours are opaque.
+/// Channels that are interpolated if colours are opaque.
 const RGB: usize = 3;
 
 /// Opaque colours between those of the vertices, affine on the picture.
@@ -173,7 +173,7 @@ impl<K: Simd> Shader<K> for Affine<K> {
 }
 
 /// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture;
-/// without, or where it makes no difference, the colours are.
+/// without, or if it makes no difference, the colours are.
 pub(super) struct Gouraud<K: Simd> {
     /// Red, green, blue, divided by w if `perspective`. Their ranges aren't.
     affine: Affine<K>,
@@ -270,7 +270,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         if !surface.inverse_w.is_empty() {
             let w = gather(simd, &surface.inverse_w, corners);
             let (far, near) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
-            // Not so where one is missing, and so not a number.
+            // Not so if one is missing and therefore not a number.
             simple &= !perspective_matters(spread, far, near) & near.simd_eq(near);
         }
         Self { simd, planes, simple, outside }

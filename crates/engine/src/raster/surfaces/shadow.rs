@@ -123,7 +123,7 @@ fn filtered<K: Simd>(shadow: &Shadow, depths: &[Vec<f32>], wanted: mask32x8<K>, 
             let (width, beside) = (under(column, x, softness), (column + 0.5 - x) * dx);
             let column = column.to_int::<i32x8<K>>();
             let there = in_rows & column.simd_ge(0) & column.simd_lt(size);
-            // Texels lie anywhere in memory: each place asks for its own, or for the first where it has none, so that
+            // Texels lie anywhere in memory: each place asks for its own, or for the first if it has none, so that
             // no branch is guessed wrong.
             let (mut texels, mut found) = ([0; LANES], [f32::NEG_INFINITY; LANES]);
             there.select(start + column, i32x8::splat(simd, 0)).store_slice(&mut texels);

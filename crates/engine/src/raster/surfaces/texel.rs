@@ -19,7 +19,7 @@ pub(super) struct Textured<'a, K: Simd> {
     opaque: bool,
     /// The channels of the tint, 0 … 1, premultiplied.
     tint: [f32; 4],
-    /// Texture coordinates, u and v, of the three vertices, near 0 where the picture repeats, so that they are exact.
+    /// Texture coordinates, u and v, of the three vertices, near 0 if the picture repeats, so that they are exact.
     pub(super) uv: [[f32x8<K>; 3]; 2],
     /// The change of u/w and v/w in texels, and of 1/w, along x and y. Only for a filter that asks for it.
     change: Option<[[f32x8<K>; 3]; 2]>,
@@ -168,7 +168,7 @@ fn squares<K: Simd>(change: &[f32x8<K>; 3], uv: [f32x8<K>; 2], w: f32x8<K>, side
     [du * du, dv * dv]
 }
 
-/// Texture coordinates less whole numbers, where the picture repeats: near 0 they are exact.
+/// Texture coordinates less whole numbers, if the picture repeats. Near 0 they're exact.
 #[inline(always)]
 fn near_zero<K: Simd>(q: [f32x8<K>; 3], wrap: Wrap) -> [f32x8<K>; 3] {
     let least = q[0].min(q[1]).min(q[2]);
@@ -193,7 +193,7 @@ fn near_line<K: Simd>(t: f32x8<K>, size: u32, width: f32x8<K>) -> mask32x8<K> {
     (width * SMALLEST).simd_lt(1.0) & distance.simd_lt(width * 0.5)
 }
 
-/// log₂ to 0.01, by operations that every machine does alike. Very small for 0, and for what is none.
+/// log₂ to 0.01, by operations that every machine does alike. Very small for 0, and for anything that isn't a number.
 #[inline(always)]
 fn log2<K: Simd>(value: f32x8<K>) -> f32x8<K> {
     let bits = value.bitcast::<u32x8<K>>();

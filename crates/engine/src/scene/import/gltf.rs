@@ -89,7 +89,7 @@ struct Materials<'a> {
 }
 
 impl Materials<'_> {
-    /// The texture of a material's base colour; where it cannot be used, a notice says so.
+    /// The texture of a material's base colour. If it can't be used, a notice says so.
     fn texture(&mut self, material: &::gltf::Material<'_>, read_file: &mut Beside<'_>) -> Option<PartTexture> {
         let texture = material.pbr_metallic_roughness().base_color_texture()?.texture();
         let alpha = match material.alpha_mode() {
@@ -393,7 +393,7 @@ impl Reader {
         Ok(Some((Arc::new(mesh), Arc::new(uv))))
     }
 
-    /// The texture coordinates of the vertices, as the material's texture turns and moves them. None where it has none.
+    /// The texture coordinates of the vertices, as the material's texture turns and moves them. None if it has none.
     fn texture_coordinates(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<[f32; 2]>, MeshError> {
         let info = primitive.material().pbr_metallic_roughness().base_color_texture();
         let transform = info.as_ref().and_then(::gltf::texture::Info::texture_transform);

@@ -162,7 +162,7 @@ impl Ahead {
         }
     }
 
-    /// Line and corner, where it names more than there are at the end.
+    /// Line and corner, if it names more than there are at the end.
     fn beyond(&self, there: usize) -> Option<(usize, String)> {
         let (_, line, corner) = self.0.as_ref().filter(|(farthest, ..)| *farthest > there)?;
         Some((*line, corner.clone()))
@@ -174,7 +174,7 @@ impl Ahead {
 struct Faces {
     name: String,
     material: Option<usize>,
-    /// For each corner its point and, where it has them, its normal and its texture coordinate, from 0.
+    /// For each corner its point and, if it has them, its normal and its texture coordinate, from 0.
     corners: Vec<(usize, Option<usize>, Option<usize>)>,
     /// The number of corners of each face.
     arities: Vec<u32>,
@@ -236,7 +236,7 @@ impl Material {
     }
 
     fn color(&self) -> Rgba {
-        // A picture shows its own colours where the material says none.
+        // A picture shows its own colours if the material has none.
         let unsaid = if self.map.is_some() { 1.0 } else { 0.8 };
         let [r, g, b] = self.diffuse.unwrap_or([unsaid; 3]).map(byte);
         let alpha = if self.is_invisible() { 255 } else { byte(self.opacity.unwrap_or(1.0)) };
@@ -430,7 +430,7 @@ impl ObjCorner {
     }
 }
 
-/// A point: three coordinates, and where there are four numbers its weight. More are the colour of the vertex.
+/// A point: three coordinates, and a fourth number is its weight. More are the colour of the vertex.
 fn point(values: &str) -> Result<DVec3, ObjFault> {
     let words: Vec<&str> = values.split_whitespace().collect();
     let point = vector(values)?;

@@ -29,7 +29,7 @@ pub(super) fn note(notices: &mut Vec<MeshNotice>, notice: MeshNotice) {
 pub struct PartTexture {
     /// Its texels, shared by all parts that use it.
     pub image: Arc<Texture>,
-    /// How it is asked for a colour.
+    /// How it's sampled.
     pub sampler: Sampler,
 }
 

@@ -64,7 +64,7 @@ impl Soup {
     /// *Edges* are the sides of the polygons; *closed* says that each side is met by another one in the other
     /// direction.
     ///
-    /// With it come the texture coordinates of the corners of each triangle, where there are any.
+    /// With it come the texture coordinates of the corners of each triangle, if there are any.
     pub(crate) fn into_mesh(self, triangulator: &mut Triangulator) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
             return Err(TooLarge);

@@ -9,7 +9,7 @@ pub struct Adjacency {
     /// The plane of each face, in the mesh's own space. The inner product with (p, 1) is positive where p is before the
     /// face.
     pub planes: Vec<DVec4>,
-    /// Each edge once, also where the mesh has its vertices doubled: one that two edges end at has one index in both.
+    /// Each edge once, even if the mesh has its vertices doubled: one that two edges end at has one index in both.
     pub edges: Vec<SharedEdge>,
 }
 
@@ -35,7 +35,7 @@ struct Side {
 }
 
 impl Adjacency {
-    /// Of the triangles of a mesh. Vertices are at one place where their coordinates are equal.
+    /// Of the triangles of a mesh. Vertices are at one place if their coordinates are equal.
     pub fn of(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let places = places(positions);
         let mut sides: Vec<Side> = Vec::with_capacity(3 * triangles.len());

@@ -24,7 +24,7 @@ pub struct Mesh {
     /// Counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// The edges to draw: sides of polygons, not the diagonals that triangulation adds. Indices into `positions`, each
-    /// edge once (also where vertices are doubled). Curved shapes name only some of their sides: see
+    /// edge once (even if vertices are doubled). Curved shapes name only some of their sides: see
     /// [`primitives`].
     pub edges: Vec<[u32; 2]>,
     /// Adjacency of the faces of curved solids, from which their outline is found. Empty for other meshes.

@@ -15,8 +15,8 @@ pub(super) static CHEQUER: LazyLock<Arc<Texture>> = LazyLock::new(|| {
     drawn(8 * SQUARE, |x, y| if (x / SQUARE + y / SQUARE).is_multiple_of(2) { LIGHT } else { DARK })
 });
 
-/// Four by four cells with the letters A to P, from the top left on. A line between two cells, a red one below, where v
-/// is 0, and a green one at the left, where u is 0.
+/// Four by four cells with the letters A to P, from the top left on. A line between two cells, a red one below, at
+/// v = 0, and a green one at the left, at u = 0.
 pub(super) static LETTERS: LazyLock<Arc<Texture>> = LazyLock::new(|| {
     /// Texels of a dot of a letter, of a cell (its letter is 5 by 7 dots), and of a line.
     const DOT: u32 = 8;

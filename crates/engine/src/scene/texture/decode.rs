@@ -119,7 +119,7 @@ impl Textures {
         decoded
     }
 
-    /// The picture, where all together have no more texels than they may.
+    /// The picture, if all together have no more texels than allowed.
     fn within_budget(&self, texture: Arc<Texture>) -> Result<Arc<Texture>, TextureFault> {
         let texels = |texture: &Texture| u64::from(texture.width()) * u64::from(texture.height());
         let held: u64 = self.known.values().flatten().map(|texture| texels(texture)).sum();
@@ -144,7 +144,7 @@ impl Textures {
     }
 }
 
-/// A file is another picture where its alpha means something else.
+/// A file is another picture if its alpha means something else.
 fn key(file: &str, alpha: Alpha) -> String {
     format!("{alpha:?}\n{file}")
 }

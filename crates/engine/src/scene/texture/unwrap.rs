@@ -92,7 +92,7 @@ fn near(turns: f64, other: f64) -> f64 {
 }
 
 /// A mesh in which each vertex is there once for each of its texture coordinates. `uv`: those of the corners of each
-/// triangle; what is missing is (0, 0).
+/// triangle; missing ones are (0, 0).
 pub(in crate::scene) fn split(old: &Mesh, uv: &[CornerUv]) -> UvMesh {
     let mut mesh = Mesh { closed: old.closed, convex: old.convex, ..Mesh::default() };
     let mut all = Vec::new();
@@ -175,7 +175,7 @@ mod tests {
                 }
                 let side = |k: usize| [at[k][0] - at[0][0], at[k][1] - at[0][1]];
                 let (p, q) = (side(1), side(2));
-                // Counter-clockwise outside is clockwise where v goes down.
+                // Counter-clockwise outside is clockwise if v goes down.
                 assert!(p[0] * q[1] - p[1] * q[0] <= 1e-6, "{shape:?} {at:?}");
             }
             for (edge, old) in textured.edges.iter().zip(&mesh.edges) {

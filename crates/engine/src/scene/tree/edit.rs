@@ -19,7 +19,7 @@ use crate::scene::{ObjectSpec, Preset, SceneSpec};
 pub enum Children {
     /// They are removed with it, and theirs with them.
     Removed,
-    /// Its parent is theirs then. In the world they stay where they are, where translation, rotation and scale can say
+    /// Its parent is theirs then. In the world they stay where they are, if translation, rotation and scale can say
     /// that.
     HungHigher,
 }
@@ -100,7 +100,7 @@ pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
 /// Renames an object of a figure. Its children follow.
 ///
 /// # Errors
-/// [`SceneError::DuplicateName`] where another object already has this name, also one of the preset: its children would
+/// [`SceneError::DuplicateName`] if another object already has this name, also one of the preset: its children would
 /// become children of this one. Nothing has changed then.
 pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneError> {
     if from == to {
@@ -130,7 +130,7 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
 /// translation, rotation and scale cannot express. The numbers stay then.
 ///
 /// # Errors
-/// [`SceneError`] where the parent does not exist or is below the object. Nothing has changed then.
+/// [`SceneError`] if the parent does not exist or is below the object. Nothing has changed then.
 pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) -> Result<bool, SceneError> {
     let before = placements(spec)?;
     let mut changed = spec.clone();
@@ -153,7 +153,7 @@ pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) 
 /// Removes a figure's object. True if everything that is left stays where it is in the world.
 ///
 /// # Errors
-/// [`SceneError`] where the scene could not be built before. Nothing has changed then.
+/// [`SceneError`] if the scene could not be built before. Nothing has changed then.
 pub fn remove(spec: &mut SceneSpec, name: &str, children: Children) -> Result<bool, SceneError> {
     let mut changed = spec.clone();
     let mut stayed = true;
@@ -185,7 +185,7 @@ pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
 }
 
 /// Writes the preset's objects into the figure's list, before its own, so that they can be edited. The preset is empty
-/// then. In the colours of `theme`, and with the names that `called` gives them, numbered where others are called so.
+/// then. In the colours of `theme`, and with the names that `called` gives them, numbered if others are called so.
 /// What [`Preset::beyond_objects`] names is lost. Returns the new name of each.
 pub fn write_out_preset(
     spec: &mut SceneSpec,
@@ -220,7 +220,7 @@ pub fn write_out_preset(
 }
 
 /// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done,
-/// where there are none.
+/// if there are none.
 pub(crate) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
     let wanted = DMat3::from_mat4(*parent_from_object_wanted);
     let mut lengths = DVec3::new(wanted.x_axis.length(), wanted.y_axis.length(), wanted.z_axis.length());

@@ -243,7 +243,7 @@ fn letter_f(colors: &SceneColors) -> Object {
     }
 }
 
-/// `[0]` exercise 5.1: C = (3, 4, 0), PF = 0. The point with VRC coordinates (1, 1, 0) is C + **u** + **v**, where
+/// `[0]` exercise 5.1: C = (3, 4, 0), PF = 0. The point with VRC coordinates (1, 1, 0) is C + **u** + **v**. The
 /// **v** = (0, 1, 0) of the text can only be VUP.
 const EXERCISE_51: [DVec3; 3] = [DVec3::new(3.0, 4.0, 0.0), DVec3::new(0.0, 0.0, -1.0), DVec3::new(-0.8, 0.6, 0.0)];
 
@@ -297,7 +297,7 @@ fn make_wire(scene: &mut Scene, colors: &SceneColors) {
     }
 }
 
-/// Writes their coordinates beside the corners of the last object (each corner once). Below them where `below` holds.
+/// Writes their coordinates beside the corners of the last object (each corner once). Below them if `below` holds.
 fn name_corners(scene: &mut Scene, colors: &SceneColors, below: impl Fn(DVec3) -> bool) {
     let Some(object) = scene.objects.last() else { return };
     let mut corners: Vec<DVec3> = Vec::new();
@@ -345,7 +345,7 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
                 digit.to_string(),
                 Arc::new(Mesh::segments(points.windows(2).map(|pair| [pair[0], pair[1]]))),
                 DMat4::IDENTITY,
-                // The colour in wireframe, where there is no face behind it.
+                // The colour in wireframe, if there is no face behind it.
                 ObjectPaint::Solid(colors.ink),
             )
         });

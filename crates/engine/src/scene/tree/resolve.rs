@@ -30,7 +30,7 @@ pub fn check(spec: &SceneSpec) -> Result<(), SceneError> {
     lights(&spec.lights).map(|_| ())
 }
 
-/// The number of segments of an object, where it is allowed.
+/// The number of segments of an object, if it's allowed.
 pub(crate) fn allowed_segments(spec: &ObjectSpec) -> Result<u32, SceneError> {
     if (MIN_SEGMENTS..=MAX_SEGMENTS).contains(&spec.segments) {
         Ok(spec.segments)
@@ -138,7 +138,7 @@ pub(crate) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Resul
         .collect())
 }
 
-/// The lights of a scene. The default one where there is none.
+/// The lights of a scene. The default one if there is none.
 pub(crate) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
     if specs.is_empty() {
         return Ok(vec![Light::directional(DEFAULT_LIGHT)]);

@@ -28,7 +28,7 @@ pub enum Transform {
     Turn {
         /// On the axis.
         pivot: DVec3,
-        /// Towards whoever sees the turn as counter-clockwise.
+        /// Towards a viewer who sees the turn as counter-clockwise.
         axis: DVec3,
         /// The angle.
         angle: Angle,
@@ -56,11 +56,11 @@ impl Default for Trs {
 }
 
 /// Puts a figure's object at the end of a chain. It gets the last of `chain`, and between its parent and itself a group
-/// for each of the others, called `group`, numbered where something is called so. Without a chain, or without the
+/// for each of the others, called `group`, numbered if something is called so. Without a chain, or without the
 /// object, nothing changes.
 ///
 /// # Errors
-/// [`SceneError`] where the scene cannot be built afterwards. Nothing has changed then.
+/// [`SceneError`] if the scene cannot be built afterwards. Nothing has changed then.
 pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str) -> Result<(), SceneError> {
     let Some((own, above)) = chain.split_last() else { return Ok(()) };
     let mut changed = spec.clone();
@@ -94,7 +94,7 @@ pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
 /// which translation, rotation and scale cannot express. Such an object stays as it was.
 ///
 /// # Errors
-/// [`SceneError`] where the scene cannot be built, before or afterwards. Nothing has changed then.
+/// [`SceneError`] if the scene cannot be built, before or afterwards. Nothing has changed then.
 pub fn transform(spec: &mut SceneSpec, names: &BTreeSet<String>, transform: Transform) -> Result<bool, SceneError> {
     let placed = placements(spec)?;
     let mut changed = spec.clone();

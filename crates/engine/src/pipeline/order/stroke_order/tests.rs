@@ -97,7 +97,7 @@ fn a_run_that_is_before_and_behind_another_is_split_between() {
         runs.iter().position(|run| run.set == set && here(run))
     };
     assert!(at(0, 20.0) < at(1, 20.0) && at(1, 80.0) < at(0, 80.0), "{runs:?}");
-    // The parts make up the whole, and each knows where along it it begins.
+    // The parts make up the whole, and each knows its start along it.
     let mut parts: Vec<&Run> = runs.iter().filter(|run| run.set == 0).collect();
     parts.sort_by(|a, b| a.start.total_cmp(&b.start));
     assert_eq!(parts.iter().map(|run| (run.start, run.has_end)).collect::<Vec<_>>(), [(0.0, false), (90.0, true)]);
