@@ -49,7 +49,7 @@ impl Window {
         self.key(Key::Enter);
     }
 
-    /// Presses the window's own close button; true where the window closes.
+    /// Presses the window's own close button; true if the window closes.
     fn ask_to_close(&mut self) -> bool {
         let events = |window: &mut Self| {
             std::mem::take(&mut window.harness.input_mut().viewports.entry(ViewportId::ROOT).or_default().events)

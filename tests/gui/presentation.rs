@@ -232,7 +232,7 @@ fn the_keys_stand_under_the_pictures_for_a_while_and_cover_nothing() {
 }
 
 impl Window {
-    /// True where this is drawn.
+    /// True if this is drawn.
     fn is_written(&self, text: &str) -> bool {
         self.written().iter().any(|(written, _)| written.contains(text))
     }

@@ -1,4 +1,4 @@
-//! What all tests of the window need: the whole window in a harness, without a display.
+//! The whole window in a harness, without a display, as the tests of the window need it.
 
 use std::time::{Duration, Instant};
 
@@ -20,7 +20,7 @@ use super::painter::{Painter, Textures};
 pub(crate) struct Window {
     /// The harness.
     pub(crate) harness: Harness<'static, Option<App>>,
-    /// What egui draws with.
+    /// The textures that egui draws with.
     textures: Textures,
 }
 
@@ -149,7 +149,7 @@ impl Window {
         self.run();
     }
 
-    /// What the window knows.
+    /// The state of the window.
     pub(crate) fn state(&self) -> &State {
         &self.harness.state().as_ref().expect("it has been shown").state
     }
@@ -303,7 +303,7 @@ impl Window {
         written
     }
 
-    /// True where some label contains this text.
+    /// True if some label contains this text.
     pub(crate) fn says(&self, text: &str) -> bool {
         self.harness.query_all_by_label_contains(text).next().is_some()
     }

@@ -69,7 +69,7 @@ fn inside([x, y, z, w]: [f64; 4], front: f64) -> [f64; 6] {
     [w + x, w - x, w + y, w - y, front + z, w - z]
 }
 
-/// t where a segment enters, and where it leaves; `None` where nothing of it is inside.
+/// t where a segment enters, and where it leaves; `None` if nothing of it is inside.
 fn cut(a: [f64; 6], b: [f64; 6]) -> Option<[f64; 2]> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for (at_a, at_b) in a.into_iter().zip(b) {

@@ -56,7 +56,7 @@ fn files_below(folder: &str, ends: &str) -> Vec<PathBuf> {
     files(folder, ends).into_iter().chain(inner).collect()
 }
 
-/// The language of a file, where it has one only.
+/// The language of a file, if it has one only.
 fn language(path: &Path) -> Option<&'static str> {
     let name = path.file_name().unwrap().to_string_lossy();
     match () {
@@ -71,7 +71,7 @@ fn language(path: &Path) -> Option<&'static str> {
     }
 }
 
-/// What a figure file says of itself; its other lines are empty.
+/// The comments of a figure file. Its other lines are empty.
 fn said_of_itself(text: &str) -> String {
     let said = |line: &&str| ["title ", "caption "].iter().any(|key| line.starts_with(key));
     text.lines().map(|line| Some(line).filter(said).unwrap_or_default()).collect::<Vec<_>>().join("\n")

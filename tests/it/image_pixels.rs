@@ -1,4 +1,4 @@
-//! The image picture is the m × n image of (5.22): what `inspect` says of a point's pixel holds in the PNG, also where
+//! The image picture is the m × n image of (5.22): what `inspect` says of a point's pixel holds in the PNG, even if
 //! A ≠ m / n.
 
 use std::io::Cursor;

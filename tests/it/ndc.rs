@@ -68,7 +68,7 @@ fn the_default_is_the_notes() {
     }
 }
 
-/// glam's functions for the same convention; `None` where it has none.
+/// glam's functions for the same convention; `None` if it has none.
 fn glam(camera: &Camera, ndc: Ndc) -> Option<DMat4> {
     let ViewWindow { left, right, bottom, top } = camera.window();
     let (near, far) = (camera.near(), camera.far());

@@ -192,7 +192,7 @@ fn edges_behind_the_faces_show_at_the_outline_alone() {
     }
 }
 
-/// True where a pixel of the background is no farther than three pixels: two in which a hidden line may show, and half
+/// True if a pixel of the background is no farther than three pixels: two in which a hidden line may show, and half
 /// the width of the line.
 fn near_the_background(pixmap: &Pixmap, [x, y]: [u32; 2]) -> bool {
     let range = |v: u32| v.saturating_sub(3)..(v + 4).min(SIDE);

@@ -32,7 +32,7 @@ pub(crate) fn save_repeatedly(folder: &Path, times: usize) {
     }
 }
 
-/// What a kill has left: a whole file, or beside a file that is written in place a whole copy of what it was to become.
+/// The files that a kill has left: a whole file, or beside a file that is written in place a whole copy of what it was to become.
 /// The next save leaves nothing of it.
 fn check(folder: &Folder, in_place: bool, how: &str) {
     let path = folder.file("a.toml");
@@ -91,7 +91,7 @@ fn a_file_with_two_names_is_whole_or_has_a_whole_copy_beside_it() {
     }
 }
 
-/// True where `strace` can kill another program at a system call.
+/// True if `strace` can kill another program at a system call.
 fn can_trace() -> bool {
     let _alone = no_program_starts();
     let traced = Command::new("strace")
