@@ -71,7 +71,7 @@ fn language(path: &Path) -> Option<&'static str> {
     }
 }
 
-/// The comments of a figure file. Its other lines are empty.
+/// The title and the caption of a figure file. Its other lines are empty.
 fn said_of_itself(text: &str) -> String {
     let said = |line: &&str| ["title ", "caption "].iter().any(|key| line.starts_with(key));
     text.lines().map(|line| Some(line).filter(said).unwrap_or_default()).collect::<Vec<_>>().join("\n")

@@ -32,7 +32,8 @@ pub(crate) fn save_repeatedly(folder: &Path, times: usize) {
     }
 }
 
-/// The files that a kill has left: a whole file, or beside a file that is written in place a whole copy of what it was to become.
+/// The files that a kill has left: a whole file, or beside a file that is written in place a whole copy of its new
+/// content.
 /// The next save leaves nothing of it.
 fn check(folder: &Folder, in_place: bool, how: &str) {
     let path = folder.file("a.toml");
