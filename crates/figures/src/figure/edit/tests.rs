@@ -568,7 +568,8 @@ fn one_of_very_many_objects_is_edited_in_the_time_of_reading_them() {
         let edited = update(text, figure);
         let editing = begin.elapsed();
         assert_eq!(read::parse(&edited).as_ref(), Ok(figure));
-        // All names against all: several hundred times as long as reading. The text is read three times in an edit.
+        // Comparing all names with all takes several hundred times as long as reading. The text is read three times in
+        // an edit.
         assert!(editing < 40 * reading, "{editing:?} to edit, {reading:?} to read");
     }
 }
