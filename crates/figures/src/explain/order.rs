@@ -401,7 +401,7 @@ mod tests {
         let matrix = |link: &Link| product(&calls_of(&link.trs)).unwrap();
         let of_links = links.iter().fold(DMat4::IDENTITY, |m, link| m * matrix(link));
         assert!(near(&of_links, &product(&list()).unwrap()));
-        // Calls undone by a pop are not in it.
+        // Calls undone by a pop aren't in it.
         let popped = [Call::Scale(S), Call::Push, Call::Translate(T), Call::Pop, Call::Push];
         assert_eq!(chain(&popped).unwrap(), [Link { first: Some(0), trs: Trs { scale: S, ..Trs::default() } }]);
     }

@@ -57,7 +57,7 @@ impl Step {
     }
 }
 
-/// A row of a step before it is evaluated.
+/// A row of a step before it's evaluated.
 struct UnevaluatedRow {
     symbol: Symbol,
     /// The products to add up.

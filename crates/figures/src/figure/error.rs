@@ -22,7 +22,7 @@ pub struct FigureError {
 /// A problem in a line of a figure file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Problem {
-    /// The bytes are not UTF-8.
+    /// The bytes aren't UTF-8.
     #[error("not UTF-8 (byte {byte:#04x})")]
     NotUtf8 {
         /// The first invalid byte.

@@ -83,7 +83,7 @@ pub struct Figure {
     pub reveal: Reveal,
     /// `[world]`
     pub world: WorldLook,
-    /// `[observers]`: the observers of the world and of the canonical volume; `None` means one that sees everything.
+    /// `[observers]`: the observers of the world and of the canonical volume. `None` means one that sees everything.
     pub observers: Observers,
     /// `[show]`: explanations in the pictures.
     pub show: Show,

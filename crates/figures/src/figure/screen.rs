@@ -84,7 +84,7 @@ crate::worded! {
         Stages = "stages",
         /// One triangle through the stages.
         Triangle = "triangle",
-        /// The image as far as it is painted, by each hidden-surface algorithm.
+        /// The image as far as it's painted, by each hidden-surface algorithm.
         HiddenSurfaces = "hidden-surfaces",
         /// The parts outside the view volume, and the division before clipping.
         Clipping = "clipping",

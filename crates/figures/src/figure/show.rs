@@ -27,7 +27,7 @@ pub struct Show {
     pub measure: Vec<Measured>,
     /// The object whose translation, rotation and scale are measured.
     pub measure_of: Option<String>,
-    /// A point or a ray that is marked in all pictures.
+    /// A point or a ray that's marked in all pictures.
     pub probe: Option<ShownProbe>,
     /// Objects at the places that lists of transforms would give them, in the world. Their axes are numbered in this
     /// order.

@@ -65,7 +65,7 @@ impl Composite {
                 }
                 parts
             };
-            // Each by its share, the pictures of a column together, and the remainder by any that has room.
+            // All pictures by their share or by one column, or else a single one by the share.
             let each = (0..parts.len()).map(|place| wider(place..place + 1, share));
             let all = [wider(0..parts.len(), share), wider(0..parts.len(), 1)];
             let grown = all.into_iter().chain(each).find(|parts| (now + 1..=wanted).contains(&width_of(parts)));

@@ -91,7 +91,7 @@ pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
     formula
 }
 
-/// A line that is wider than its space, broken after brackets. Anything else stays as it is.
+/// A line that's wider than its space, broken after brackets. Anything else stays as it is.
 fn broken(part: &FormulaPart, size: f32, width: f32) -> Vec<FormulaPart> {
     let FormulaPart::Line(text) = part else { return vec![part.clone()] };
     let lines = text::broken(text.split_inclusive(") "), |line| measure(line, size, false).width <= width);

@@ -69,7 +69,7 @@ impl Renderer {
         self.clock = clock;
     }
 
-    /// Reports the progress of pictures from now on. If that is cancelled, there's no picture.
+    /// Reports the progress of pictures from now on. If that's cancelled, there's no picture.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
         self.rasterizer.watch(progress);

@@ -84,7 +84,7 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
 #[derive(Clone, Debug)]
 pub struct TrueLight {
     image: ImageSize,
-    /// Row by row, the triangle and whether it is lit; `None` if there's no verdict.
+    /// Row by row, the triangle and whether it's lit; `None` if there's no verdict.
     seen: Vec<Option<(usize, bool)>>,
 }
 

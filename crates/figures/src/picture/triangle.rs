@@ -136,7 +136,7 @@ impl FollowedTriangle {
         Some((kept.steps.clone(), pixels))
     }
 
-    /// The triangle of a request, as far as it is known, and the place of its object in the scene.
+    /// The triangle of a request, as far as it's known, and the place of its object in the scene.
     fn of(&mut self, request: &Request) -> Option<(&mut Kept, usize)> {
         let ShownTriangle { object, index, .. } = request.shot.show.triangle.as_ref()?;
         let place = request.scene.place_of(object)?;

@@ -101,9 +101,9 @@ pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progre
     scene::build_with(&figure.scene, &figure.style, read_file, &mut files)
 }
 
-/// Gives pictures of one kind and one size a common observer, so that they differ only if something has moved. It's the
-/// observer of another figure, or else those of their figures, if these have some, or one that has everything in the
-/// picture.
+/// Gives pictures of one kind and one size a common observer, so that only things that moved differ between them. It's
+/// the observer of another figure, or else those of their figures, if these have some, or one that has everything in
+/// the picture.
 pub fn with_observer(requests: Vec<Request>, other: Option<&ObserverOf>) -> Vec<Request> {
     if let Some(other) = other {
         let seen = |own: Request| {

@@ -48,7 +48,7 @@ pub enum AnswerError {
     /// A bracket without its other half.
     #[error("a bracket is missing")]
     Bracket,
-    /// Neither a number that is multiplied nor a row.
+    /// Neither a number that's multiplied nor a row.
     #[error("beside the brackets only a factor may stand; a function needs brackets: [1, 1, 1]/sqrt(3)")]
     BesideBrackets,
     /// Rows of different lengths.

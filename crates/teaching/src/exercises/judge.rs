@@ -23,7 +23,7 @@ pub struct Judged {
     pub right: bool,
     /// From 0 to 1: the correct share of the question. It's 1 if the answer follows correctly from other answers.
     pub score: f64,
-    /// Right entries, row by row; one for a choice; one for each condition of a camera.
+    /// Right entries, row by row. There's one for a choice, and one for each condition of a camera.
     pub entries: Vec<Vec<bool>>,
     /// The name of the reading in which it's right, or most nearly right. Empty for the one that the statement settles.
     pub reading: &'static str,

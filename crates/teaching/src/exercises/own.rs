@@ -173,7 +173,7 @@ pub(crate) fn question(
     Some(entry(own(id, subject, vec![ask], texts)))
 }
 
-/// A name that is valid in a command line and in a file.
+/// A name that's valid in a command line and in a file.
 pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
     let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
     let Some(text) = section.text(key) else {

@@ -123,7 +123,7 @@ pub enum Why {
     LongestAgo,
 }
 
-/// An error of a text that is not a progress file.
+/// An error of a text that isn't a progress file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ProgressError {
     /// Not TOML.
@@ -255,10 +255,11 @@ impl Progress {
         }
     }
 
-    /// The next of these to practise, in this order: a family that reveals the open mistake made most often; the
-    /// exercise begun last; the family that is most overdue to come back; the first unsolved one in the order of
-    /// `entries`; the one tried least recently before `now`. A later time comes from a clock that ran ahead. Its true
-    /// time is unknown, so it comes before the known ones. `None` if there are no entries.
+    /// The next of these to practise. The first choice is a family that reveals the open mistake made most often.
+    /// Otherwise it's the exercise begun last, or else the family that's most overdue to come back, or the first
+    /// unsolved one in the order of `entries`, or the one tried least recently before `now`. A later time comes from a
+    /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are no
+    /// entries.
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
         let mut open: Vec<(Mistake, &Made)> =

@@ -302,7 +302,7 @@ fn operation(subject: &Arc<Subject>, setting: &Setting<'_>, operation: Operation
 fn turned(step: &mut Worked, setting: &Setting<'_>, operation: Operation, about: Axis, degrees: f64) {
     let alpha = angle("α", r"\alpha", degrees);
     let of = |function| Formula::Of(function, Box::new(alpha.into()));
-    // About u: v turns towards n, n away from v; and round in this order.
+    // About u, v turns towards n, and n away from v. The other axes work alike, in cyclic order.
     let (first, second) = match about {
         Axis::U => ((Axis::V, NEW_V), (Axis::N, NEW_N)),
         Axis::V => ((Axis::N, NEW_N), (Axis::U, NEW_U)),

@@ -124,7 +124,7 @@ impl Condition {
         }
     }
 
-    /// The name of the object that it is about.
+    /// The name of the object that it's about.
     pub fn object(&self) -> Option<&str> {
         match self {
             Self::Seen(name) | Self::Hidden(name) => Some(name),

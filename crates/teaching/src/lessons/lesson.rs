@@ -10,7 +10,7 @@ use crate::figure::{Bilingual, Figure};
 /// A lesson.
 #[derive(Clone, Debug, Default)]
 pub struct Lesson {
-    /// Its identifier: a name that is valid in a command line.
+    /// Its identifier: a name that's valid in a command line.
     pub id: String,
     /// One line in each language.
     pub title: Bilingual,
@@ -41,7 +41,7 @@ pub struct Question {
     pub seed: u64,
 }
 
-/// A lesson that is played from a step on.
+/// A lesson that's played from a step on.
 #[derive(Clone, Debug)]
 pub struct OpenLesson {
     /// Parsed and checked.

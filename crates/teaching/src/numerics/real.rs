@@ -15,7 +15,7 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The number of this kind that is nearest to `x`.
+    /// The number of this kind that's nearest to `x`.
     fn of(x: f64) -> Self;
 
     /// The `f64` nearest to it.

@@ -48,7 +48,7 @@ impl<'a> Section<'a> {
         Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
     }
 
-    /// The place of `key`; `None` if it is missing.
+    /// The place of `key`; `None` if it's missing.
     pub fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
@@ -99,7 +99,7 @@ impl<'a> Section<'a> {
         self.faults.push(Fault { at, key: self.name_of(key), problem });
     }
 
-    /// Reports that the value of `key` is not allowed.
+    /// Reports that the value of `key` isn't allowed.
     pub fn refuse(&mut self, key: &str, allowed: Allowed) {
         let found = self.item(key).and_then(Item::span).map_or_else(String::new, |span| snippet(self.text, span));
         self.fault(key, Problem::Value { found, allowed });
@@ -544,7 +544,7 @@ pub fn at_most<'a>(sections: Vec<Section<'a>>, limit: usize, label: &str, faults
 
 /// The reason why a value with numbers in it is refused.
 enum Refused {
-    /// The value is not allowed.
+    /// The value isn't allowed.
     Value,
     /// A text in it can't be read as a number.
     Expression { text: String, error: ExpressionError },

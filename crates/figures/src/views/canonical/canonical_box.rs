@@ -33,8 +33,7 @@ impl CanonicalBox {
             return Self { ndc, scale: 1.0, offset: 0.0 };
         }
         let [at_near, at_far] = ndc.depths();
-        // For a share that is 1 at F and 0 at B, and `rest` the share that is 0 at infinity: F/d = share (1 − F/B) +
-        // F/B.
+        // From a share that's 1 at F and 0 at B to one that's 0 at infinity: F/d = share (1 − F/B) + F/B.
         let rest = match camera.projection() {
             Projection::Perspective if ndc.infinite => camera.near() / camera.far(),
             Projection::Perspective | Projection::Parallel => 0.0,

@@ -135,7 +135,7 @@ impl Grip<'_> {
         hit(self.to) - hit(self.from)
     }
 
-    /// The displacement of a point with the pointer in the plane through it that is parallel to the picture.
+    /// The displacement of a point with the pointer in the plane through it that's parallel to the picture.
     fn in_picture(&self, p: DVec3) -> DVec3 {
         let [_, _, back] = self.observer.axes();
         let hit = |ray: Ray| {

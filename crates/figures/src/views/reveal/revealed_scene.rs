@@ -26,7 +26,7 @@ use crate::views::{Labels, Palette, Request};
 
 /// Range in which parts outside the canonical volume are shown, in its own half sides.
 pub(in crate::views) const REACH: f64 = 2.0;
-/// More new vertices than this are not marked one by one. The sides between them still are.
+/// More new vertices than this aren't marked one by one. The sides between them still are.
 const MOST_MARKS: usize = 500;
 /// Greatest number of dropped objects with their reason written on them.
 const MOST_NAMES: usize = 24;

@@ -63,7 +63,7 @@ pub(in crate::views) fn marked(drawing: &Drawing) -> Vec<Box2> {
     marks.chain(heads).map(|(center, radius)| Box2 { center, half: DVec2::splat(radius) }).collect()
 }
 
-/// Cost of covering a part of a line that is as long as a letter is high.
+/// Cost of covering a part of a line that's as long as a letter is high.
 const PLAIN: f64 = 1.2;
 /// The same for an arrow's shaft.
 const STRONG: f64 = 3.0;

@@ -69,7 +69,7 @@ pub struct Labels {
     pub wrong: &'static str,
     /// The result otherwise.
     pub no_difference: &'static str,
-    /// Depth that is 1 at F and 0 at B.
+    /// Depth that's 1 at F and 0 at B.
     pub reversed: &'static str,
     /// Axes that are right-handed.
     pub right_handed: &'static str,

@@ -8,7 +8,7 @@ use crate::exercises::{Ask, Exercise, Fact, Kind, Nature, Slip, Slips, Table};
 use crate::explain::{Formula, minus, over, plus, times};
 use crate::numbers::random::Random;
 
-/// Distances of a point inside each plane: left, right, bottom, top, near, far; negative outside.
+/// Distances of a point inside each plane (left, right, bottom, top, near, far). Negative outside.
 fn distances(p: DVec4, slips: Slips) -> [f64; 6] {
     let w = if slips.has(Slip::NoDivide) { 1.0 } else { p.w };
     let z = if slips.has(Slip::DepthRowSign) { -p.z } else { p.z };

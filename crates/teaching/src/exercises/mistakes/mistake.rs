@@ -14,7 +14,7 @@ crate::listed! {
         UReversed = "u-reversed",
         /// VUP in place of **v**.
         VupAsV = "vup-as-v",
-        /// A vector was not divided by its length.
+        /// A vector wasn't divided by its length.
         NotNormalised = "not-normalised",
         /// Rows and columns of a matrix are exchanged.
         Transposed = "transposed",
@@ -74,17 +74,17 @@ crate::listed! {
         WorldAxis = "world-axis",
         /// A rotation or a scale about the origin instead of PF or C.
         ThroughOrigin = "through-origin",
-        /// A step was not done.
+        /// A step wasn't done.
         NotDone = "not-done",
-        /// A number that is not whole where ⌊ ⌋ belongs.
+        /// A number that isn't whole where ⌊ ⌋ belongs.
         NotFloored = "not-floored",
         /// Rounded to the nearest instead of down.
         RoundedNotFloored = "rounded-not-floored",
         /// Pixels counted from 1.
         OneBased = "one-based",
-        /// The range of depth of the viewport is not used.
+        /// The range of depth of the viewport isn't used.
         DepthRangeIgnored = "depth-range-ignored",
-        /// The corner of the viewport is not added.
+        /// The corner of the viewport isn't added.
         OffsetIgnored = "offset-ignored",
         /// Divided by w before clipping.
         ClipAfterDivide = "clip-after-divide",
@@ -94,7 +94,7 @@ crate::listed! {
         EntryExitExchanged = "entry-exit-exchanged",
         /// PF in place of C.
         FocalPointForPosition = "focal-point-for-position",
-        /// The lit point was not subtracted.
+        /// The lit point wasn't subtracted.
         PositionForgotten = "position-forgotten",
         /// **V** in place of **L**.
         ViewForLight = "view-for-light",
@@ -108,7 +108,7 @@ crate::listed! {
         HalfwayForgotten = "halfway-forgotten",
         /// The exponent of the highlight is left out.
         ExponentForgotten = "exponent-forgotten",
-        /// A formula that is only approximately true.
+        /// A formula that's only approximately true.
         Approximation = "approximation",
         /// A rotation through C where PF belongs, or through PF where C does.
         WrongPoint = "wrong-point",

@@ -96,7 +96,7 @@ fn a_mistake_is_open_until_what_shows_it_is_solved_without_it() {
     assert_eq!(open(&progress), 1);
     solve(&mut progress, entry("basis").unwrap(), 0, 4);
     assert_eq!(open(&progress), 0);
-    // Made again, it is open again.
+    // Made again, it's open again.
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 5);
     assert_eq!((open(&progress), progress.mistakes().next().unwrap().1.times), (1, 2));
 }

@@ -57,7 +57,7 @@ const fn cause(error: &CameraError) -> Cause {
     }
 }
 
-/// A camera at C, if that is possible, that looks at the middle of the scene.
+/// A camera at C, if that's possible, that looks at the middle of the scene.
 fn fallback(parameters: &Parameters, scene: &Scene) -> Option<Camera> {
     let default = Parameters::default();
     let middle = scene.bounds().map_or(DVec3::ZERO, |bounds| bounds.center());

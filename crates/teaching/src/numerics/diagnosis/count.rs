@@ -24,7 +24,7 @@ pub(super) struct Drawn {
 }
 
 impl Counter {
-    /// Draws the image with one sample for each pixel. `None` if it is too large.
+    /// Draws the image with one sample for each pixel. `None` if it's too large.
     pub(super) fn draw(&mut self, scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Drawn> {
         let mut pixels = 0;
         // The order of faces doesn't change the set of covered pixels.

@@ -107,7 +107,7 @@ fn once_each(faults: &mut Vec<Fault>) {
     });
 }
 
-/// The finding that an image was not compared.
+/// The finding that an image wasn't compared.
 fn not_compared(objects: Vec<usize>) -> Fault {
     Fault { cause: Cause::NotCompared, pixels: WrongPixels { wrong: 0, of: 0 }, objects }
 }
