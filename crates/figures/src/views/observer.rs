@@ -72,7 +72,7 @@ fn eye(o: Observer) -> DVec3 {
 /// This direction, or the nearest one in which the eye keeps clear of lines. Along one of `lines` (unit vectors), all
 /// points on it would coincide.
 pub(super) fn clear_of(own: Observer, lines: &[DVec3]) -> Observer {
-    /// From this angle on a direction stays, and any new one is at least this far from all lines.
+    /// From this angle to all lines on, a direction stays. Any new one has an angle of at least `CLEAR`.
     const STAYS: f64 = 18.0;
     const CLEAR: f64 = 26.0;
     let clear = |d: Observer, least: f64| {
