@@ -1,4 +1,4 @@
-//! A chart as data: for SVG, PDF or pixels, and for the window.
+//! A chart as data, for SVG, PDF or pixels, and for the window.
 
 use crate::numbers::{DecimalMark, nice_above};
 
@@ -13,19 +13,19 @@ pub struct Chart {
     pub y_label: String,
     /// To the right and upwards.
     pub axes: [Axis; 2],
-    /// How the numbers at linear axes are written.
+    /// The notation of numbers at linear axes.
     pub mark: DecimalMark,
     /// In the order of the legend.
     pub series: Vec<Series>,
 }
 
-/// How numbers lie along an axis.
+/// The scale of an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axis {
-    /// By their logarithms. All are greater than 0.
+    /// Logarithmic. All numbers are greater than 0.
     #[default]
     Logarithmic,
-    /// As they are.
+    /// Linear.
     Linear,
 }
 
@@ -38,7 +38,7 @@ impl Axis {
         }
     }
 
-    /// The distance of the marks along it, of which at most `most` have room over `length`.
+    /// The distance between the marks along it, of which at most `most` fit into `length`.
     pub fn step(self, length: f64, most: f64) -> f64 {
         let step = match self {
             Self::Logarithmic => {
@@ -50,7 +50,7 @@ impl Axis {
         step.unwrap_or(length)
     }
 
-    /// A number at a place along it, as it is written beside it.
+    /// A number at a place along it, as the text beside it.
     pub fn written(self, place: f64, mark: DecimalMark) -> String {
         match self {
             Self::Logarithmic => power_of_ten(10f64.powf(place)),
@@ -90,8 +90,8 @@ pub enum Look {
 }
 
 impl Chart {
-    /// The numbers between which all points lie, `[[x₀, x₁], [y₀, y₁]]`: along a logarithmic axis whole powers of ten,
-    /// at least one decade; along a linear one the ends of nice steps.
+    /// The numbers between which all points lie, `[[x₀, x₁], [y₀, y₁]]`. Along a logarithmic axis they're whole powers
+    /// of ten, at least one decade apart. Along a linear one they're the ends of nice steps.
     pub fn range(&self) -> [[f64; 2]; 2] {
         let points = || self.series.iter().flat_map(|series| &series.points);
         std::array::from_fn(|axis| {
@@ -106,14 +106,14 @@ impl Chart {
             if low > high {
                 return [0.1, 10.0];
             }
-            // A point on the border is not cut in half.
+            // A point on the border isn't cut in half.
             let (low, high) = ((low - 0.1).floor(), (high + 0.1).ceil());
             [10f64.powf(low), 10f64.powf(high)]
         })
     }
 }
 
-/// A power of ten as it is written: 10⁻¹², but 1 and 10.
+/// A power of ten as text: 10⁻¹², but 1 and 10.
 pub fn power_of_ten(x: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let exponent = x.log10().round();

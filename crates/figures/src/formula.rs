@@ -1,7 +1,7 @@
-//! Mathematics between dollar signs in texts from outside: the allowed commands.
+//! Mathematics between dollar signs in texts from outside, with the allowed commands.
 //!
-//! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only the commands
-//! listed here are allowed: no others, and none that come later.
+//! LaTeX, which sets the texts on a sheet, is a language in which a text can read files and run programs. So only the
+//! commands listed here are allowed: no others, and none that LaTeX may add later.
 
 mod in_line;
 
@@ -11,13 +11,13 @@ use crate::limits::MAX_FORMULA;
 use crate::sanitize::escaped;
 pub use in_line::{bold, italic, set, symbols};
 
-/// A formula that is not only mathematics.
+/// A formula that isn't only mathematics.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the formula ${}$ has {problem}", escaped(formula))]
 pub struct FormulaError {
     /// The text between the dollar signs.
     pub formula: String,
-    /// The rule of LaTeX that the text breaks.
+    /// The violated rule.
     pub problem: FormulaProblem,
 }
 
@@ -30,22 +30,22 @@ pub enum FormulaProblem {
     /// No content.
     #[error("no content")]
     Empty,
-    /// A control word that is not one of mathematics.
+    /// A control word that isn't mathematical.
     #[error("{}, which is not a mathematical command", escaped(.0))]
     Word(String),
-    /// An environment that is not one of mathematics.
+    /// An environment that isn't mathematical.
     #[error("the environment {}", escaped(.0))]
     Environment(String),
-    /// A character that is not mathematical.
+    /// A character that isn't mathematical.
     #[error("{:?}, which is not a mathematical symbol", .0)]
     Character(char),
     /// A brace, a `\left` or a `\begin` without its other half.
     #[error("{} without a counterpart", escaped(.0))]
     Unbalanced(String),
-    /// Mathematics that does not fit on one line of a label.
+    /// Mathematics that doesn't fit on one line of a label.
     #[error("{}, which a label on one line cannot show", escaped(.0))]
     NotOnALine(String),
-    /// More, or deeper in each other, than anybody writes.
+    /// Too long, or nested too deeply, for any sensible formula.
     #[error("more than {} characters, or more than {} nested pairs", MAX_FORMULA.0, MAX_FORMULA.1)]
     TooLong,
 }
@@ -82,14 +82,14 @@ const WORDS: &[&str] = &[
     // Brackets.
     "left", "right", "middle", "big", "Big", "bigg", "Bigg", "bigl", "bigr", "Bigl", "Bigr", "biggl", "biggr", "Biggl", "Biggr", "lfloor",
     "rfloor", "lceil", "rceil", "langle", "rangle", "lvert", "rvert", "lVert", "rVert", "vert", "Vert", "lbrace", "rbrace", "lbrack", "rbrack",
-    // Room, and lines of tables.
+    // Spaces, and lines of tables.
     "quad", "qquad", "enspace", "thinspace", "phantom", "hline",
 ];
 
-/// Control signs: room, brackets, a new row, and signs that mean something else without the backslash.
+/// Control signs: spaces, brackets, a new row, and signs that mean something else without the backslash.
 const SIGNS: &[char] = &[',', ';', ':', '!', '>', ' ', '{', '}', '|', '\\', '%', '#', '_', '&'];
 
-/// Words whose braces hold text.
+/// Words whose braces contain text.
 const TEXTS: &[&str] = &["text", "textbf", "textit", "textrm"];
 
 /// The environments that a formula may have.
@@ -107,7 +107,7 @@ const ENVIRONMENTS: &[&str] = &[
     "array",
 ];
 
-/// LaTeX for a sign that people type as it is, in a formula.
+/// LaTeX for a sign that people type directly in a formula.
 pub fn sign(c: char) -> Option<String> {
     let own = match c {
         '−' => "-",
@@ -124,7 +124,7 @@ pub fn sign(c: char) -> Option<String> {
     Some(own.to_owned())
 }
 
-/// Words in LaTeX, outside of mathematics. A sign that it does not have is named by its number.
+/// Words in LaTeX, outside mathematics. A sign that LaTeX doesn't have becomes its number.
 pub fn words(text: &str) -> String {
     let mut latex = String::new();
     for c in text.chars() {
@@ -151,12 +151,12 @@ pub fn words(text: &str) -> String {
             '’' => latex.push('\''),
             '–' => latex.push_str("--"),
             '—' => latex.push_str("---"),
-            // A blank line would end a paragraph where there is none.
+            // A blank line would end a paragraph inside an argument.
             c if c.is_whitespace() || c.is_control() => latex.push(' '),
             c => match sign(c) {
                 Some(symbol) => latex.push_str(&format!("${symbol}$")),
                 None if c.is_ascii_graphic() || is_latin(c) => latex.push(c),
-                // LaTeX would stop here.
+                // LaTeX would stop at the character itself.
                 None => latex.push_str(&format!("{{[}}U+{:04X}{{]}}", u32::from(c))),
             },
         }
@@ -164,16 +164,16 @@ pub fn words(text: &str) -> String {
     latex
 }
 
-/// Checks that the text between the dollar signs of a text is mathematics.
+/// Checks that the formulas of a text, between dollar signs, are mathematics.
 ///
 /// # Errors
-/// [`FormulaError`] for the first formula that is not.
+/// [`FormulaError`] for the first formula that isn't.
 pub fn check(text: &str) -> Result<(), FormulaError> {
     let mut parts = text.split('$');
     // The text before the first dollar sign.
     parts.next();
     while let Some(mut formula) = parts.next() {
-        // Between two dollar signs on each side it is on a line of its own.
+        // Between two dollar signs on each side, it's on a line of its own.
         let is_display = formula.is_empty() && parts.clone().next().is_some_and(|inner| !inner.trim().is_empty());
         let mut is_closed = true;
         if is_display {
@@ -187,10 +187,10 @@ pub fn check(text: &str) -> Result<(), FormulaError> {
     Ok(())
 }
 
-/// Checks that a formula is mathematics; `latex` is the text between the dollar signs.
+/// Checks that a formula is mathematics. `latex` is the text between the dollar signs.
 ///
 /// *Guarantees*: LaTeX that sets it between dollar signs with amsmath and amssymb reads no file, runs no program,
-/// defines nothing, and is in words again at its end.
+/// defines nothing, and is back in text mode at its end.
 ///
 /// # Errors
 /// The problem.
@@ -210,12 +210,12 @@ pub fn check_one(latex: &str) -> Result<(), FormulaProblem> {
     reader.open.pop().map_or(Ok(()), |open| Err(FormulaProblem::Unbalanced(open.written())))
 }
 
-/// The formula for LaTeX: signs that people type as they are become its words.
+/// The formula for LaTeX, in which signs that people type directly become LaTeX words.
 pub fn latex(formula: &str) -> String {
     let mut latex = String::with_capacity(formula.len());
     for c in formula.chars() {
         match sign(c).filter(|_| !c.is_ascii()) {
-            // Writing to a String cannot fail.
+            // Writing to a String can't fail.
             Some(sign) => write!(latex, "{{{sign}}}").unwrap_or(()),
             None => latex.push(c),
         }
@@ -261,7 +261,7 @@ impl<'a> Reader<'a> {
             '\\' => self.control()?,
             '{' => self.open.push(Open::Brace { is_text: self.is_text() }),
             '}' => self.close("}", |open| matches!(open, Open::Brace { .. }))?,
-            // So TeX takes characters by their numbers.
+            // TeX reads characters by their numbers in this form.
             '^' if self.rest.starts_with('^') => return Err(FormulaProblem::Word("^^".to_owned())),
             '&' if !self.open.iter().any(|open| matches!(open, Open::Environment(_))) => {
                 return Err(FormulaProblem::Character(c));
@@ -345,7 +345,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Letters with accents that LaTeX has in words by its encoding T1.
+/// Accented letters that LaTeX has in text with its encoding T1.
 pub fn is_latin(c: char) -> bool {
     ('\u{a1}'..='\u{17e}').contains(&c) && !"\u{ad}ĦħĸĿŀŉŦŧ".contains(c)
 }
@@ -436,7 +436,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever is let through has only control words that are listed, and is balanced.
+        /// Every accepted formula has only listed control words, and is balanced.
         #[test]
         fn what_is_let_through_is_made_of_what_is_listed(
             parts in prop::collection::vec(prop_oneof![

@@ -48,14 +48,14 @@ pub struct Report {
     pub volume_corners: [[f64; 3]; 8],
     /// The planes of the view volume.
     pub planes: PlanesReport,
-    /// `[[cameras]]`. The key is left out where the figure has none.
+    /// `[[cameras]]`. The key is left out if the figure has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub cameras: Vec<NamedCameraReport>,
     /// The requested points.
     pub points: Vec<PointReport>,
     /// The rays through the requested pixels.
     pub rays: Vec<RayReport>,
-    /// Warnings about a camera that is possible, but probably not meant.
+    /// Warnings about a camera that's possible, but probably unintended.
     pub warnings: Vec<WarningReport>,
 }
 
@@ -80,7 +80,7 @@ pub struct CameraReport {
     pub near: f64,
     /// B.
     pub far: f64,
-    /// l, r, b, t, when they are given instead of angle, height and aspect.
+    /// l, r, b, t, if they're given instead of angle, height and aspect.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub window: Option<SidesReport>,
 }
@@ -90,7 +90,7 @@ pub struct CameraReport {
 pub struct NamedCameraReport {
     /// As the author named the point.
     pub name: String,
-    /// `#rrggbb`, where the figure gives one.
+    /// `#rrggbb`, if the figure gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub color: Option<String>,
     /// The keys of `camera`.
@@ -107,7 +107,7 @@ pub struct NamedCameraReport {
 }
 
 impl NamedCameraReport {
-    /// The numbers of a camera; `None` if it is impossible, which no camera of a file is.
+    /// The numbers of a camera; `None` if it's impossible, which can't happen for a camera from a file.
     fn new(named: &NamedCamera) -> Option<Self> {
         let camera = Camera::new(&named.parameters).ok()?;
         Some(Self {
@@ -215,14 +215,14 @@ pub struct PlanesReport {
 
 impl PlanesReport {
     fn new(camera: &Camera) -> Self {
-        // As the report promises: zero has no sign.
+        // As the report guarantees, zero has no sign.
         let four = |plane: Plane| plane.normal.extend(plane.offset).to_array().map(|x| x + 0.0);
         let [left, right, bottom, top, near, far] = camera.volume_planes().map(four);
         Self { left, right, bottom, top, near, far }
     }
 }
 
-/// One point in every space. The values after the division are `null` where W = 0.
+/// One point in every space. The values after the division are `null` if W = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PointReport {
     /// World.
@@ -264,8 +264,7 @@ pub struct WarningReport {
     pub message: String,
 }
 
-/// A whole number that may be too great for an integer type. Written without a fraction where JSON readers keep it
-/// whole.
+/// A whole number that may be too great for an integer type. Written without a fraction if JSON readers keep it whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whole(pub f64);
 
@@ -282,7 +281,7 @@ impl Serialize for Whole {
     }
 }
 
-/// Why there is no report.
+/// The reason why there's no report.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InspectError {
     /// The figure's camera is impossible.
@@ -293,29 +292,29 @@ pub enum InspectError {
     Operation {
         /// The operation.
         operation: Operation,
-        /// Why.
+        /// The reason.
         error: CameraError,
     },
     /// The camera has no matrices in the convention of NDC.
     #[error(transparent)]
     InfiniteParallel(#[from] InfiniteParallel),
-    /// A point has coordinates that `f64` cannot hold.
+    /// A point has coordinates that `f64` can't hold.
     #[error("point {},{},{}: its coordinates in {space} would exceed the range of numbers (about 1e-308 to 1e308)", point.x, point.y, point.z)]
     Point {
         /// The point, world.
         point: DVec3,
-        /// The first space that cannot hold it.
+        /// The first space that can't hold it.
         space: &'static str,
     },
-    /// A pixel with a depth that no point has.
+    /// A pixel with a depth that belongs to no point.
     #[error("depth pixel {},{}: {error}", pixel[0], pixel[1])]
     DepthPixel {
         /// (i, j).
         pixel: [i64; 2],
-        /// Why.
+        /// The reason.
         error: NotProjectable,
     },
-    /// A pixel has a ray that `f64` cannot hold, or the image has no pixels.
+    /// A pixel has a ray that `f64` can't hold, or the image has no pixels.
     #[error("pixel {},{}: its ray would exceed the range of numbers (about 1e-308 to 1e308)", pixel[0], pixel[1])]
     Pixel {
         /// (i, j).
@@ -326,7 +325,7 @@ pub enum InspectError {
 /// Applies `operations` in the order given.
 ///
 /// # Errors
-/// [`InspectError`] names the camera's fault, or the operation's.
+/// [`InspectError`] for a fault of the camera or of an operation.
 pub fn camera_after(
     parameters: &Parameters,
     operations: &[Operation],
@@ -341,7 +340,7 @@ impl Report {
     /// The numbers of `figure` after `operations`, with `points` (world) and rays through `pixels`.
     ///
     /// # Errors
-    /// [`InspectError`] names the value that is impossible.
+    /// [`InspectError`] names the impossible value.
     pub fn new(
         figure: &Figure,
         operations: &[Operation],
@@ -354,15 +353,15 @@ impl Report {
         Ok(report.with_cameras(figure))
     }
 
-    /// The report with the other cameras of the figure.
+    /// Adds the other cameras of the figure.
     pub fn with_cameras(self, figure: &Figure) -> Self {
         Self { cameras: figure.cameras.iter().filter_map(NamedCameraReport::new).collect(), ..self }
     }
 
-    /// The numbers of a camera in a convention of NDC. Without a viewport it is the whole image, depth 0 … 1.
+    /// The numbers of a camera in a convention of NDC. Without a viewport it's the whole image, depth 0 … 1.
     ///
     /// # Errors
-    /// [`InspectError`] names the point or the pixel whose numbers `f64` cannot hold.
+    /// [`InspectError`] names the point or the pixel whose numbers `f64` can't hold.
     pub fn of(
         clip_space: &ClipSpace<'_>,
         image: ImageSize,
@@ -413,12 +412,12 @@ impl Report {
 
     /// One JSON object, indented, vectors and rows on one line, with a line break at its end.
     pub fn to_json(&self) -> String {
-        // A report has nothing that could fail to become a JSON value.
+        // Everything in a report can become a JSON value.
         json_text(&serde_json::to_value(self).unwrap_or_default())
     }
 }
 
-/// A JSON value as reports are written: indented, vectors and rows on one line, with a line break at its end.
+/// A JSON value in the form of reports: indented, vectors and rows on one line, with a line break at its end.
 pub fn json_text(value: &Value) -> String {
     let mut text = String::new();
     write_json(&mut text, value, "");

@@ -1,9 +1,9 @@
 //! Figures of virtual cameras: their files, all their numbers, the three views, and pictures as pixels and vectors.
 //!
-//! A [`figure::Figure`] is read from TOML. [`inspect`] and [`explain`] give its numbers, each with the equation of the
-//! notes that it comes from. [`views`] turns it into requests for the world, the canonical volume and the image, which
-//! [`picture`] renders and [`export`] writes as PNG, SVG, PDF or TeX. Nothing here opens a file: callers hand in texts
-//! and bytes, and write what they get.
+//! A [`figure::Figure`] is read from TOML. [`inspect`] and [`explain`] give its numbers, each with its equation in the
+//! notes. [`views`] turns it into requests for the world, the canonical volume and the image, which [`picture`] renders
+//! and [`export`] writes as PNG, SVG, PDF or TeX. Nothing here opens a file, because callers pass in texts and bytes,
+//! and write the results.
 
 use camera_lab_engine::{
     appearance, camera, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster, sanitize,

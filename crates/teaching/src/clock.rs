@@ -1,11 +1,11 @@
-//! The clock of the two shells. The library is handed a clock, and takes no time of its own.
+//! The clock of the two shells. The library takes a clock as an argument and reads no time of its own.
 
 use std::sync::OnceLock;
 use std::time::Duration;
 
 use web_time::{Instant, SystemTime, UNIX_EPOCH};
 
-/// The seconds since the beginning of 1970 (UTC); 0 where the clock of the machine is before that.
+/// The seconds since the beginning of 1970 (UTC); 0 if the clock of the machine is before that.
 pub fn seconds_since_1970() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
 }
@@ -16,10 +16,10 @@ pub fn now() -> Duration {
     START.get_or_init(Instant::now).elapsed()
 }
 
-/// The shortest time that the clock tells apart: some nanoseconds on a system; in a browser, which keeps its clock
-/// coarse, up to a millisecond (W3C, *High Resolution Time*, "Clock resolution").
+/// The shortest time that the clock distinguishes. It's some nanoseconds on a system, but up to a millisecond in a
+/// browser, which keeps its clock coarse (W3C, *High Resolution Time*, "Clock resolution").
 pub fn resolution() -> Duration {
-    /// Looks after which a clock that has not moved has no better resolution.
+    /// Number of readings after which a clock that hasn't moved has no better resolution.
     const LOOKS: u32 = 10_000_000;
     const COARSEST: Duration = Duration::from_millis(1);
     static RESOLUTION: OnceLock<Duration> = OnceLock::new();

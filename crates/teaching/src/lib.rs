@@ -1,7 +1,7 @@
 //! Studies of rounding and cost, the diagnosis of cameras and answers, exercises and lessons.
 //!
-//! [`numerics`] measures what being right costs and diagnoses cameras. [`exercises`] states the exercises of the notes,
-//! judges answers and finds the step that went wrong. [`lessons`] reads lessons and checks what their steps ask for.
+//! [`numerics`] measures the cost of accuracy and diagnoses cameras. [`exercises`] states the exercises of the notes,
+//! judges answers and finds the step that went wrong. [`lessons`] reads lessons and checks their tasks.
 
 use camera_lab_engine::{
     appearance, camera, expression, geometry, limits, listed, numbers, pipeline, progress, raster, scene, worded,

@@ -13,8 +13,8 @@ pub struct Definition {
     pub equation: &'static str,
 }
 
-/// The definition of a symbol of the camera; `None` for a parameter, which is chosen, and for the coordinates of a
-/// point.
+/// The definition of a symbol of the camera; `None` for a parameter, which the user chooses, and for the coordinates of
+/// a point.
 pub fn definition(symbol: Symbol, setting: &Setting<'_>) -> Option<Definition> {
     let camera = setting.space().camera();
     let given = camera.parameters();

@@ -1,4 +1,4 @@
-//! Formulas as trees: one tree is evaluated, written with symbols, and written with numbers.
+//! Formulas as trees. The same tree is evaluated, written with symbols, and written with numbers.
 
 use super::{Axis, Component, Setting, Symbol, Vector};
 use crate::geometry::Angle;
@@ -16,11 +16,11 @@ pub enum Function {
     Floor,
     /// √x
     Root,
-    /// The angle in degrees whose tangent it is.
+    /// The angle in degrees with this tangent.
     ArcTangent,
 }
 
-/// A number that the notes have no symbol for, with the name that it has where it is used.
+/// A number without a symbol in the notes, with a name for its use here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Named {
     /// As text: `t_0`.
@@ -29,7 +29,7 @@ pub struct Named {
     pub latex: &'static str,
     /// The value of the symbol in the figure.
     pub value: f64,
-    /// An angle in degrees, written with their sign.
+    /// An angle in degrees, written with the degree sign.
     pub is_angle: bool,
 }
 
@@ -40,7 +40,7 @@ pub enum Formula {
     Number(f64),
     /// A letter of the notes.
     Symbol(Symbol),
-    /// A number with a name of its own.
+    /// A number with its own name.
     Named(Named),
     /// −a
     Negative(Box<Self>),
@@ -91,7 +91,7 @@ pub fn plus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Sum(vec![a.into(), b.into()])
 }
 
-/// A product. It is 0 where a factor is, and factors that are 1 are left out.
+/// A product. It's 0 if a factor is 0. Factors that are 1 are left out.
 pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
     let mut negative = false;
     let mut kept = Vec::new();
@@ -175,7 +175,7 @@ impl std::ops::Neg for Formula {
 }
 
 impl Formula {
-    /// Its number in a setting, in plain `f64`; NaN where the setting lacks a symbol (a point that was not given).
+    /// Its number in a setting, in plain `f64`; NaN if the setting lacks a symbol (a point that wasn't given).
     pub fn value(&self, setting: &Setting<'_>) -> f64 {
         match self {
             Self::Number(number) => *number,
@@ -190,7 +190,7 @@ impl Formula {
                 products.map(|(a, b)| a.value(setting) * b.value(setting)).sum::<f64>() + 0.0
             }
             Self::Norm(vector) => {
-                // The greatest component is taken out: squares of 1e-200 would be 0.
+                // The greatest component is factored out, because squares of 1e-200 would be 0.
                 let components = components(*vector).map(|c| c.value(setting).abs());
                 let greatest = components.iter().fold(0.0_f64, |greatest, c| greatest.max(*c));
                 if greatest == 0.0 {
@@ -213,8 +213,7 @@ impl Formula {
         }
     }
 
-    /// The greatest number that is added or subtracted in computing its value: the scale for rounding errors of the
-    /// value.
+    /// The greatest number added or subtracted in computing its value. It's the scale for rounding errors of the value.
     pub fn magnitude(&self, setting: &Setting<'_>) -> f64 {
         match self {
             Self::Number(_) | Self::Symbol(_) | Self::Named(_) | Self::Norm(_) => self.value(setting).abs(),
@@ -247,7 +246,7 @@ impl Formula {
         }
     }
 
-    /// Its symbols, each once, in reading order. Those of vectors as their components.
+    /// Its symbols, each once, in reading order. Vectors are given as their components.
     pub fn symbols(&self) -> Vec<Symbol> {
         let mut found = Vec::new();
         self.collect(&mut found);

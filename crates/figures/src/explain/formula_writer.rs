@@ -1,4 +1,4 @@
-//! Formulas as text and as LaTeX: with the notes' symbols, or with the numbers put in.
+//! Formulas as text and as LaTeX, with the notes' symbols or with numbers in their place.
 
 use super::formula::components;
 use super::{Formula, Function, Named, Setting, Symbol};
@@ -13,14 +13,14 @@ pub enum Notation {
     Latex,
 }
 
-/// The numbers that take the place of symbols, and how they are written.
+/// The numbers that replace symbols, and their notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers<'a> {
     /// The numbers of the symbols.
     pub setting: &'a Setting<'a>,
     /// Significant digits.
     pub digits: usize,
-    /// 1/√3 for 0.57735 where a number is a fraction or a root.
+    /// Writes 1/√3 for 0.57735 if a number is a fraction or a root.
     pub exact: bool,
 }
 
@@ -29,13 +29,13 @@ pub struct Numbers<'a> {
 pub struct Writer<'a> {
     /// As text or LaTeX.
     pub notation: Notation,
-    /// The decimal mark, also of numbers among symbols: the 0.5 of i + 0.5.
+    /// The decimal mark, also for numbers among symbols, such as the 0.5 of i + 0.5.
     pub mark: DecimalMark,
     /// Numbers instead of symbols.
     pub numbers: Option<Numbers<'a>>,
 }
 
-/// Binding strength of a formula. One that binds less tightly than its place requires gets parentheses.
+/// Binding strength of a formula. If it binds less tightly than its place requires, it gets parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strength {
     Sum,
@@ -45,12 +45,12 @@ enum Strength {
 }
 
 impl Writer<'_> {
-    /// The formula, as it is written.
+    /// The formula as text.
     pub fn write(&self, formula: &Formula) -> String {
         self.at(formula, Strength::Sum)
     }
 
-    /// A number, as this writer writes them. The minus is a true one in text.
+    /// A number in this writer's notation. The minus in text is a true minus sign.
     pub fn number(&self, value: f64) -> String {
         let mark = self.mark;
         let (digits, exact) = self.numbers.map_or((6, false), |numbers| (numbers.digits, numbers.exact));
@@ -119,7 +119,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Those that are negative need parentheses as a minus does.
+    /// Negative numbers need parentheses, as a minus does.
     fn valued(&self, value: f64) -> (String, Strength) {
         let text = self.number(value);
         let negative = text.starts_with(['−', '-']);
@@ -147,7 +147,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A number, with the sign of degrees where it is an angle.
+    /// A number, with the degree sign if it's an angle.
     fn measured(&self, numbers: Numbers<'_>, value: f64, is_angle: bool) -> (String, Strength) {
         let (text, strength) = self.valued(value);
         if !is_angle {

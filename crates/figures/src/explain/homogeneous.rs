@@ -1,5 +1,5 @@
 //! The effects of w: points side by side in (x_r, w_r), the image of the middle of a segment, and a chequered floor
-//! that is interpolated with and without it.
+//! interpolated with and without it.
 //!
 //! `[2]` and `[4]`; J. F. Blinn, *Hyperbolic interpolation*, IEEE CG&A 12(4), 1992.
 
@@ -23,7 +23,7 @@ pub fn projected_share(share: f64, w_a: f64, w_b: f64) -> f64 {
 /// Squares along a side of the floor.
 pub const SQUARES: f64 = 8.0;
 
-/// A square around PF, at right angles to VUP as far as that goes, all of which lies in front of the eye.
+/// A square around PF, at right angles to VUP if possible, that lies entirely in front of the eye.
 #[derive(Clone, Debug)]
 pub struct Floor {
     /// Corners in the world, around it.
@@ -53,8 +53,8 @@ impl Floor {
         Self { corners, window, w: clip.map(|c| c.w) }
     }
 
-    /// The floor at a window point: the colour of a square, or `None` beside the floor. `with_w`: interpolated as
-    /// rasterizers do, u/w, v/w and 1/w; else u and v alone, which is wrong where w differs.
+    /// The floor at a window point: the colour of a square, or `None` beside the floor. `with_w` interpolates as
+    /// rasterizers do, u/w, v/w and 1/w. Without it, only u and v are interpolated, which is wrong if w differs.
     pub fn is_dark(&self, point: DVec2, with_w: bool) -> Option<bool> {
         const UV: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         let inside = |[a, b, c]: [usize; 3]| {
@@ -80,7 +80,7 @@ mod tests {
     use super::*;
     use crate::camera::{Parameters, Projection};
 
-    /// The floor by casting a ray onto its plane: no interpolation at all.
+    /// The floor by casting a ray onto its plane, without any interpolation.
     fn cast(camera: &Camera, floor: &Floor, point: DVec2) -> Option<bool> {
         let [a, b, _, d] = floor.corners;
         let (across, along) = (b - a, d - a);

@@ -1,4 +1,4 @@
-//! Each entry of each matrix as a formula: `[0]` §5.3 and §5.5, and the derived ones for inverses, products and other
+//! Each entry of each matrix as a formula, from `[0]` §5.3 and §5.5, and derived ones for inverses, products and other
 //! conventions.
 
 use super::formula::{minus, over, plus, sum, times};
@@ -8,12 +8,12 @@ use crate::camera::{Camera, Ndc, Projection};
 /// The sixteen formulas of a matrix, by rows.
 pub type EntryFormula = [[Formula; 4]; 4];
 
-/// A matrix with its formulas, and where the notes have it.
+/// A matrix with its formulas, and its place in the notes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatrixFormula {
-    /// The matrix that these formulas make up.
+    /// The matrix with these formulas.
     pub matrix: Matrix,
-    /// The equation in force. Empty if the notes have none for it.
+    /// The equation that applies. Empty if the notes have none for it.
     pub equation: &'static str,
     /// The section of `[0]`.
     pub section: &'static str,
@@ -22,7 +22,7 @@ pub struct MatrixFormula {
 }
 
 impl MatrixFormula {
-    /// The formulas that are in force in a setting: (5.13) to (5.16) by projection and symmetry, the third row by the
+    /// The formulas that apply in a setting: (5.13) to (5.16) by projection and symmetry, the third row by the
     /// convention of NDC.
     ///
     /// *Guarantees*: each entry's [`Formula::value`] is the program's number ([`Setting::matrix`]) up to the rounding
@@ -51,7 +51,7 @@ impl MatrixFormula {
     }
 }
 
-/// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
+/// The equation that applies to M_p, `[0]` (5.13) to (5.16).
 pub fn projection_equation(camera: &Camera) -> &'static str {
     match (camera.projection() == Projection::Perspective, camera.has_symmetric_window()) {
         (true, false) => "(5.13)",
@@ -91,7 +91,7 @@ pub(super) fn last_row() -> [Formula; 4] {
     [zero(), zero(), zero(), one()]
 }
 
-/// a b, each entry a sum of products without those that are 0.
+/// a b, with each entry a sum of products without those that are 0.
 pub fn entry_product(a: &EntryFormula, b: &EntryFormula) -> EntryFormula {
     std::array::from_fn(|i| std::array::from_fn(|j| sum((0..4).map(|k| times([a[i][k].clone(), b[k][j].clone()])))))
 }
@@ -116,7 +116,7 @@ fn inverse_view() -> EntryFormula {
     [x, y, z, last_row()]
 }
 
-/// The parts of M_p that come from the window: 2/W or 2/(r − l) times a factor, and (r + l)/(r − l), for x and for y.
+/// The parts of M_p that depend on the window: 2/W or 2/(r − l) times a factor, and (r + l)/(r − l), for x and for y.
 struct WindowParts {
     size: [Formula; 2],
     sum: [Formula; 2],
@@ -132,12 +132,12 @@ fn window_parts(setting: &Setting<'_>) -> WindowParts {
     WindowParts { size, sum, difference }
 }
 
-/// y_n as the convention counts it.
+/// y_n in the direction of the convention.
 fn up(setting: &Setting<'_>, formula: Formula) -> Formula {
     if setting.space().ndc().y_points_down() { -formula } else { formula }
 }
 
-/// (5.13) to (5.16), and the substitutes of their third row in other conventions.
+/// (5.13) to (5.16), and the substitutes for their third row in other conventions.
 pub(super) fn projection(setting: &Setting<'_>) -> EntryFormula {
     let WindowParts { size: [width, height], sum: [sum_x, sum_y], difference: [across, upwards] } =
         window_parts(setting);
@@ -231,7 +231,8 @@ fn inverse_projection(setting: &Setting<'_>) -> EntryFormula {
     }
 }
 
-/// The two entries that lead back to depth: in the fourth row in perspective, in the third in parallel projection.
+/// The two entries that lead back to depth. They're in the fourth row in perspective, in the third in parallel
+/// projection.
 fn inverse_depth_row(setting: &Setting<'_>) -> [Formula; 2] {
     let ndc = setting.space().ndc();
     let (near, far) = (|| symbol(Symbol::Near), || symbol(Symbol::Far));
@@ -251,7 +252,7 @@ fn inverse_depth_row(setting: &Setting<'_>) -> [Formula; 2] {
     }
 }
 
-/// (5.24) before the floor, and (5.25): Z goes from n at z₀ to f at z₁.
+/// (5.24) before the floor, and (5.25), where Z goes from n at z₀ to f at z₁.
 fn viewport(setting: &Setting<'_>) -> EntryFormula {
     let half = |s: Symbol| over(s, 2.0);
     let (x, y) = (half(Symbol::ViewportWidth), half(Symbol::ViewportHeight));

@@ -3,7 +3,7 @@
 //!
 //! A [`Formula`] is written in the notes' [`Symbol`]s. A [`Setting`] (a camera in a convention of NDC, with image,
 //! viewport and followed point) gives each of them its number. A formula with its symbols and one with its numbers come
-//! from the same tree that is evaluated, so that they cannot disagree.
+//! from the same tree that's evaluated, so they can't disagree.
 
 pub mod code;
 mod definitions;

@@ -1,8 +1,8 @@
-//! Lists of transforms, as a program passes them to a stack of matrices `[4]`: each call multiplies the current matrix
-//! from the right, push saves it, pop restores the one saved last.
+//! Lists of transforms, as a program passes them to a stack of matrices `[4]`. Each call multiplies the current matrix
+//! from the right, push saves it, and pop restores the one saved last.
 //!
-//! A list has two readings with one result: from left to right each call moves the *frame*, along and about its current
-//! axes; from right to left each moves the *object*, along and about fixed axes `[3]`.
+//! A list has two readings with one result. From left to right, each call moves the *frame*, along and about its
+//! current axes. From right to left, each moves the *object*, along and about fixed axes `[3]`.
 
 use glam::{DMat4, DVec3};
 
@@ -40,10 +40,10 @@ pub struct Unbalanced {
 /// A reading of a list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reading {
-    /// From left to right: each call moves the frame, about its own axes.
+    /// From left to right, where each call moves the frame about its own axes.
     #[default]
     Frame,
-    /// From right to left: each call moves the object, about fixed axes.
+    /// From right to left, where each call moves the object about fixed axes.
     Object,
 }
 
@@ -52,14 +52,14 @@ pub enum Reading {
 pub struct Stage {
     /// The last call of the part; `None` before the first one.
     pub call: Option<usize>,
-    /// Parent ← object, by the calls of the part alone.
+    /// Parent ← object, by the calls of this part only.
     pub matrix: DMat4,
     /// The axis of the last call (in the parent's space).
     pub axis: Option<Ray>,
 }
 
 impl Call {
-    /// The matrix that the call multiplies with; `None` means it acts on the stack.
+    /// The matrix that the call multiplies by; `None` means that it acts on the stack.
     pub fn matrix(self) -> Option<DMat4> {
         let turned = |axis: usize, degrees: f64| {
             let (sin, cos) = Angle::from_degrees(degrees).sin_cos();
@@ -78,7 +78,7 @@ impl Call {
         }
     }
 
-    /// The formulas of its matrix, by rows; `None` means it acts on the stack.
+    /// The formulas of its matrix, by rows; `None` means that it acts on the stack.
     ///
     /// *Guarantees*: each gives the entry of [`matrix`](Self::matrix).
     pub fn entries(self) -> Option<EntryFormula> {
@@ -107,7 +107,7 @@ impl Call {
         Some(rows)
     }
 
-    /// The axis of a rotation, in the space that it acts in.
+    /// The axis of a rotation, in the space in which it acts.
     pub fn axis(self) -> Option<DVec3> {
         match self {
             Self::RotateX(_) => Some(DVec3::X),
@@ -150,7 +150,7 @@ pub fn calls_of(trs: &Trs) -> Vec<Call> {
     vec![Call::Translate(translate), Call::RotateZ(z), Call::RotateY(y), Call::RotateX(x), Call::Scale(scale)]
 }
 
-/// The calls that make the current matrix after the whole list: without those that a pop has taken back.
+/// The calls that make the current matrix after the whole list, without those that a pop has undone.
 ///
 /// # Errors
 /// [`Unbalanced`]
@@ -166,9 +166,9 @@ pub fn in_force(calls: &[Call]) -> Result<Vec<usize>, Unbalanced> {
     Ok(current)
 }
 
-/// The states after each part of a list. From left to right a part is its first calls, with the stack at that point;
-/// from right to left it is the last ones of those that are in force. Both begin with no call and end with the same
-/// matrix.
+/// The states after each part of a list. From left to right, a part consists of its first calls, with the stack at that
+/// point. From right to left, it consists of the last of the calls in force. Both begin with no call and end with the
+/// same matrix.
 ///
 /// # Errors
 /// [`Unbalanced`]
@@ -184,7 +184,7 @@ const START: Stage = Stage { call: None, matrix: DMat4::IDENTITY, axis: None };
 fn frame_moves(calls: &[Call]) -> Result<Vec<Stage>, Unbalanced> {
     let (mut stages, mut current, mut kept) = (vec![START], DMat4::IDENTITY, Vec::new());
     for (i, call) in calls.iter().enumerate() {
-        // About an axis of the frame as it is before the call.
+        // About an axis of the frame before the call.
         let axis = call.axis().and_then(|axis| {
             let direction = try_unit(current.transform_vector3(axis))?;
             Some(Ray { origin: current.w_axis.truncate(), direction })
@@ -217,7 +217,7 @@ pub fn product(calls: &[Call]) -> Result<DMat4, Unbalanced> {
     Ok(frame_moves(calls)?.last().map_or(DMat4::IDENTITY, |stage| stage.matrix))
 }
 
-/// The list with two of its calls exchanged; as it is where there are no such calls.
+/// The list with two of its calls exchanged, or unchanged if there are no such calls.
 pub fn exchanged(calls: &[Call], [a, b]: [usize; 2]) -> Vec<Call> {
     let mut calls = calls.to_vec();
     if a < calls.len() && b < calls.len() {
@@ -226,7 +226,7 @@ pub fn exchanged(calls: &[Call], [a, b]: [usize; 2]) -> Vec<Call> {
     calls
 }
 
-/// True if two matrices are the same but for rounding.
+/// True if two matrices are the same except for rounding.
 pub fn same(a: &DMat4, b: &DMat4) -> bool {
     let (a, b) = (a.to_cols_array(), b.to_cols_array());
     let greatest = |values: &[f64]| values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -237,14 +237,14 @@ pub fn same(a: &DMat4, b: &DMat4) -> bool {
 /// A part of a list that one T R S holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link {
-    /// Its first call; `None` means it has none.
+    /// Its first call; `None` if it has none.
     pub first: Option<usize>,
     /// Its translation, rotation and scale.
     pub trs: Trs,
 }
 
-/// A list as a chain of T R S, the first of them nearest to the parent. One alone where the list is of the form T Rz Ry
-/// Rx S, in which calls may be missing. The product of the chain is exactly that of the list.
+/// A list as a chain of T R S, the first of them nearest to the parent. The chain has one link if the list has the form
+/// T Rz Ry Rx S, in which calls may be missing. The product of the chain is exactly that of the list.
 ///
 /// # Errors
 /// [`Unbalanced`]
@@ -310,7 +310,7 @@ mod tests {
         let stages = read(&list(), Reading::Frame).unwrap();
         assert_eq!(stages.len(), by_hand.len());
         assert!(stages.iter().zip(&by_hand).all(|(stage, wanted)| near(&stage.matrix, wanted)));
-        // [4]: glTranslatef (10, 5, 3); glRotatef (10, 0, 0, 1): the object is turned and then moved.
+        // [4]: glTranslatef (10, 5, 3); glRotatef (10, 0, 0, 1). The object is rotated and then moved.
         let p = stages[2].matrix.transform_point3(DVec3::X);
         let (sin, cos) = 10_f64.to_radians().sin_cos();
         assert!((p - (T + DVec3::new(cos, sin, 0.0))).length() < 1e-12);
@@ -327,12 +327,12 @@ mod tests {
             object.iter().map(|s| s.call).collect::<Vec<_>>(),
             [None, Some(4), Some(3), Some(2), Some(1), Some(0)]
         );
-        // The frame turns about its own x, which R_z has turned, through T; the object about x through the origin.
+        // The frame turns about its own x, rotated by R_z, through T. The object turns about x through the origin.
         let moved = frame[3].axis.unwrap();
         assert!((moved.origin - T).length() < 1e-12);
         assert!((moved.direction - turn(DVec3::Z, 10.0).transform_vector3(DVec3::X)).length() < 1e-12);
         assert_eq!(object[3].axis, Some(Ray { origin: DVec3::ZERO, direction: DVec3::X }));
-        // A turn about that axis is the effect of the call on the frame before it.
+        // A rotation about that axis is the effect of the call on the frame before it.
         let (before, after) = (frame[2].matrix, frame[3].matrix);
         let about = DMat4::from_translation(moved.origin)
             * turn(moved.direction, -70.0)
@@ -401,7 +401,7 @@ mod tests {
         let matrix = |link: &Link| product(&calls_of(&link.trs)).unwrap();
         let of_links = links.iter().fold(DMat4::IDENTITY, |m, link| m * matrix(link));
         assert!(near(&of_links, &product(&list()).unwrap()));
-        // Calls undone by a pop are not in it.
+        // Calls undone by a pop aren't in it.
         let popped = [Call::Scale(S), Call::Push, Call::Translate(T), Call::Pop, Call::Push];
         assert_eq!(chain(&popped).unwrap(), [Link { first: Some(0), trs: Trs { scale: S, ..Trs::default() } }]);
     }

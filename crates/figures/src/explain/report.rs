@@ -31,7 +31,7 @@ impl DepthPixelReport {
     /// The way back from the centre of a pixel with a depth.
     ///
     /// # Errors
-    /// [`NotProjectable`]: the depth belongs to no point.
+    /// [`NotProjectable`] if the depth belongs to no point.
     pub fn new(setting: &Setting<'_>, pixel: [i64; 2], depth: f64) -> Result<Self, NotProjectable> {
         let way = setting.space().way_back(setting.image(), &setting.viewport(), pixel, depth)?;
         let trace = back(setting, &way);
@@ -49,10 +49,10 @@ impl DepthPixelReport {
     }
 }
 
-/// The report as JSON, as [`Report::to_json`], with the `trace` of each of its points where that is wanted, and with
-/// `depth_pixels` where there are such.
+/// The report as JSON, like [`Report::to_json`], with the `trace` of each of its points if requested, and with
+/// `depth_pixels` if there are any.
 pub fn json(report: &Report, setting: &Setting<'_>, traced: bool, depth_pixels: &[DepthPixelReport]) -> String {
-    // Neither a report nor a trace has anything that could fail to become a JSON value.
+    // Everything in a report and a trace can become a JSON value.
     let mut value = serde_json::to_value(report).unwrap_or_default();
     if traced {
         for (point, entry) in report.points.iter().zip(value["points"].as_array_mut().into_iter().flatten()) {

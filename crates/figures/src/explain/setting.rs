@@ -17,11 +17,11 @@ pub struct Placement {
     pub scale: DVec3,
     /// The transform of its parent.
     pub parent: Option<DMat4>,
-    /// M_m, as the scene is built with it.
+    /// M_m, as used in building the scene.
     pub world_from_object: DMat4,
 }
 
-/// A camera in a convention of NDC, with image and viewport; with an object and a point where there are such.
+/// A camera in a convention of NDC, with image and viewport, and optionally an object and a point.
 #[derive(Clone, Debug)]
 pub struct Setting<'a> {
     space: ClipSpace<'a>,
@@ -33,24 +33,24 @@ pub struct Setting<'a> {
 }
 
 impl<'a> Setting<'a> {
-    /// A camera without an object and without a point. Without a viewport it is the whole image, depth 0 … 1.
+    /// A camera without an object and without a point. Without a viewport, it's the whole image, depth 0 … 1.
     pub fn new(space: ClipSpace<'a>, image: ImageSize, viewport: Option<Viewport>) -> Self {
         let viewport = viewport.unwrap_or_else(|| Viewport::whole(image));
         Self { space, image, viewport, placement: None, point: None, local: None }
     }
 
-    /// The same setting with an object, for its M_m.
+    /// Adds an object, for its M_m.
     pub fn with_placement(self, placement: Placement) -> Self {
         Self { placement: Some(placement), ..self }
     }
 
-    /// With a point of the world.
+    /// Adds a point of the world.
     pub fn with_point(self, world: DVec3) -> Self {
         Self { point: Some(self.space.stations(world, self.image, &self.viewport)), local: None, ..self }
     }
 
-    /// With the point to which a pixel with a depth leads back, as it is on that way: before anything is rounded to
-    /// whole pixels.
+    /// Adds the point to which a pixel with a depth leads back, with the numbers of that way, before anything is
+    /// rounded to whole pixels.
     pub fn with_way_back(self, way: &Unprojected) -> Self {
         let setting = self.with_point(way.world);
         let pixel = DVec2::from_array(way.pixel.map(|x| x as f64));
@@ -64,7 +64,7 @@ impl<'a> Setting<'a> {
         Self { point, ..setting }
     }
 
-    /// The same with a back plane, where the convention has none.
+    /// The same with a back plane, if the convention has none.
     #[must_use]
     pub fn with_far_plane(&self) -> Self {
         let ndc = Ndc { infinite: false, ..self.space.ndc() };
@@ -73,13 +73,13 @@ impl<'a> Setting<'a> {
         Self { space, point, ..self.clone() }
     }
 
-    /// With a point of the world, which is also seen from the object, if there is one.
+    /// Adds a point of the world, also in the space of the object if there is one.
     pub fn with_point_seen_from_object(self, world: DVec3) -> Self {
         let local = self.placement.map(|placement| placement.world_from_object.inverse().transform_point3(world));
         Self { local, ..self.with_point(world) }
     }
 
-    /// With a point of the object, if there is an object.
+    /// Adds a point of the object, if there is an object.
     pub fn with_local_point(self, local: DVec3) -> Self {
         let Some(placement) = self.placement else { return self };
         Self { local: Some(local), ..self.with_point(placement.world_from_object.transform_point3(local)) }
@@ -115,7 +115,7 @@ impl<'a> Setting<'a> {
         self.local
     }
 
-    /// A matrix with the program's own numbers. The unit matrix where it needs an object and there is none.
+    /// A matrix with the program's own numbers. The unit matrix if it needs an object and there is none.
     pub fn matrix(&self, matrix: Matrix) -> DMat4 {
         let camera = self.space.camera();
         let model = || self.placement.map_or(DMat4::IDENTITY, |p| p.world_from_object);
@@ -136,8 +136,8 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// (5.24) before the floor and (5.25) as a matrix; in other conventions for their range of z_n and their direction
-    /// of y.
+    /// (5.24) before the floor and (5.25) as a matrix. In other conventions it uses their range of z_n and their
+    /// direction of y.
     fn depth_and_window(&self) -> DMat4 {
         let v = &self.viewport;
         let (width, height) = (f64::from(v.width) / 2.0, f64::from(v.height) / 2.0);
@@ -153,7 +153,7 @@ impl<'a> Setting<'a> {
         )
     }
 
-    /// The number of a symbol; NaN where there is no such object or point, or where it has no image.
+    /// The number of a symbol; NaN if there's no such object or point, or if it has no image.
     pub fn value(&self, symbol: Symbol) -> f64 {
         let camera = self.space.camera();
         let (basis, window) = (camera.basis(), camera.window());
@@ -206,7 +206,7 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// The angle that a symbol is, if it is one. Those are written with a degree sign.
+    /// The angle of a symbol that stands for one. Angles are written with a degree sign.
     pub fn angle(&self, symbol: Symbol) -> Option<Angle> {
         matches!(symbol, Symbol::ViewAngle | Symbol::Rotate(_)).then(|| Angle::from_degrees(self.value(symbol)))
     }

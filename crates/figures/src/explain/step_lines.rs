@@ -1,9 +1,9 @@
-//! The steps of a point's way in writing: each row with its symbols, with its numbers, and its value.
+//! The steps of a point's way as text: each row with its symbols, with its numbers, and its value.
 
 use super::{Formula, Notation, Numbers, Setting, Step, Writer};
 use crate::numbers::DecimalMark;
 
-/// The style in which a way is written.
+/// The style of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Style {
     /// As text or LaTeX.
@@ -17,18 +17,18 @@ pub struct Style {
 /// A row of a step: `symbol` = `formula` = `numbers` = `value`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// The symbol that is computed.
+    /// The computed symbol.
     pub symbol: String,
     /// The formula in symbols.
     pub formula: String,
     /// The formula with numbers.
     pub numbers: String,
-    /// After the equals sign, with the digits of the window.
+    /// The right side, with the digits of the window.
     pub value: String,
 }
 
 impl Step {
-    /// The rows of the step; `setting` is the one that was followed.
+    /// The rows of the step. `setting` is the one of the trace.
     pub fn lines(&self, setting: &Setting<'_>, style: Style) -> Vec<Line> {
         let setting = &self.setting(setting);
         let Style { notation, mark, digits } = style;
@@ -45,7 +45,7 @@ impl Step {
     }
 }
 
-/// A way as text or as LaTeX (`aligned`), a block for each step; `name` names the spaces.
+/// A way as text or as LaTeX (`aligned`), a block for each step. `name` names the spaces.
 pub fn written(steps: &[Step], setting: &Setting<'_>, style: Style, name: impl Fn(&str) -> String) -> String {
     let blocks = steps.iter().map(|step| {
         let (from, to, equation) = (name(step.from), name(step.to), &step.equation);
@@ -66,7 +66,7 @@ pub fn written(steps: &[Step], setting: &Setting<'_>, style: Style, name: impl F
     blocks.collect::<Vec<_>>().join("\n")
 }
 
-/// Rows in LaTeX, their signs of equality below one another.
+/// Rows in LaTeX, with their equals signs below one another.
 pub fn aligned(lines: &[Line]) -> String {
     let rows: Vec<String> = lines
         .iter()

@@ -193,7 +193,7 @@ pub enum Symbol {
     View(Component),
     /// x_r, y_r, z_r, w_r
     Clip(Component),
-    /// `x_h`, `y_h`, `z_h`, `w_h`: VRC before they are divided by `w_h`, on the way back
+    /// `x_h`, `y_h`, `z_h`, `w_h`: VRC before the division by `w_h`, on the way back
     Homogeneous(Component),
     /// x_n, y_n, z_n
     Ndc(Component),

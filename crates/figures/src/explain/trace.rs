@@ -10,19 +10,19 @@ use crate::camera::{Ndc, Projection, Unprojected};
 /// One step of a point's way. The sum of each row of `terms` is the number of `output` in that row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Step {
-    /// The space that it comes from, as `camera-lab inspect` names it.
+    /// The space that it starts from, as `camera-lab inspect` names it.
     pub from: &'static str,
     /// The space that it leads to.
     pub to: &'static str,
     /// The equation of `[0]`, or a name.
     pub equation: String,
-    /// The matrix, where the step is one.
+    /// The matrix, if the step is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub matrix: Option<[[f64; 4]; 4]>,
-    /// The numbers that are multiplied, divided or mapped.
+    /// The numbers to multiply, divide or map.
     pub input: Vec<f64>,
-    /// The summands, a row for each number of `output`. In a row with a floor the last one that belongs under the floor
-    /// is the fraction that it removes.
+    /// The summands, a row for each number of `output`. In a row with a floor, the last one that belongs under the
+    /// floor is the fraction that it removes.
     pub terms: Vec<Vec<f64>>,
     /// The result: the numbers of `camera-lab inspect`.
     pub output: Vec<f64>,
@@ -41,7 +41,8 @@ pub struct Step {
 }
 
 impl Step {
-    /// The difference of the sum of the terms of each row from the output: the cost of rounding the factors to `f64`.
+    /// The difference between the sum of the terms of each row and the output, which is the cost of rounding the
+    /// factors to `f64`.
     pub fn rests(&self) -> Vec<f64> {
         self.terms.iter().zip(&self.output).map(|(terms, out)| terms.iter().sum::<f64>() - out).collect()
     }
@@ -56,12 +57,12 @@ impl Step {
     }
 }
 
-/// A row of a step before it is evaluated.
+/// A row of a step before it's evaluated.
 struct UnevaluatedRow {
     symbol: Symbol,
-    /// The products that are added up.
+    /// The products to add up.
     terms: Vec<Formula>,
-    /// The summand after the floor, where there is one.
+    /// The summand after the floor, if there is one.
     after_floor: Option<Option<Formula>>,
 }
 
@@ -83,7 +84,7 @@ impl UnevaluatedRow {
         }
     }
 
-    /// The summands. What a floor takes away is one of them, so that the row adds up.
+    /// The summands. The fraction that a floor removes is one of them, so that the row adds up.
     fn numbers(&self, setting: &Setting<'_>) -> Vec<f64> {
         let mut numbers: Vec<f64> = self.terms.iter().map(|term| term.value(setting) + 0.0).collect();
         if let Some(after) = &self.after_floor {
@@ -119,7 +120,7 @@ fn step(
     }
 }
 
-/// The rows of a matrix times a column of symbols, of which the fourth is 1.
+/// The rows of a matrix times a column of symbols, the fourth of which is 1.
 fn matrix_step(
     setting: &Setting<'_>,
     spaces: (&'static str, &'static str),
@@ -131,7 +132,7 @@ fn matrix_step(
     const INDICES: [u8; 4] = [0, 1, 2, 3];
     let factor = |column: u8| input.get(usize::from(column)).map_or(Formula::Number(1.0), |s| Formula::Symbol(*s));
     let rows = output.iter().zip(INDICES).map(|(symbol, row)| {
-        // Products with 1 are included: students write them.
+        // Products with 1 are included, because students write them.
         let product = |column| Formula::Product(vec![Symbol::Entry(matrix, row, column).into(), factor(column)]);
         UnevaluatedRow::sum(*symbol, INDICES.map(product))
     });
@@ -141,8 +142,8 @@ fn matrix_step(
     Step { matrix: Some(numbers), by: Some(matrix), ..step }
 }
 
-/// The way of the setting's point, from its object (where it was given there) or from the world to pixel and viewport.
-/// It ends with clip coordinates where w = 0. Empty without a point.
+/// The way of the setting's point, from its object (if it was given there) or from the world to pixel and viewport. It
+/// ends with clip coordinates if w = 0. Empty without a point.
 pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     let Some(point) = setting.point() else { return Vec::new() };
     let mut steps = Vec::new();
@@ -164,8 +165,8 @@ pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     steps
 }
 
-/// By M_v; where the terms of the matrix cancel so far that its rows no longer add up (C far from the origin), by p −
-/// C, as the program computes.
+/// By M_v. If the terms of the matrix cancel so far that its rows no longer add up (C far from the origin), by p − C,
+/// as the program computes it.
 fn to_view(setting: &Setting<'_>) -> Step {
     let (input, output) = (Component::THREE.map(Symbol::World), Component::THREE.map(Symbol::View));
     let by_matrix = matrix_step(setting, ("world", "view"), "(5.7)", Matrix::View, input, &output);
@@ -207,7 +208,7 @@ fn to_window(setting: &Setting<'_>) -> Step {
     step(setting, ("view", "window"), equation, input, vec![row(Component::X), row(Component::Y)])
 }
 
-/// (5.22), for a window that need not be symmetric.
+/// (5.22), for a window that may be asymmetric.
 fn to_pixel(setting: &Setting<'_>) -> Step {
     let input = [Component::X, Component::Y].map(|c| setting.value(Symbol::Window(c))).to_vec();
     let scaled = |pixels: Symbol, size: Symbol, x: Symbol| times([over(pixels, size), x.into()]);
@@ -225,8 +226,8 @@ fn to_pixel(setting: &Setting<'_>) -> Step {
     step(setting, ("window", "pixel"), "(5.22)", input, rows)
 }
 
-/// (5.24) and (5.25). They are the notes', whose NDC has a far plane: without one, the same convention with one is
-/// used.
+/// (5.24) and (5.25). They come from the notes, whose NDC has a far plane. Without one, the same convention with a far
+/// plane is used.
 fn to_viewport(setting: &Setting<'_>) -> Step {
     let ndc = setting.space().ndc();
     if ndc.infinite {
@@ -249,11 +250,11 @@ fn to_viewport(setting: &Setting<'_>) -> Step {
     step(setting, ("ndc", "viewport"), "(5.24), (5.25)", input, rows)
 }
 
-/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v. Empty
-/// where it leads beyond all numbers.
+/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v. Empty if
+/// the way leaves the range of numbers.
 ///
 /// The formulas have their numbers in [`Step::setting`] of the setting [with the way](Setting::with_way_back). Without
-/// a far plane the convention with one is used, as Z of (5.25) has one.
+/// a far plane, the convention with one is used, because Z of (5.25) has one.
 pub fn back(setting: &Setting<'_>, way: &Unprojected) -> Vec<Step> {
     if setting.space().ndc().infinite {
         let finite = setting.with_far_plane();

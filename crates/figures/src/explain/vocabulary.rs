@@ -1,4 +1,4 @@
-//! The camera in the vocabularies of other sources and libraries, and back: each number that can be set sets the
+//! The camera in the vocabularies of other sources and libraries, and back. Each number that can be set sets the
 //! camera.
 //!
 //! | words | what |
@@ -13,7 +13,7 @@ use glam::{DMat3, DVec3};
 use super::{Axis, Component};
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 
-/// In whose words.
+/// A source of vocabulary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Vocabulary {
     /// `[2]`: OpenGL and GLU
@@ -38,11 +38,11 @@ pub struct Line {
 /// A number of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Argument {
-    /// As the source calls it: `eyeX`, `fovy`, `z_near`.
+    /// The name in the source: `eyeX`, `fovy`, `z_near`.
     pub name: &'static str,
     /// In the unit of the library.
     pub value: f64,
-    /// The quantity that it sets; [`CameraNumber::Fixed`]: nothing.
+    /// The quantity that it sets; [`CameraNumber::Fixed`] sets nothing.
     pub quantity: CameraNumber,
 }
 
@@ -87,30 +87,30 @@ pub enum CameraNumber {
     PrincipalPoint(Component),
     /// t = −R C
     Translation(Component),
-    /// An entry of R: the camera is turned about the origin until the entry has the number.
+    /// An entry of R. The camera is rotated about the origin until the entry has the number.
     Axis(Axis, Component),
-    /// Follows from the others, and cannot be set.
+    /// Follows from the others, so it can't be set.
     Fixed,
 }
 
-/// A limitation of a vocabulary, or a difference to the notes.
+/// A limitation of a vocabulary, or a difference from the notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Limitation {
     /// The window is symmetric there.
     SymmetricOnly,
     /// It can express perspective only.
     PerspectiveOnly,
-    /// Clipping planes are not part of it: F and B stay.
+    /// Clipping planes aren't part of it, so F and B stay.
     NoClippingPlanes,
-    /// PF is not part of it: D stays.
+    /// PF isn't part of it, so D stays.
     NoFocalPoint,
-    /// The view plane is the front plane here: D = F, and `z_vp` = −F.
+    /// The view plane is the front plane here, with D = F, and `z_vp` = −F.
     ViewPlaneIsNear,
     /// Left-handed: **n** points into the scene, **u** = **n** × **v**.
     LeftHanded,
     /// `z_near` and `z_far` are coordinates there, negative.
     Coordinates,
-    /// y points down, and pixels are counted from the centre of the first one in some books. Here from its corner, as
+    /// y points down. In some books pixels are counted from the centre of the first one, but here from its corner, as
     /// in (5.22).
     YDown,
 }
@@ -119,10 +119,10 @@ impl Vocabulary {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::OpenGl, Self::Vrc, Self::ReferencePoint, Self::Pinhole];
 
-    /// Checks whether it can express this camera.
+    /// Checks that it can express this camera.
     ///
     /// # Errors
-    /// [`Limitation::SymmetricOnly`] or [`Limitation::PerspectiveOnly`] where it cannot express it at all.
+    /// [`Limitation::SymmetricOnly`] or [`Limitation::PerspectiveOnly`] if it can't express it at all.
     fn check(self, camera: &Camera) -> Result<(), Limitation> {
         let symmetric = camera.has_symmetric_window();
         match self {
@@ -135,7 +135,7 @@ impl Vocabulary {
         }
     }
 
-    /// Its differences to `[0]`, and its gaps.
+    /// Its differences from `[0]`, and its gaps.
     pub fn limitations(self) -> &'static [Limitation] {
         match self {
             Self::OpenGl => &[],
@@ -161,8 +161,8 @@ impl Vocabulary {
         })
     }
 
-    /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera,
-    /// [`Camera::new`] says. [`CameraNumber::Fixed`] changes nothing.
+    /// The parameters of the camera with one of the numbers changed. [`Camera::new`] decides if they make a camera.
+    /// [`CameraNumber::Fixed`] changes nothing.
     pub fn set(self, camera: &Camera, image: ImageSize, quantity: CameraNumber, value: f64) -> Parameters {
         let mut p = *camera.parameters();
         let component = |vector: &mut DVec3, c: Component| vector[c.index().min(2)] = value;
@@ -196,7 +196,7 @@ impl Vocabulary {
             CameraNumber::NearCoordinate => p.near = -value,
             CameraNumber::FarCoordinate => p.far = -value,
             CameraNumber::FocalLength(c) => {
-                // The image keeps its size: a longer focal length is a smaller window around the same axis.
+                // The image keeps its size, so a longer focal length is a smaller window around the same axis.
                 let (pixels, size) = if c == Component::X { (m, window.width()) } else { (n, window.height()) };
                 let factor = camera.near() * pixels / value / size;
                 p.window = Some(if c == Component::X {
@@ -240,13 +240,13 @@ fn vision_rotation(camera: &Camera) -> DMat3 {
     DMat3::from_cols(basis.u, -basis.v, -basis.n).transpose()
 }
 
-/// The shortest turn after which an entry of R has a value of −1 … 1: about the line perpendicular to its row and to
-/// the world's axis of its column.
+/// The smallest rotation after which an entry of R has a value of −1 … 1. Its axis is the line perpendicular to the
+/// entry's row and to the world's axis of its column.
 fn turn_of_entry(camera: &Camera, row: usize, column: usize, value: f64) -> DMat3 {
     let rotation = vision_rotation(camera);
     let (along, axis) = (rotation.row(row), DVec3::AXES[column]);
     let across = along.cross(axis);
-    // A row along the axis has every perpendicular: the next row is one.
+    // A row along the axis has every perpendicular. The next row is one.
     let about = across.try_normalize().filter(|_| across.length() > 1e-9).unwrap_or(rotation.row((row + 1) % 3));
     let (from, to) = (across.length().atan2(along.dot(axis)), value.clamp(-1.0, 1.0).acos());
     DMat3::from_axis_angle(about, from - to)

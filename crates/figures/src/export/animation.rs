@@ -32,10 +32,10 @@ impl AnimationFormat {
     }
 }
 
-/// Why there is no animation.
+/// The reason why there's no animation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum AnimationError {
-    /// One of its pictures could not be made, or is not wanted any more.
+    /// One of its pictures couldn't be made, or was cancelled.
     #[error("an image is missing")]
     NoPicture,
     /// The encoder gave up.
@@ -47,7 +47,7 @@ pub enum AnimationError {
 pub const TICK: f64 = 0.01;
 
 /// Encodes pictures as a file that loops. `next` returns each of them, of one size and without transparency, with its
-/// duration in ticks of [`TICK`]. Only one of the pictures is in memory. Pauses where `next` does.
+/// duration in ticks of [`TICK`]. Only one of the pictures is in memory. Pauses when `next` does.
 ///
 /// # Errors
 /// [`AnimationError`].
@@ -90,19 +90,19 @@ pub async fn animation(
     Ok(bytes)
 }
 
-/// Colours of a GIF's picture at most.
+/// The greatest number of colours in a GIF's picture.
 const COLORS: usize = 256;
 
-/// The colours that most pixels have, as they are, and for each pixel the nearest of them: a quantiser that looks for
-/// averages makes thin lines of green and of blue one colour, since there is so little of each.
+/// The most frequent colours, unchanged, and for each pixel the nearest of them. A quantiser that looks for averages
+/// would give thin green and blue lines one colour, because there's so little of each.
 fn indexed(picture: &Pixmap) -> (Vec<u8>, Vec<u8>) {
     let color = |p: &PremultipliedColorU8| [p.red(), p.green(), p.blue()];
-    // Pixels beside one another are mostly equal: their colour is looked up once.
+    // Neighbouring pixels are mostly equal, so their colour is looked up once.
     let runs = || picture.pixels().chunk_by(|a, b| a == b).map(|run| (color(&run[0]), run.len()));
     let mut counts: BTreeMap<[u8; 3], usize> = BTreeMap::new();
     runs().for_each(|(color, length)| *counts.entry(color).or_default() += length);
     let mut palette: Vec<([u8; 3], usize)> = counts.iter().map(|(color, count)| (*color, *count)).collect();
-    // Of colours that are as frequent, the order is that of their numbers: the same picture gives the same bytes.
+    // Equally frequent colours are ordered by their numbers, so that the same picture gives the same bytes.
     palette.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
     palette.truncate(COLORS);
     let distance =

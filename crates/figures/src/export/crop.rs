@@ -2,8 +2,8 @@
 
 use tiny_skia::{IntRect, Pixmap};
 
-/// The part of a picture that differs from its ground, the pixel at the top left, with `margin` pixels around it. All
-/// of it where nothing differs.
+/// The part of a picture that differs from its background, the pixel at the top left, with `margin` pixels around it.
+/// The whole picture if nothing differs.
 pub fn cropped(pixmap: Pixmap, margin: u32) -> Pixmap {
     let Some(rect) = content(&pixmap, margin) else { return pixmap };
     match pixmap.clone_rect(rect) {

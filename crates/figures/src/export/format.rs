@@ -3,7 +3,7 @@
 use std::path::Path;
 
 crate::listed! {
-    /// A format of picture files. Command line and window know no other place where formats are listed.
+    /// A format of picture files. This is the only list of formats, for the command line and the window.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum PictureFormat {
         /// Pixels, without loss. Carries its figure.
@@ -12,11 +12,11 @@ crate::listed! {
         WebP = "WebP",
         /// Pixels, with some loss, without transparency.
         Jpeg = "JPEG",
-        /// Vectors, for pages of the web and programs that draw. Carries its figure.
+        /// Vectors, for web pages and drawing programs. Carries its figure.
         Svg = "SVG",
         /// Vectors, for print. Carries its figure.
         Pdf = "PDF",
-        /// A figure of a LaTeX document whose letters are the document's, with a PDF beside it that carries the figure.
+        /// A figure of a LaTeX document in the document's own letters, with a PDF beside it that carries the figure.
         Tex = "LaTeX",
     }
     /// Its common name.
@@ -36,17 +36,17 @@ impl PictureFormat {
         }
     }
 
-    /// True if a picture may be without ground.
+    /// True if a picture may have no background.
     pub const fn has_transparency(self) -> bool {
         !matches!(self, Self::Jpeg)
     }
 
-    /// True for vectors, whose size on paper does not follow from their pixels.
+    /// True for vectors, whose size on paper doesn't follow from their pixels.
     pub const fn is_vector(self) -> bool {
         matches!(self, Self::Svg | Self::Pdf | Self::Tex)
     }
 
-    /// True for formats whose pictures are made for paper: a choice of one is a choice of centimetres.
+    /// True for formats whose pictures are made for paper. Choosing one of them means choosing centimetres.
     pub const fn is_for_paper(self) -> bool {
         matches!(self, Self::Pdf | Self::Tex)
     }

@@ -1,14 +1,14 @@
-//! The sizes of pictures for paper and slides that have a name.
+//! Named sizes of pictures for paper and slides.
 
 crate::listed! {
-    /// A place that a picture is made for.
+    /// An intended place for a picture.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum PaperPreset {
-        /// A column of a page of two, as in the journals of the IEEE: 8.8 cm.
+        /// A column of a two-column page, as in the journals of the IEEE: 8.8 cm.
         Column = "ieee",
-        /// The text of a page of A4 with margins of 2.5 cm: 16 cm.
+        /// The text of an A4 page with margins of 2.5 cm: 16 cm.
         A4 = "a4",
-        /// A slide of 16 by 9, as large as programs for slides make them: 33.867 cm by 19.05 cm.
+        /// A slide of 16 by 9, in the size of presentation programs: 33.867 cm by 19.05 cm.
         Slide = "slide",
         /// A square as wide as a column.
         Square = "square",
@@ -18,7 +18,7 @@ crate::listed! {
 }
 
 impl PaperPreset {
-    /// Width in centimetres, and height where it does not follow from the picture.
+    /// Width in centimetres, and height if it doesn't follow from the picture.
     pub const fn size(self) -> (f64, Option<f64>) {
         match self {
             Self::Column => (8.8, None),
@@ -28,7 +28,7 @@ impl PaperPreset {
         }
     }
 
-    /// The height of letters that go with its text, in points.
+    /// The height of letters to match its text, in points.
     pub const fn letters(self) -> f64 {
         match self {
             Self::Column | Self::Square => 8.0,

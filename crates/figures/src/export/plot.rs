@@ -1,4 +1,4 @@
-//! Charts as pages of vectors, in every format of pictures.
+//! Charts as pages of vectors, in every picture format.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::drawing::Anchor;
 use crate::progress::{Progress, at_once};
 use crate::text::{Element, literal};
 
-/// Why charts cannot be drawn.
+/// The reason why charts can't be drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PlotError {
     /// They need more pixels than a picture can have.
@@ -49,7 +49,8 @@ const TITLE: f32 = 44.0;
 /// The length of a tick.
 const TICK: f32 = 5.0;
 
-/// The colours of the series, in turn: Okabe and Ito (2008), with black, darkened so that thin lines are seen on white.
+/// The colours of the series, in turn, from Okabe and Ito (2008), with black, darkened so that thin lines are visible
+/// on white.
 pub const COLORS: [Rgba; 9] = [
     Rgba::rgb(0xe0, 0x8a, 0x00),
     Rgba::rgb(0x56, 0xa5, 0xd9),
@@ -66,8 +67,8 @@ const BLACK: Rgba = Rgba::rgb(0, 0, 0);
 const GREY: Rgba = Rgba::rgb(0x70, 0x70, 0x70);
 const GRID: Rgba = Rgba::rgba(0, 0, 0, 0x1f);
 
-/// The file at `path` of some blocks of charts, one below the other, and the file beside it. `language`: of their
-/// texts, as a tag.
+/// The file at `path` with some blocks of charts, one below the other, and the file beside it. `language` is the tag of
+/// their texts.
 ///
 /// *Guarantees*: the same charts give the same bytes.
 ///
@@ -122,7 +123,7 @@ fn drawn(chart: &Chart) -> Vec<Item> {
     let scale = |k: usize, pixels, most| {
         let axis = chart.axes[k];
         let ends = range[k].map(|end| axis.along(end));
-        // Powers of ten are whole; their logarithms may be a little less.
+        // Powers of ten are whole, but their logarithms may be a little less.
         let ends = if axis == Axis::Logarithmic { ends.map(f64::round) } else { ends };
         Scale { axis, ends, pixels, most }
     };
@@ -150,7 +151,7 @@ fn drawn(chart: &Chart) -> Vec<Item> {
         let places: Vec<[f32; 2]> = places.filter(|p| p.iter().all(|v| v.is_finite())).collect();
         items.extend(curve(series, &places, false));
     }
-    // Shadows are not named again.
+    // Shadows don't get a second name.
     let named = chart.series.iter().filter(|series| series.look != Look::Shadow);
     let mut middle = TOP;
     for series in named {
@@ -180,7 +181,7 @@ fn curve(series: &Series, places: &[[f32; 2]], in_legend: bool) -> Vec<Item> {
     };
     let through = places.iter().enumerate().map(|(i, p)| if i == 0 { Element::Move(*p) } else { Element::Line(*p) });
     let through = width.map(|width| Item::stroke(through.collect(), color, width, true));
-    // A line of no length with round ends is a dot.
+    // A line of zero length with round ends is a dot.
     let points = places.iter().flat_map(|place| line(*place, *place)).collect();
     let color = if series.look == Look::Shadow { color.with_alpha(0x4d) } else { color };
     let dots = radius.filter(|_| !(in_legend && width.is_some()));

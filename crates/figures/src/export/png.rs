@@ -1,4 +1,4 @@
-//! A picture as PNG, with the figure file that it shows inside: whoever has the picture has the figure.
+//! A picture as PNG with its figure file inside, so the picture always carries the figure.
 
 use std::borrow::Cow;
 use std::io::{Cursor, Write as _};
@@ -20,7 +20,7 @@ const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// Bytes of packed pixels in a chunk.
 const CHUNK: usize = 1 << 20;
 
-/// Why a picture cannot be written or read.
+/// The reason why a picture can't be written or read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PngError {
     /// The encoder gave up.
@@ -29,27 +29,27 @@ pub enum PngError {
     /// The bytes are a damaged PNG.
     #[error("the PNG is damaged: {0}")]
     Damaged(Damage),
-    /// The figure in it is longer than any.
+    /// The figure in it exceeds the limit.
     #[error("the figure in this PNG is too long; allowed: at most {limit} bytes")]
     TooLong {
-        /// Bytes.
+        /// The limit in bytes.
         limit: usize,
     },
-    /// The picture holds no figure.
+    /// The picture contains no figure.
     #[error("this image contains no figure; allowed: a figure file, or an image that camera-lab wrote")]
     NoFigure,
 }
 
-/// A damage of a PNG.
+/// Damage to a PNG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Damage {
     /// The file ends early.
     #[error("it ends early")]
     Truncated,
-    /// A checksum does not fit: bytes have changed on the way.
+    /// A checksum doesn't match, because bytes have changed on the way.
     #[error("a checksum does not match")]
     Checksum,
-    /// The text of the figure cannot be unpacked.
+    /// The text of the figure can't be unpacked.
     #[error("its text cannot be unpacked")]
     Text,
     /// Its parts contradict the format.
@@ -61,21 +61,21 @@ impl From<DecodingError> for PngError {
     fn from(error: DecodingError) -> Self {
         Self::Damaged(match error {
             DecodingError::IoError(_) => Damage::Truncated,
-            // The decoder tells its kinds of faults apart by their sentences alone.
+            // The decoder's kinds of errors differ only in their messages.
             error if error.to_string().starts_with("CRC error") => Damage::Checksum,
             _ => Damage::Format,
         })
     }
 }
 
-/// The PNG of `pixmap`, with `figure` (the text of a figure file) and the description `said` in iTXt chunks, and, for
-/// paper, `dpi` (pixels per inch) in a pHYs chunk, as pixels per metre. A resolution too fine or too coarse for that
+/// The PNG of `pixmap`, with `figure` (the text of a figure file) and the description `said` in iTXt chunks. For paper,
+/// `dpi` (pixels per inch) goes into a pHYs chunk, as pixels per metre. A resolution too fine or too coarse for that
 /// chunk is left out. Opaque pictures have no alpha channel. Pauses after each row.
 ///
 /// *Guarantees*: the same picture and text give the same bytes.
 ///
 /// # Errors
-/// [`PngError::Encode`] when the encoder fails or the work is cancelled.
+/// [`PngError::Encode`] if the encoder fails or the work is cancelled.
 pub async fn encode(
     pixmap: Pixmap,
     figure: &str,
@@ -133,11 +133,10 @@ fn density(dpi: f64) -> Option<PixelDimensions> {
 /// The figure file in a PNG, of at most `limit` bytes; `None` for a PNG without one.
 ///
 /// # Errors
-/// [`PngError::Damaged`] when the bytes are not a whole PNG, [`PngError::TooLong`] for a longer text, however well it
-/// is packed.
+/// [`PngError::Damaged`] if the bytes aren't a whole PNG, [`PngError::TooLong`] for a longer text, however well it's
+/// packed.
 pub fn figure_text(bytes: &[u8], limit: usize) -> Result<Option<String>, PngError> {
-    // A fault in a text of another program is none of ours; only where no figure is found, it may have been the
-    // figure's.
+    // A faulty text of another program doesn't concern us. Only if there's no figure, it may have been the figure's.
     if let Some(text) = text_with(DecodeOptions::default(), bytes, limit)? {
         return Ok(Some(text));
     }
@@ -151,7 +150,7 @@ fn text_with(options: DecodeOptions, bytes: &[u8], limit: usize) -> Result<Optio
     if let Some(text) = find(reader.info(), limit)? {
         return Ok(Some(text));
     }
-    // Other programs write texts behind the pixels.
+    // Other programs write texts after the pixels.
     reader.finish()?;
     find(reader.info(), limit)
 }
@@ -159,7 +158,7 @@ fn text_with(options: DecodeOptions, bytes: &[u8], limit: usize) -> Result<Optio
 fn find(info: &png::Info<'_>, limit: usize) -> Result<Option<String>, PngError> {
     let Some(chunk) = info.utf8_text.iter().find(|chunk| chunk.keyword == KEYWORD) else { return Ok(None) };
     let mut chunk = chunk.clone();
-    // A few packed megabytes can hold gigabytes: a text longer than the limit is never unpacked.
+    // A few packed megabytes can hold gigabytes, so a text longer than the limit is never unpacked.
     chunk.decompress_text_with_limit(limit).map_err(|error| match error.to_string() {
         text if text.contains("decompression space") => PngError::TooLong { limit },
         _ => PngError::Damaged(Damage::Text),
@@ -168,16 +167,16 @@ fn find(info: &png::Info<'_>, limit: usize) -> Result<Option<String>, PngError> 
     if text.len() > limit { Err(PngError::TooLong { limit }) } else { Ok(Some(text)) }
 }
 
-/// Whether the bytes begin as every PNG does.
+/// True if the bytes begin like a PNG.
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(SIGNATURE)
 }
 
-/// The bytes of the figure file in `bytes`, which are a figure file themselves or a picture that holds one of at most
-/// `limit` bytes.
+/// The bytes of the figure file in `bytes`, which are a figure file themselves or a picture that contains one of at
+/// most `limit` bytes.
 ///
 /// # Errors
-/// [`PngError`] for a picture that is damaged, holds no figure, or too long a one.
+/// [`PngError`] for a picture that's damaged, or contains no figure, or too long a one.
 pub fn figure_bytes(bytes: &[u8], limit: usize) -> Result<Cow<'_, [u8]>, PngError> {
     if !is_png(bytes) {
         return Ok(Cow::Borrowed(bytes));

@@ -14,8 +14,8 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Pictures of these sizes from left to right, their middles at one height, with `gap` pixels between them. `None`
-    /// where there are none, or too many pixels.
+    /// Places pictures of these sizes from left to right, their middles at one height, with `gap` pixels between them.
+    /// `None` if there are no pictures, or too many pixels.
     pub fn row(sizes: &[[u32; 2]], gap: u32) -> Option<Self> {
         let height = sizes.iter().map(|size| size[1]).max()?;
         let (mut corners, mut left) = (Vec::with_capacity(sizes.len()), 0_u32);
@@ -26,15 +26,15 @@ impl Layout {
         Some(Self { corners, size: [left - gap, height] })
     }
 
-    /// Pictures from top to bottom, otherwise as in a [`row`](Self::row).
+    /// Places pictures from top to bottom, otherwise like a [`row`](Self::row).
     pub fn column(sizes: &[[u32; 2]], gap: u32) -> Option<Self> {
         let turned: Vec<[u32; 2]> = sizes.iter().map(|[width, height]| [*height, *width]).collect();
         let Self { corners, size: [height, width] } = Self::row(&turned, gap)?;
         Some(Self { corners: corners.into_iter().map(|[top, left]| [left, top]).collect(), size: [width, height] })
     }
 
-    /// Pictures in rows of `columns`, each in the middle of its place, with `gap` pixels between them and `below` free
-    /// pixels under each; on a sheet that is at least as large as `least`, in its middle.
+    /// Places pictures in rows of `columns`, each in the middle of its place, with `gap` pixels between them and
+    /// `below` free pixels under each. They're in the middle of a sheet that's at least as large as `least`.
     pub fn grid(sizes: &[[u32; 2]], columns: usize, [gap, below]: [u32; 2], least: [u32; 2]) -> Option<Self> {
         let columns = columns.clamp(1, sizes.len().max(1));
         let rows: Vec<&[[u32; 2]]> = sizes.chunks(columns).collect();
@@ -62,7 +62,7 @@ impl Layout {
         Some(Self { corners, size })
     }
 
-    /// The last picture replaced by several: those of another layout, which is as large.
+    /// Replaces the last picture by several, those of another layout of the same size.
     pub fn ending_in(mut self, rest: &Self) -> Self {
         if let Some([left, top]) = self.corners.pop() {
             self.corners.extend(rest.corners.iter().map(|[x, y]| [left + x, top + y]));
@@ -71,7 +71,7 @@ impl Layout {
     }
 }
 
-/// The pictures at their places on a ground. `None` if the sheet would be empty or too large for memory.
+/// Puts the pictures at their places on a background. `None` if the sheet would be empty or too large for memory.
 pub fn sheet(pictures: &[Pixmap], layout: &Layout, ground: Rgba) -> Option<Pixmap> {
     let mut sheet = filled(layout.size[0], layout.size[1], ground)?;
     for (picture, corner) in pictures.iter().zip(&layout.corners) {
@@ -86,7 +86,7 @@ fn filled(width: u32, height: u32, ground: Rgba) -> Option<Pixmap> {
     Some(sheet)
 }
 
-/// Copies a picture to a corner of the sheet, on which it has room.
+/// Copies a picture to a corner of the sheet, which has room for it.
 fn put(sheet: &mut Pixmap, picture: &Pixmap, [left, top]: [u32; 2]) {
     let (row, length) = (4 * sheet.width() as usize, 4 * picture.width() as usize);
     let left = 4 * left as usize;
@@ -127,7 +127,7 @@ mod tests {
     fn a_grid_has_rows_with_room_below() {
         let sizes = [[4, 3], [4, 3], [2, 2]];
         let grid = Layout::grid(&sizes, 2, [1, 5], [0, 0]).unwrap();
-        // Small pictures stand on the line of their row, above what is written below.
+        // Small pictures stand on the line of their row, above their text.
         assert_eq!(grid, Layout { corners: vec![[0, 0], [5, 0], [1, 9]], size: [9, 3 + 5 + 1 + 2 + 5] });
         let larger = Layout::grid(&sizes, 2, [1, 5], [12, 10]).unwrap();
         assert_eq!(larger, Layout { corners: vec![[1, 0], [6, 0], [2, 9]], size: [12, 16] });

@@ -5,13 +5,13 @@ use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
 use tiny_skia::Pixmap;
 
-/// Of 100: lines and letters are clean, and the file is still much smaller than a PNG.
+/// Out of 100. Lines and letters are clean, and the file is still much smaller than a PNG.
 const QUALITY: u8 = 92;
 
 /// A picture as WebP, without loss.
 ///
 /// # Errors
-/// Why the encoder gave up.
+/// The reason why the encoder gave up.
 pub fn webp(pixmap: Pixmap) -> Result<Vec<u8>, String> {
     let (width, height) = (pixmap.width(), pixmap.height());
     let mut bytes = Vec::new();
@@ -26,7 +26,7 @@ pub fn webp(pixmap: Pixmap) -> Result<Vec<u8>, String> {
 /// # Errors
 /// The reason why the encoder gave up.
 pub fn jpeg(pixmap: &Pixmap, dpi: Option<f64>) -> Result<Vec<u8>, String> {
-    // Premultiplied: white shows through by the complement of alpha.
+    // Premultiplied, so white shows through by the complement of alpha.
     let on_white = |p: &tiny_skia::PremultipliedColorU8| [p.red(), p.green(), p.blue()].map(|c| c + (255 - p.alpha()));
     let rgb: Vec<u8> = pixmap.pixels().iter().flat_map(on_white).collect();
     let mut bytes = Vec::new();

@@ -6,12 +6,13 @@ use crate::camera::{LensForm, Parameters, Pasted, Stated, camera_names, recognis
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::is_obeyed;
 
-/// `[camera] name` and `color`: they go with the camera when another one takes its place.
+/// `[camera] name` and `color`. They go with the camera when another one takes its place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraTag {
     /// No other camera of the figure has it.
     pub name: Option<String>,
-    /// The color of its parts in the world while another camera is the current one; `None` means that of its place.
+    /// The color of its parts in the world while another camera is the current one; `None` means the color of its
+    /// place.
     pub color: Option<Rgba>,
 }
 
@@ -20,9 +21,9 @@ pub struct CameraTag {
 pub struct NamedCamera {
     /// Not empty, and no other camera of the figure has it.
     pub name: String,
-    /// The color of its parts in the world; `None` means that of its place in the list.
+    /// The color of its parts in the world; `None` means the color of its place in the list.
     pub color: Option<Rgba>,
-    /// The keys of `[camera]`, which are a possible camera.
+    /// The keys of `[camera]`, which make a possible camera.
     pub parameters: Parameters,
     /// As [`Figure::lens`].
     pub lens: Option<LensForm>,
@@ -36,27 +37,27 @@ impl NamedCamera {
 }
 
 impl Figure {
-    /// True if a camera of the figure may have a name. It is one line, and no other camera has it. `own` is the
-    /// place in the list of the camera that is renamed, if it is there.
+    /// True if a camera of the figure may have this name: it's one line, and no other camera has it. `own` is the place
+    /// in the list of the camera to rename, if it's there.
     pub fn may_name_camera(&self, name: &str, own: Option<usize>) -> bool {
         let is_line = !name.trim().is_empty() && !name.contains(is_obeyed) && name.chars().count() <= MAX_CAMERA_NAME;
         let mut others = self.cameras.iter().enumerate().filter(|(i, _)| Some(*i) != own);
         is_line && self.tag.name.as_deref() != Some(name) && others.all(|(_, camera)| camera.name != name)
     }
 
-    /// The first of the names C1, C2, C3 … that is free.
+    /// The first free name of C1, C2, C3 …
     pub fn free_camera_name(&self) -> String {
         (1..).map(|i| format!("C{i}")).find(|name| self.may_name_camera(name, None)).unwrap_or_default()
     }
 
-    /// Adds a camera to the list, unless it is full.
+    /// Adds a camera to the list, unless it's full.
     pub fn add_camera(&mut self, camera: NamedCamera) {
         if self.cameras.len() < MAX_CAMERAS {
             self.cameras.push(camera);
         }
     }
 
-    /// The current camera as one of the list, under its name or under one that is free.
+    /// The current camera as one of the list, under its name or under a free one.
     pub fn current_camera(&self) -> NamedCamera {
         NamedCamera {
             name: self.tag.name.clone().unwrap_or_else(|| self.free_camera_name()),
@@ -66,8 +67,8 @@ impl Figure {
         }
     }
 
-    /// Gives the current camera the name of the first of several cameras of a file, and makes the others the list, as
-    /// many as it holds. Those that cannot be recognised are left out.
+    /// Gives the current camera the name of the first of several cameras of a file, and puts the others into the list,
+    /// as many as it holds. Cameras that can't be recognised are left out.
     pub fn take_other_cameras(&mut self, cameras: &[Pasted], stated: &Stated) {
         let names = camera_names(cameras);
         (self.cameras, self.compare) = (Vec::new(), None);
@@ -101,7 +102,7 @@ impl Figure {
         self.compare_with(&old, Some(name));
     }
 
-    /// Takes a camera out of the list.
+    /// Removes a camera from the list.
     pub fn remove_camera(&mut self, index: usize) {
         if index < self.cameras.len() {
             let removed = self.cameras.remove(index);
@@ -109,7 +110,7 @@ impl Figure {
         }
     }
 
-    /// A comparison with the camera of the one name becomes one with that of the other, or ends.
+    /// A comparison with the camera `old` becomes one with `new`, or ends.
     fn compare_with(&mut self, old: &str, new: Option<&str>) {
         let compared = self.compare.as_mut().filter(|comparison| comparison.camera.as_deref() == Some(old));
         match (compared, new) {
@@ -203,7 +204,7 @@ mod tests {
             let error = parse(text).unwrap_err();
             assert_eq!((error.line, error.key.as_str()), (line, key), "{error}");
         }
-        // Only an impossible [camera] is repaired by the window.
+        // The window only repairs an impossible [camera].
         assert!(parse_with_any_camera("[[cameras]]\nname = \"A\"\nnear = 5\nfar = 2\n").is_err());
     }
 }

@@ -9,13 +9,13 @@ pub struct Comparison {
     pub with: Vec<(String, String)>,
     /// Operations on the camera, done after the keys are set.
     pub ops: Vec<Operation>,
-    /// The name of one of the figure's other cameras, whose image is shown.
+    /// The name of one of the figure's other cameras, which provides the image.
     pub camera: Option<String>,
     /// The share of the picture, from the left, that shows the figure as it is: 0 … 1.
     pub wiper: f64,
     /// Two halves with a whole picture each, and no wiper.
     pub beside: bool,
-    /// Pixels that differ are marked.
+    /// True if differing pixels are marked.
     pub differences: bool,
 }
 

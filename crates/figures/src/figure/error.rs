@@ -1,4 +1,4 @@
-//! Why a text is not a figure.
+//! The reasons why a text isn't a figure.
 
 use super::words::{self, Words};
 use crate::camera::CameraError;
@@ -13,7 +13,7 @@ use crate::scene::SceneError;
 pub struct FigureError {
     /// Counted from 1.
     pub line: usize,
-    /// The section and key as they are written, `[camera] near`. Empty if none is concerned.
+    /// The section and key as written, `[camera] near`. Empty if none is concerned.
     pub key: String,
     /// The rule that the line breaks.
     pub problem: Problem,
@@ -22,10 +22,10 @@ pub struct FigureError {
 /// A problem in a line of a figure file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Problem {
-    /// The bytes are not UTF-8.
+    /// The bytes aren't UTF-8.
     #[error("not UTF-8 (byte {byte:#04x})")]
     NotUtf8 {
-        /// The first byte that does not fit.
+        /// The first invalid byte.
         byte: u8,
     },
     /// The file is larger than any figure.
@@ -48,7 +48,7 @@ pub enum Problem {
         /// As the author wrote it.
         text: String,
     },
-    /// A key or section that is there twice.
+    /// A key or section that appears twice.
     #[error("there twice")]
     Duplicate,
     /// A key beside another that gives the same value.
@@ -56,10 +56,10 @@ pub enum Problem {
     Rival {
         /// The other key.
         other: &'static str,
-        /// All keys of which a section may have one.
+        /// All keys, only one of which a section may have.
         ways: &'static [&'static str],
     },
-    /// More of them than there may be.
+    /// More of them than allowed.
     #[error("are {count}; allowed: at most {limit}")]
     TooMany {
         /// The number found.
@@ -67,10 +67,10 @@ pub enum Problem {
         /// The greatest number allowed.
         limit: usize,
     },
-    /// A key that no section of this name has.
+    /// A key that's unknown in this section.
     #[error("unknown; known: {}", known.join(", "))]
     UnknownKey {
-        /// The key that was probably meant.
+        /// The key that the author probably meant.
         near: Option<String>,
         /// The keys that exist there.
         known: Vec<&'static str>,
@@ -78,39 +78,39 @@ pub enum Problem {
     /// A value of the wrong type or out of its range.
     #[error("is {found}; allowed: {allowed:?}")]
     Value {
-        /// The value as it is written, shortened.
+        /// The value as written, shortened.
         found: String,
         /// The allowed values.
         allowed: Allowed,
     },
-    /// A number that is written as a text, which cannot be read.
+    /// A number written as a text, which can't be read.
     #[error("is \"{}\": {error} in {}; allowed: {allowed:?}", escaped(text), expression::marked(text, &error.span))]
     Expression {
         /// As the author wrote it.
         text: String,
-        /// The fault in the expression.
+        /// The error in the expression.
         error: Box<ExpressionError>,
         /// The allowed values.
         allowed: Allowed,
     },
-    /// A key without which the section says nothing.
+    /// A key without which the section is incomplete.
     #[error("missing")]
     Missing {
         /// The allowed values.
         allowed: Allowed,
     },
-    /// A text with a formula that is not only mathematics.
+    /// A text with a formula that isn't only mathematics.
     #[error(transparent)]
     Formula(#[from] FormulaError),
-    /// The objects or lights make no scene.
+    /// The objects or lights don't make a scene.
     #[error("{error}")]
     Scene {
-        /// Why not.
+        /// The reason why not.
         error: Box<SceneError>,
-        /// The object that was probably meant.
+        /// The object that the author probably meant.
         near: Option<String>,
     },
-    /// The values of `[camera]` make no camera.
+    /// The values of `[camera]` don't make a camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
 }
@@ -122,13 +122,13 @@ pub enum Allowed {
     Number,
     /// A finite number greater than 0.
     PositiveNumber,
-    /// A number between two, both included.
+    /// A number between two others, both included.
     NumberIn(f64, f64),
     /// Degrees between 0 and 180, both excluded.
     HalfTurn,
     /// Two finite numbers greater than 0.
     PositivePair,
-    /// An integer between two, both included.
+    /// An integer between two others, both included.
     IntegerIn(i64, i64),
     /// One of some integers.
     Integers(&'static [i64]),
@@ -156,13 +156,13 @@ pub enum Allowed {
     SwitchOr(Vec<&'static str>),
     /// `"#rrggbb"` or `"#rrggbbaa"`.
     Color,
-    /// A text that is not empty.
+    /// A text that isn't empty.
     Text,
     /// One of some words.
     Word {
-        /// All that the key takes.
+        /// All words allowed for the key.
         words: Vec<&'static str>,
-        /// The one that was probably meant.
+        /// The word that the author probably meant.
         near: Option<String>,
     },
     /// A list of some words.
@@ -171,7 +171,7 @@ pub enum Allowed {
     TomlValue,
     /// Two finite numbers.
     Pair,
-    /// `[x, y]`, two numbers between two, both included.
+    /// `[x, y]`, two numbers between two others, both included.
     PairIn(f64, f64),
     /// The place of a note.
     NotePlace,
@@ -186,7 +186,7 @@ pub enum Allowed {
         /// The longest in characters.
         limit: usize,
     },
-    /// A text of one line that is not empty.
+    /// A text of one line that isn't empty.
     Line {
         /// The longest in characters.
         limit: usize,
@@ -200,7 +200,7 @@ pub enum Allowed {
         /// The longest in characters.
         limit: usize,
     },
-    /// A name that nothing else has.
+    /// A name that isn't used yet.
     FreeName,
     /// A list of operations that the camera can do.
     Operations,
@@ -214,7 +214,7 @@ pub enum Allowed {
     TwoVectors,
     /// At most the number of another key.
     NotAbove(&'static str),
-    /// Conditions of which none excludes another.
+    /// Conditions that don't exclude each other.
     Compatible,
     /// A key or a section of the steps of a lesson so far.
     KeyOfSteps,
@@ -226,7 +226,7 @@ pub enum Allowed {
     Either(&'static str, &'static str),
     /// One of the values of another key.
     Choice(Vec<String>),
-    /// An answer that is wrong.
+    /// A wrong answer.
     WrongAnswer,
     /// A section, `[like.this]`.
     Section,

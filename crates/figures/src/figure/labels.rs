@@ -1,4 +1,4 @@
-//! The author's changes of the labels in the pictures, and notes of one's own: the `[labels]` section of a figure.
+//! The author's changes of the labels in the pictures, and the author's notes: the `[labels]` section of a figure.
 
 use glam::{DVec2, DVec3};
 
@@ -10,33 +10,33 @@ use crate::limits::MAX_LABEL_TEXT;
 
 /// The `[labels]` section. The default leaves every label as the pictures make it.
 ///
-/// Labels are called by their names: those of the notes (`C`, `PF`, `u`, `near`), which are the same in every language
-/// and stay when the text is another; several labels of a picture may have one name.
+/// Labels are identified by their names. Those of the notes (`C`, `PF`, `u`, `near`) are the same in every language and
+/// stay if the text changes. Several labels of a picture may have one name.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Labels {
     /// The letters of all labels.
     pub letters: Letters,
-    /// The names of labels that are left out.
+    /// The names of hidden labels.
     pub hidden: Vec<String>,
     /// Labels with other texts.
     pub renamed: Vec<RenamedLabel>,
-    /// Labels at places of the author's.
+    /// Labels at places that the author chose.
     pub moved: Vec<MovedLabel>,
     /// Labels of other sizes and colours.
     pub styled: Vec<StyledLabel>,
-    /// Lengths and angles that are shown in the world.
+    /// Lengths and angles shown in the world.
     pub measures: Vec<LabelledMeasure>,
-    /// Notes of one's own.
+    /// The author's notes.
     pub notes: Vec<Note>,
 }
 
 /// The letters of labels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Letters {
-    /// Those of the window, without serifs.
+    /// The letters of the window, without serifs.
     #[default]
     Plain,
-    /// Those of the explanations: vectors bold, other symbols in italics.
+    /// The letters of the explanations: vectors bold, other symbols in italics.
     Mathematics,
 }
 
@@ -49,12 +49,12 @@ pub struct RenamedLabel {
     pub text: String,
 }
 
-/// A label at a place of the author's.
+/// A label at a place that the author chose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedLabel {
     /// The name of the label, as `label_names` gives it.
     pub name: String,
-    /// In which picture; `None` means in all.
+    /// The picture; `None` means all of them.
     pub view: Option<View>,
     /// From the label's point to the middle of its text, to the right and upwards, in heights of its type.
     pub by: DVec2,
@@ -71,7 +71,7 @@ pub struct StyledLabel {
     pub color: Option<Rgba>,
 }
 
-/// A length or an angle that is shown in the world.
+/// A length or an angle shown in the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LabelledMeasure {
     /// The length or angle.
@@ -95,11 +95,11 @@ pub enum MeasureText {
 /// A note of the author's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
-    /// In which picture; `None` means in all. A note at a place of the picture is in one.
+    /// The picture; `None` means all of them. A note at a place of the picture is in one only.
     pub view: Option<View>,
     /// The point, vertex, edge or place in the view that it belongs to.
     pub at: NotePlace,
-    /// From there to the middle of its text, as [`MovedLabel::by`]; `None` means where there is room.
+    /// From there to the middle of its text, like [`MovedLabel::by`]; `None` places it where there's room.
     pub by: Option<DVec2>,
     /// Its text, as [`RenamedLabel::text`].
     pub text: String,
@@ -128,14 +128,14 @@ pub enum NotePlace {
         /// The index of the edge.
         edge: u32,
     },
-    /// A place of the picture: (0, 0) is its lower left corner, (1, 1) its upper right one.
+    /// A place of the picture, where (0, 0) is its lower left corner, and (1, 1) its upper right one.
     Picture(DVec2),
 }
 
 /// The changes of one label in one picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LabelChange<'a> {
-    /// It is left out.
+    /// True if it's hidden.
     pub hidden: bool,
     /// `None` if the label keeps its own text.
     pub text: Option<&'a str>,
@@ -148,17 +148,17 @@ pub struct LabelChange<'a> {
 }
 
 impl LabelChange<'_> {
-    /// True if the label is as the pictures make it.
+    /// True if the author left the label unchanged.
     pub fn is_automatic(&self) -> bool {
         *self == Self::default()
     }
 }
 
 impl Labels {
-    /// The changes of a label in a picture. A place for one picture counts more than one for all.
+    /// The changes of a label in a picture. A place for one picture takes precedence over one for all.
     pub fn change(&self, name: &str, view: View) -> LabelChange<'_> {
         if let Some(note) = note_index(name).and_then(|i| self.notes.get(i)) {
-            // A text at a place of the picture stands there.
+            // A text for a place of the picture stands there.
             let there = matches!(note.at, NotePlace::Picture(_)).then_some(DVec2::ZERO);
             return LabelChange {
                 hidden: false,
@@ -180,7 +180,7 @@ impl Labels {
         }
     }
 
-    /// Puts a label at a place of one picture. A note in all of its pictures.
+    /// Moves a label in one picture, or a note in all of its pictures.
     pub fn move_to(&mut self, name: &str, view: View, by: DVec2) {
         if let Some(note) = self.note_mut(name) {
             note.by = Some(by);
@@ -193,7 +193,7 @@ impl Labels {
         }
     }
 
-    /// Gives a label another text; without one it has its own again. The text of a note is never empty.
+    /// Gives a label another text. Without one, it gets its own text back. The text of a note is never empty.
     pub fn rename(&mut self, name: &str, text: Option<&str>) {
         if let Some(note) = self.note_mut(name) {
             if let Some(text) = text {
@@ -205,7 +205,7 @@ impl Labels {
         self.renamed.extend(text.map(|text| RenamedLabel { name: name.to_owned(), text: text.to_owned() }));
     }
 
-    /// Leaves a label out. A note goes.
+    /// Hides a label, or removes a note.
     pub fn hide(&mut self, name: &str) {
         if let Some(i) = note_index(name) {
             if i < self.notes.len() {
@@ -216,7 +216,7 @@ impl Labels {
         }
     }
 
-    /// Shows a label again that was left out.
+    /// Shows a hidden label again.
     pub fn show(&mut self, name: &str) {
         self.hidden.retain(|hidden| hidden != name);
     }
@@ -233,7 +233,7 @@ impl Labels {
         }
     }
 
-    /// Shows a length or an angle with a text, or no longer.
+    /// Shows a length or an angle with a text, or hides it.
     pub fn measure(&mut self, measure: Measure, shown: Option<MeasureText>) {
         match (self.measures.iter_mut().find(|labelled| labelled.measure == measure), shown) {
             (Some(labelled), Some(shown)) => labelled.shown = shown,
@@ -242,7 +242,7 @@ impl Labels {
         }
     }
 
-    /// Leaves a label to the pictures again. A note stays, where there is room for it.
+    /// Leaves a label to the pictures again. A note stays, at a place with room for it.
     pub fn reset(&mut self, name: &str) {
         if let Some(note) = self.note_mut(name) {
             (note.by, note.size, note.color) = (None, None, None);
@@ -267,7 +267,7 @@ impl Labels {
         };
     }
 
-    /// The part of it that is seen in a picture of a kind.
+    /// The part of it that's visible in a picture of a kind.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         let mut seen = self.clone();
@@ -278,7 +278,7 @@ impl Labels {
         seen
     }
 
-    /// Every name that stands in it, notes left out.
+    /// Every name in it, except for notes.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let renamed = self.renamed.iter().map(|renamed| renamed.name.as_str());
         let moved = self.moved.iter().map(|moved| moved.name.as_str());
@@ -286,7 +286,7 @@ impl Labels {
         self.hidden.iter().map(String::as_str).chain(renamed).chain(moved).chain(styled)
     }
 
-    /// The names that none of `known` is and that are not `allowed`, each once, with the one that was probably meant.
+    /// The names that are neither in `known` nor `allowed`, each once, with the name that the author probably meant.
     pub fn unknown(&self, known: &[&str], allowed: impl Fn(&str) -> bool) -> Vec<(String, Option<String>)> {
         let mut unknown: Vec<(String, Option<String>)> = Vec::new();
         for name in self.names().filter(|name| !known.contains(name) && !allowed(name)) {
@@ -321,12 +321,12 @@ pub fn note_name(index: usize) -> String {
     format!("{NOTE}{}", index + 1)
 }
 
-/// The place in the list of the note whose label has a name; `None` for other labels.
+/// The place in the list of the note whose label has this name; `None` for other labels.
 pub fn note_index(name: &str) -> Option<usize> {
     name.strip_prefix(NOTE)?.parse::<usize>().ok()?.checked_sub(1)
 }
 
-/// The name of a legend as a whole. It is hidden, moved and styled by it.
+/// The name of a legend as a whole, for hiding, moving and styling it.
 pub const LEGEND: &str = "legend";
 
 /// True for the name of a line of a legend: `legend:depth`.
@@ -334,23 +334,23 @@ pub fn is_in_legend(name: &str) -> bool {
     name.strip_prefix(LEGEND).is_some_and(|rest| rest.starts_with(':'))
 }
 
-/// The name of what moves with a label: a legend moves as a whole.
+/// The name under which a label moves, because a legend moves as a whole.
 fn moved_as(name: &str) -> &str {
     if is_in_legend(name) { LEGEND } else { name }
 }
 
-/// Why a text cannot be that of a label.
+/// The reason why a text can't be that of a label.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LabelTextError {
     /// It has no letters, several lines, or too many letters.
     #[error("a label has 1 … {MAX_LABEL_TEXT} characters on one line")]
     Length,
-    /// A formula that a label cannot show.
+    /// A formula that a label can't show.
     #[error(transparent)]
     Formula(#[from] FormulaError),
 }
 
-/// A text as it is set in a picture: what stands between dollar signs becomes symbols, `$\theta_c$` → `θ_c`, and
+/// The text set in a picture. Mathematics between dollar signs becomes symbols, `$\theta_c$` → `θ_c`, and
 /// `$\mathbf{u}$` a bold letter.
 ///
 /// # Errors

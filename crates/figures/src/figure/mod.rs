@@ -57,7 +57,7 @@ pub struct Figure {
     pub caption: Option<Bilingual>,
     /// `[camera]`
     pub camera: Parameters,
-    /// `[camera] horizontal_angle` or `lens`: the form in which the file gives θ. It is written as long as it gives the
+    /// `[camera] horizontal_angle` or `lens`: the form in which the file gives θ. It's written as long as it gives the
     /// angle of `camera`. See [`Figure::lens_in_force`].
     pub lens: Option<LensForm>,
     /// `[camera] name` and `color`.
@@ -66,8 +66,8 @@ pub struct Figure {
     pub cameras: Vec<NamedCamera>,
     /// `[image]`
     pub image: ImageSize,
-    /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not
-    /// as the m × n image of `[0]` Eq. (5.22).
+    /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, instead
+    /// of the m × n image of `[0]` Eq. (5.22).
     pub undistorted: bool,
     /// `[image] photograph` and `photograph_opacity`.
     pub photograph: Option<Photograph>,
@@ -83,12 +83,11 @@ pub struct Figure {
     pub reveal: Reveal,
     /// `[world]`
     pub world: WorldLook,
-    /// `[observers]`: from where the world and the canonical volume are seen; `None` means from where everything can be
-    /// seen.
+    /// `[observers]`: the observers of the world and of the canonical volume. `None` means one that sees everything.
     pub observers: Observers,
     /// `[show]`: explanations in the pictures.
     pub show: Show,
-    /// `[screen]`: how a window shows the figure.
+    /// `[screen]`: the display of the figure in a window.
     pub screen: Screen,
     /// `[compare]`: the same figure in another way, beside it.
     pub compare: Option<Comparison>,
@@ -97,7 +96,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// A named scene, from where it and its view volume are worth seeing.
+    /// A named scene, with a camera that shows it and its view volume well.
     pub fn of_preset(preset: Preset) -> Self {
         let scene = SceneSpec { preset, ..SceneSpec::default() };
         Self { camera: recommended_camera(preset), scene, ..Self::default() }
@@ -108,7 +107,7 @@ impl Figure {
         self.lens.filter(|lens| lens.view_angle(self.camera.aspect) == self.camera.view_angle)
     }
 
-    /// All but the scene, and but the observers and what is shown, which are no edits.
+    /// Everything except the scene, the observers and the display, which aren't edits.
     #[must_use]
     pub fn without_scene(&self) -> Self {
         Self { scene: SceneSpec::default(), observers: Observers::default(), show: Show::default(), ..self.clone() }

@@ -1,6 +1,6 @@
-//! The key that was probably meant.
+//! Guesses the key that an author probably meant.
 
-/// Keys and words, and what other programs, the notes and hasty typing call them.
+/// Keys and words, with their names in other programs and in the notes, and typing errors.
 const SYNONYMS: &[(&str, &str)] = &[
     ("view_angle", "fov fovy fov_y field_of_view angle theta viewangle"),
     ("position", "eye c location camera_position from pos"),
@@ -56,7 +56,7 @@ const HOMES: &[(&str, &str)] = &[
     ("compare", "wiper differences"),
 ];
 
-/// The one of `known` that `word` probably means, or the section where the key belongs.
+/// The entry of `known` that `word` probably means, or the section where the key belongs.
 pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
     known
         .iter()
@@ -68,12 +68,12 @@ pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
         .or_else(|| SYNONYMS.iter().find(|(_, words)| has(words, &word.to_lowercase())).and_then(|(key, _)| home(key)))
 }
 
-/// The one of `known` that `word` probably means.
+/// The entry of `known` that `word` probably means.
 pub(super) fn word(word: &str, known: &[&str]) -> Option<String> {
     synonym(word, known).or_else(|| by_letters(word, known.iter().copied()))
 }
 
-/// The one of the names of labels that `name` probably means.
+/// The label name that `name` probably means.
 pub(super) fn name(name: &str, known: &[&str]) -> Option<String> {
     let same = known.iter().find(|other| other.eq_ignore_ascii_case(name));
     same.map(|same| (*same).to_owned()).or_else(|| by_letters(name, known.iter().copied()))
@@ -92,7 +92,7 @@ fn has(words: &str, word: &str) -> bool {
     words.split(' ').any(|one| one == word)
 }
 
-/// The one of `known` that differs least in its letters, where that is little.
+/// The entry of `known` that differs least in its letters, if the difference is small.
 pub(super) fn by_letters<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     const LONGEST: usize = 64;
     let plain = |s: &str| s.to_lowercase().replace(['-', ' '], "_");
@@ -101,7 +101,7 @@ pub(super) fn by_letters<'a>(word: &str, known: impl Iterator<Item = &'a str>) -
     if letters > LONGEST {
         return None;
     }
-    // Inserted, deleted, replaced letters, and such as have changed places with their neighbours.
+    // Inserted, deleted and replaced letters, and letters that have changed places with their neighbours.
     let (best, steps) = known.map(|k| (k, strsim::osa_distance(&word, &plain(k)))).min_by_key(|(_, steps)| *steps)?;
     (steps <= 2 && steps * 2 < letters.max(2)).then(|| best.to_owned())
 }

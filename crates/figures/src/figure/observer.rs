@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use crate::camera::{Camera, CameraError, Parameters, Projection};
 use crate::geometry::{Aabb, Angle};
 
-/// Half the observer's view angle across the smaller side of the picture: narrow, so that the picture's own perspective
-/// does not compete with the one it shows.
+/// Half the observer's view angle across the smaller side of the picture. It's narrow, so that the picture's own
+/// perspective doesn't compete with the one it shows.
 pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(14.0);
 
 /// The tangents of half the view angles, across and up, of a picture of this aspect. The smaller side has the angle of
@@ -15,11 +15,11 @@ pub fn half_tangents(aspect: f64) -> DVec2 {
     HALF_VIEW_ANGLE.tan() * DVec2::new(aspect.max(1.0), (1.0 / aspect).max(1.0))
 }
 
-/// Greatest depth range over the observer's distance in parallel projection, where depth is linear and stored in `f32`:
-/// beyond it, faces that touch would flicker.
+/// Greatest depth range over the observer's distance in parallel projection, where depth is linear and stored in `f32`.
+/// Beyond it, faces that touch would flicker.
 const PARALLEL_DEPTH: f64 = 100.0;
 
-/// The observer of a three-dimensional picture: an orbit about a target.
+/// The observer of a three-dimensional picture, in an orbit about a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
     /// The point in the middle of the picture, in the space of the picture.
@@ -30,19 +30,19 @@ pub struct Observer {
     pub azimuth: f64,
     /// Degrees above the ground, −90 … 90.
     pub elevation: f64,
-    /// Degrees by which the eye is turned about its line of sight, counter-clockwise as seen in the picture: the
-    /// picture turns clockwise.
+    /// Rotation of the eye about its line of sight in degrees, counter-clockwise as seen in the picture, so the picture
+    /// turns clockwise.
     pub roll: f64,
     /// Parallel (true) or perspective projection of this picture.
     pub parallel: bool,
 }
 
 impl Observer {
-    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns its front to the right, `dy_deg` > 0
-    /// turns it down, so that the eye rises.
+    /// Turns about the target. The scene follows the pointer. `dx_deg` > 0 turns its front to the right, and `dy_deg` >
+    /// 0 turns it down, so that the eye rises.
     #[must_use]
     pub fn orbit(self, dx_deg: f64, dy_deg: f64) -> Self {
-        // Across and along the ground, which lies aslant for a rolled eye.
+        // Across and along the ground, which is tilted for a rolled eye.
         let (s, c) = Angle::from_degrees(self.roll).sin_cos();
         let (dx_deg, dy_deg) = (dx_deg * c + dy_deg * s, dy_deg * c - dx_deg * s);
         Self {
@@ -61,8 +61,8 @@ impl Observer {
         Self { target: self.target - right * (dx_px * unit) + up * (dy_px * unit), ..self }
     }
 
-    /// Moves nearer (`factor` > 1) or away: things at the target are shown `factor` times as large. A factor that is
-    /// not positive and finite changes nothing.
+    /// Moves nearer (`factor` > 1) or away, so that things at the target appear `factor` times as large. A factor that
+    /// isn't positive and finite changes nothing.
     #[must_use]
     pub fn zoom(self, factor: f64) -> Self {
         let distance = self.distance / factor;
@@ -94,20 +94,20 @@ impl Observer {
         Self { roll: if roll.abs() < 1e-9 { 0.0 } else { roll }, ..upright }
     }
 
-    /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` bears it.
+    /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` allows.
     ///
     /// # Errors
-    /// [`CameraError`] for an observer that is not a camera, such as one at distance 0.
+    /// [`CameraError`] for an observer that isn't a camera, such as one at distance 0.
     pub fn camera(&self, bounds: Option<Aabb>, aspect: f64) -> Result<Camera, CameraError> {
         let [_, up, back] = self.axes();
         let tangents = half_tangents(aspect);
-        // The angle itself, and not that of its tangent, if it's the observer's own.
+        // The angle itself, not the angle of its tangent, if it's the observer's own.
         let view_angle = 2.0 * if aspect < 1.0 { tangents.y.atan().to_degrees() } else { HALF_VIEW_ANGLE.degrees() };
         let reach = bounds.map_or(0.0, |b| {
             b.corners().iter().map(|&p| back.dot(p - self.target).abs()).filter(|d| d.is_finite()).fold(0.0, f64::max)
         });
-        // In parallel projection the place of the eye does not matter: it steps back from all that is to be seen. In
-        // perspective it stays, and depth, which is reversed, keeps its resolution whatever the far plane is.
+        // In parallel projection the place of the eye doesn't matter, so it steps back from everything visible. In
+        // perspective it stays, and depth, which is reversed, keeps its resolution with any far plane.
         let (eye, near, far) = if self.parallel {
             let half = (1.01 * reach).clamp(self.distance, PARALLEL_DEPTH * self.distance);
             (1.01 * half, 0.01 * half, 2.02 * half)

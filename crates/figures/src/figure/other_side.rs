@@ -16,16 +16,15 @@ use crate::sanitize::escaped;
 pub struct OtherSide {
     /// The figure in the other way, without its scene.
     pub figure: Figure,
-    /// Its camera, where it is another one.
+    /// Its camera, if it's another one.
     pub camera: Option<Camera>,
-    /// The keys that are compared, with the values of the figure and those of the other side as they are written;
-    /// `None` if none is.
+    /// The compared keys, with the values of the figure and of the other side as written; `None` if there is none.
     pub values: Vec<(String, [Option<String>; 2])>,
 }
 
 impl Comparison {
-    /// A figure that is compared as this says in one key: where it has the first of two values, with the second; else
-    /// with the first.
+    /// A figure compared in one key. If it has the first of two values, it's compared with the second, else with the
+    /// first.
     pub fn of_pair(self, figure: &Figure, key: &str, pair: [&str; 2]) -> Figure {
         let has_first = own_value(figure, key).as_deref() == Some(pair[0]);
         let other = quoted(if has_first { pair[1] } else { pair[0] }).to_string();
@@ -33,7 +32,7 @@ impl Comparison {
         Figure { compare, ..figure.clone() }
     }
 
-    /// A comparison with another figure of the same scene: all of its camera, and its ways of drawing that differ.
+    /// A comparison with another figure of the same scene: its whole camera, and its styles that differ.
     pub fn with_figure(self, figure: &Figure, other: &Figure) -> Self {
         let document = document(&Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
         let camera = document.get("camera").and_then(Item::as_table_like);
@@ -45,7 +44,7 @@ impl Comparison {
         if other.camera.window.is_none() {
             with.push(("camera.window".to_owned(), NOTHING.to_owned()));
         }
-        // Both sides are of one scene, whose colours are those of a theme.
+        // Both sides show one scene, whose colours come from a theme.
         let bare = |of: &Figure| Figure { style: Style { theme: figure.style.theme, ..of.style }, ..Figure::default() };
         let Difference { changed, .. } = difference(Some(&bare(figure)), &bare(other));
         let style = changed.get("style").and_then(Item::as_table_like);
@@ -58,25 +57,25 @@ impl Comparison {
         Self { with, ops: Vec::new(), ..self }
     }
 
-    /// True if all of the camera is another one, and no single key.
+    /// True if the whole camera is another one, not a single key.
     pub fn is_of_camera(&self) -> bool {
         ["position", "focal_point", "view_up"]
             .into_iter()
             .all(|key| self.with.iter().any(|(with, _)| with.strip_prefix("camera.") == Some(key)))
     }
 
-    /// The values of the first key on both sides, as they are written without quotes.
+    /// The values of the first key on both sides, as written, without quotes.
     pub fn values(&self, figure: &Figure) -> Vec<String> {
         let Some((key, other)) = self.with.first() else { return Vec::new() };
         let other = other.trim_matches('"').to_owned();
         own_value(figure, key).into_iter().chain([other]).collect()
     }
 
-    /// The figure in the other way. Its own comparison is left out.
+    /// The figure of the other side. Its own comparison is left out.
     ///
     /// # Errors
-    /// [`FigureError`], whose line is meaningless: a value is impossible together with those of the figure, or an
-    /// operation that the camera cannot do.
+    /// [`FigureError`], whose line is meaningless, if a value is impossible together with those of the figure, or the
+    /// camera can't do an operation.
     pub fn other_side(&self, figure: &Figure) -> Result<OtherSide, FigureError> {
         let bare =
             Figure { observers: figure.observers, show: figure.show.clone(), compare: None, ..figure.without_scene() };
@@ -110,7 +109,7 @@ impl Comparison {
         Ok(OtherSide { figure: other, camera: is_another.then_some(camera), values })
     }
 
-    /// The same comparison with its sides exchanged, and the figure that belongs to it. `None` if there is no other
+    /// The same comparison with its sides exchanged, and the figure that belongs to it. `None` if there's no other
     /// side, or the figure has no written value of one of its keys.
     pub fn swapped(&self, figure: &Figure) -> Option<Figure> {
         if let Some(name) = &self.camera {
@@ -143,7 +142,7 @@ fn own_value(figure: &Figure, key: &str) -> Option<String> {
     Some(written.or_else(|| unwritten(key))?.trim().trim_matches('"').to_owned())
 }
 
-/// The value of a key that is not written in a figure, where there is one.
+/// The value of a key that isn't written in a figure, if there is one.
 fn unwritten(key: &str) -> Option<String> {
     Some(match key {
         "camera.window" => NOTHING.to_owned(),
@@ -203,7 +202,7 @@ mod tests {
         let text = |text: &str| Some(text.to_owned());
         assert_eq!(other.values[0].1, [text("depth-buffer"), text("painter")]);
         assert_eq!(other.values[1].1, [text("false"), text("true")]);
-        // Near passes the old back plane, and both orders of the keys mean the same.
+        // Near passes the old back plane, and the order of the keys doesn't matter.
         for keys in ["\"camera.near\" = 50, \"camera.far\" = 200", "\"camera.far\" = 200, \"camera.near\" = 50"] {
             let figure = parse(&format!("[compare]\nwith = {{ {keys} }}\n")).unwrap();
             let other = figure.compare.as_ref().unwrap().other_side(&figure).unwrap();

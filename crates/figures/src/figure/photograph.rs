@@ -1,11 +1,11 @@
 //! The photograph under the image.
 
-/// A photograph that fills the image under the scene, to compare the two.
+/// A photograph that fills the image under the scene, for comparing the two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Photograph {
     /// `[image] photograph`: the file, relative to the figure file.
     pub file: String,
-    /// `[image] photograph_opacity`, 0 … 1: its share, that of the background is the rest.
+    /// `[image] photograph_opacity`, 0 … 1: its share. The background has the rest.
     pub opacity: f64,
 }
 

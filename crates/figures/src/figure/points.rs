@@ -1,8 +1,8 @@
-//! `[[points]]`: points of the world that are followed, each with a name.
+//! `[[points]]`: followed points of the world, each with a name.
 
 use glam::DVec3;
 
-/// A point that is followed.
+/// A followed point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedPoint {
     /// Not empty, and no other point of the figure has it.
@@ -11,12 +11,12 @@ pub struct NamedPoint {
     pub position: DVec3,
 }
 
-/// True if a point may have a name. It is not empty, and none of the `others` has it.
+/// True if a point may have this name: it isn't empty, and none of the `others` has it.
 pub fn may_be_named<'a>(name: &str, mut others: impl Iterator<Item = &'a NamedPoint>) -> bool {
     !name.is_empty() && others.all(|other| other.name != name)
 }
 
-/// The first of the names P, Q, R … P2, Q2 … that is free.
+/// The first free name of P, Q, R … P2, Q2 …
 pub fn free_name(points: &[NamedPoint]) -> String {
     const LETTERS: [&str; 4] = ["P", "Q", "R", "S"];
     let round = |k: usize| LETTERS.map(|letter| if k == 0 { letter.to_owned() } else { format!("{letter}{}", k + 1) });

@@ -9,7 +9,7 @@ pub struct Reveal {
     pub depth: Depth,
     /// Drawing of the parts of the scene outside the view volume.
     pub outside: Outside,
-    /// The vertices that clipping makes are marked in all three pictures.
+    /// Marks the vertices that clipping makes in all three pictures.
     pub clipping: bool,
     /// The canonical volume and the image show the result of dividing by w before clipping `[2]`.
     pub divide_first: bool,
@@ -17,7 +17,7 @@ pub struct Reveal {
     pub culled: bool,
     /// World and image show where the scene's directions x, y, z vanish, with the construction `[4]`.
     pub vanishing: bool,
-    /// The image is the one of a pipeline in single precision: model and view matrix, and the points that they take.
+    /// The image is the one of a pipeline in single precision, for the model and view matrix, and their points.
     pub single_precision: bool,
     /// The inner work of texturing.
     pub texture: Option<TextureReveal>,
@@ -25,27 +25,27 @@ pub struct Reveal {
     pub shadows: Option<ShadowReveal>,
 }
 
-/// The inner work of shadows, made visible (`[reveal] shadows`). With each of them the volume of the light stands in
+/// The inner work of shadows, made visible (`[reveal] shadows`). With each of them the volume of the light appears in
 /// the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ShadowReveal {
-    /// The image is that of the first light that casts shadows: the distances from it.
+    /// The image is that of the first light that casts shadows, with the distances from it.
     Map,
     /// The pictures have no bias.
     Acne,
-    /// The image marks the pixels where rays to the lights say something else than the shadow maps.
+    /// The image marks the pixels where rays to the lights contradict the shadow maps.
     Truth,
 }
 
-/// Whether the image shows depths, and which (`[reveal] depth`).
+/// The depths that the image shows, if any (`[reveal] depth`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Depth {
     /// Colours, as always (`false`).
     #[default]
     Off,
-    /// Z as the depth buffer holds it, `[0]` Eq. (5.25): grey from 0 (black) to 1 (white) (`true`).
+    /// Z as stored in the depth buffer, `[0]` Eq. (5.25), grey from 0 (black) to 1 (white) (`true`).
     Stored,
-    /// The distance from the eye along DOP: grey from F (black) to B (white) (`"linear"`).
+    /// The distance from the eye along DOP, grey from F (black) to B (white) (`"linear"`).
     Linear,
 }
 

@@ -3,15 +3,15 @@
 
 use super::View;
 
-/// The `[screen]` section: how a window shows the figure. No picture depends on it. What it does not say stays as it is
-/// in the window.
+/// The `[screen]` section: the display of the figure in a window. No picture depends on it. Settings that it doesn't
+/// give stay as they are in the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Screen {
     /// The visible pictures, in the order of [`View::ALL`]; at least one is true.
     pub pictures: Option<[bool; View::COUNT]>,
-    /// The arrangement of several pictures; `Some(None)`: automatic.
+    /// The arrangement of several pictures; `Some(None)` is automatic.
     pub arrangement: Option<Option<Arrangement>>,
-    /// The explanation at the side; `Some(None)`: none.
+    /// The explanation at the side; `Some(None)` is none.
     pub panel: Option<Option<Explanation>>,
     /// The entry that the explanation of matrices shows.
     pub entry: Option<ScreenEntry>,
@@ -20,9 +20,9 @@ pub struct Screen {
 /// An entry of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScreenEntry {
-    /// The matrix that is open, such as `M_p`.
+    /// The open matrix, such as `M_p`.
     pub matrix: ScreenMatrix,
-    /// It is an entry of the inverse.
+    /// True for an entry of the inverse.
     pub inverse: bool,
     /// Row and column, from 1.
     pub place: [u8; 2],
@@ -84,7 +84,7 @@ crate::worded! {
         Stages = "stages",
         /// One triangle through the stages.
         Triangle = "triangle",
-        /// The image as far as it is painted, by each hidden-surface algorithm.
+        /// The image as far as it's painted, by each hidden-surface algorithm.
         HiddenSurfaces = "hidden-surfaces",
         /// The parts outside the view volume, and the division before clipping.
         Clipping = "clipping",
@@ -94,9 +94,9 @@ crate::worded! {
         Dialects = "dialects",
         /// The camera as code.
         Code = "code",
-        /// Whose NDC, compared with whose, and how matrices are written.
+        /// The chosen NDC, compared with another, and the notation of matrices.
         Conventions = "conventions",
-        /// Exercises whose answers are checked.
+        /// Exercises with checked answers.
         Exercises = "exercises",
         /// A short text for each symbol, operation, equation, step and stage.
         Notes = "notes",

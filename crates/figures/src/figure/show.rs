@@ -14,10 +14,9 @@ use crate::stage::Stage;
 pub struct Show {
     /// A stage: its input and its output.
     pub stage: Option<Stage>,
-    /// The picture in which the stage is shown, and whose pipeline it is a stage of. The others show the parts that
-    /// belong to it.
+    /// The picture that shows the stage, and in whose pipeline it is. The others show the parts that belong to it.
     pub stage_of: StagePicture,
-    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None` means all,
+    /// Only the first share (0 … 1) of the image's triangles is painted, in the order of painting; `None` means all,
     /// with everything else.
     pub painted: Option<f64>,
     /// The canonical picture on its way from the world.
@@ -28,9 +27,10 @@ pub struct Show {
     pub measure: Vec<Measured>,
     /// The object whose translation, rotation and scale are measured.
     pub measure_of: Option<String>,
-    /// A point or a ray that is marked in all pictures.
+    /// A point or a ray that's marked in all pictures.
     pub probe: Option<ShownProbe>,
-    /// Objects where lists of transforms would put them, in the world. Their axes are numbered in this order.
+    /// Objects at the places that lists of transforms would give them, in the world. Their axes are numbered in this
+    /// order.
     pub moved: Vec<TransformPreview>,
     /// The convention of NDC of the canonical volume; `None` means that of the notes, or of the window that shows it.
     pub ndc: Option<Ndc>,
@@ -81,13 +81,13 @@ impl Default for StagePicture {
 /// The progress of the canonical picture through the steps of a decomposition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShownStep {
-    /// Whose steps.
+    /// The source of the steps.
     pub way: Decomposition,
-    /// Number of steps applied, whole or between: 0 is the world; `None`, or more than there are: all.
+    /// Number of steps applied, whole or between. 0 is the world, and `None`, or more than there are, means all.
     pub at: Option<f64>,
 }
 
-/// A triangle that is followed step by step.
+/// A triangle followed step by step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShownTriangle {
     /// The name of its object.
@@ -107,7 +107,7 @@ crate::listed! {
         /// Object → world → view.
         #[default]
         View = "view",
-        /// Is it seen from its front?
+        /// Is its front visible?
         Facing = "facing",
         /// View → clip, with outcodes.
         Outcodes = "outcodes",
@@ -127,7 +127,7 @@ crate::listed! {
 }
 
 impl TriangleStep {
-    /// Whether it is about the pixels that the triangle covers.
+    /// True if it concerns the pixels that the triangle covers.
     pub const fn needs_pixels(self) -> bool {
         matches!(self, Self::Pixels | Self::Depth)
     }
@@ -178,7 +178,7 @@ impl Measure {
     }
 }
 
-/// The measure of a parameter, or of the entry of a matrix, in the world. Axes are 0 … 2: of the camera **u**, **v**,
+/// The measure of a parameter, or of the entry of a matrix, in the world. Axes are 0 … 2, for the camera **u**, **v**,
 /// **n**.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measured {
@@ -186,7 +186,7 @@ pub enum Measured {
     Dimension(Measure),
     /// A component of an axis of the camera along one of the world: `u_x`.
     Axis(usize, usize),
-    /// −**u** · **c**: where the world's origin is along an axis of the camera, seen from C.
+    /// −**u** · **c**: the position of the world's origin along an axis of the camera, seen from C.
     OriginAlong(usize),
     /// A coordinate of C.
     Position(usize),
@@ -205,7 +205,7 @@ pub enum Measured {
 }
 
 impl Measured {
-    /// Whether an object is measured, and not the camera.
+    /// True if it measures an object instead of the camera.
     pub const fn is_of_object(self) -> bool {
         matches!(self, Self::Translate(_) | Self::Rotate(_) | Self::Scale(_))
     }
@@ -224,10 +224,10 @@ pub enum WindowSide {
     Top,
 }
 
-/// Objects where a list of transforms puts them.
+/// Objects at the place that a list of transforms gives them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransformPreview {
-    /// The names of the objects; without any, a cube is shown.
+    /// The names of the objects. Without any, a cube is shown.
     pub objects: BTreeSet<String>,
     /// The map from their place in the world to the shown one.
     pub change: DMat4,
@@ -235,6 +235,6 @@ pub struct TransformPreview {
     pub world_from_frame: DMat4,
     /// The axis of their last turn.
     pub axis: Option<Ray>,
-    /// By another list, on purpose.
+    /// True for another list, wrong on purpose.
     pub wrong: bool,
 }

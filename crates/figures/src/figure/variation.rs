@@ -1,5 +1,4 @@
-//! The same figure at several values of a key, or after several amounts of an operation: what a sheet of small pictures
-//! shows.
+//! The same figure at several values of a key, or after several amounts of an operation, for a sheet of small pictures.
 
 use super::Figure;
 use super::edit::varied_together;
@@ -8,16 +7,16 @@ use crate::camera::{Camera, CameraError, Convention, Operation, OperationError};
 use crate::limits::{MAX_FAMILY, MAX_FRAMES};
 use crate::numbers::{EXACT_DIGITS, significant};
 
-/// A key of a figure, or an operation on its camera, with the values that it takes.
+/// A key of a figure, or an operation on its camera, with the chosen values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Variation {
     /// `camera.view_angle`, `style.visibility`, `show.step.at`, or the name of an operation.
     pub key: String,
-    /// The values as they are written. An empty one removes the key.
+    /// The values as written. An empty one removes the key.
     pub values: Vec<String>,
 }
 
-/// Why there is no family.
+/// The reason why there's no family.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum VariationError {
     /// No key, or no values.
@@ -26,12 +25,12 @@ pub enum VariationError {
     /// A range without an end, or with an impossible number of values.
     #[error("{found} is no range; allowed: FROM..TO:COUNT with a COUNT from 2 to {limit}")]
     Range {
-        /// The range as it is written.
+        /// The range as written.
         found: String,
         /// The most values.
         limit: usize,
     },
-    /// More pictures than there may be.
+    /// More pictures than allowed.
     #[error("are {count} pictures; allowed: at most {limit}")]
     TooMany {
         /// The number of pictures.
@@ -39,24 +38,24 @@ pub enum VariationError {
         /// The greatest number allowed.
         limit: usize,
     },
-    /// A value that the figure cannot have.
+    /// A value that the figure can't have.
     #[error("{key}={value}: {error}")]
     Figure {
         /// With its section, such as `camera.near`.
         key: String,
         /// As the author wrote it.
         value: String,
-        /// Why not. Its line is meaningless.
+        /// The reason why not. Its line is meaningless.
         error: Box<FigureError>,
     },
-    /// An amount that is none of an operation.
+    /// An impossible amount for an operation.
     #[error("{key}={value}: {error}")]
     Operation {
         /// The word of the operation, such as `azimuth`.
         key: String,
         /// As the author wrote it.
         value: String,
-        /// Why not.
+        /// The reason why not.
         error: Box<OperationError>,
     },
 }
@@ -66,7 +65,7 @@ pub enum VariationError {
 pub struct Variant {
     /// The figure, with the camera's parameters.
     pub figure: Figure,
-    /// Its camera, which knows more digits of them.
+    /// Its camera, which has more digits than they do.
     pub camera: Camera,
     /// Its values, in the order of the variations.
     pub at: Vec<VariedValue>,
@@ -75,7 +74,7 @@ pub struct Variant {
 /// The value of one variation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VariedValue {
-    /// A key, and its value without quotes; `None` means it is removed.
+    /// A key, and its value without quotes; `None` means that it's removed.
     Key(String, Option<String>),
     /// An operation of the camera with its amount.
     Operation(Operation),
@@ -83,16 +82,16 @@ pub enum VariedValue {
 
 impl Variation {
     /// Reads `KEY=VALUE,VALUE,…`. Commas between brackets, braces and quotes separate nothing. `FROM..TO:COUNT` are
-    /// evenly spaced numbers; without `:COUNT` they are `frames`, where there is such a number.
+    /// evenly spaced numbers. Without `:COUNT` there are `frames` of them, if there is such a number.
     ///
     /// # Errors
-    /// [`VariationError`] where there are no values, or too many.
+    /// [`VariationError`] if there are no values, or too many.
     pub fn parse(text: &str, frames: Option<usize>) -> Result<Self, VariationError> {
         let (key, list) = text.split_once('=').ok_or(VariationError::NoValues)?;
         Self::new(key, list, frames)
     }
 
-    /// The same of a key and a list of values.
+    /// The same for a key and a list of values.
     ///
     /// # Errors
     /// As for [`parse`](Self::parse).
@@ -115,7 +114,7 @@ impl Variation {
         Ok(Self { key: key.to_owned(), values })
     }
 
-    /// True if it is an operation.
+    /// True for an operation.
     pub fn is_operation(&self) -> bool {
         Operation::names().contains(&&*self.key)
     }
@@ -141,7 +140,7 @@ fn items(list: &str) -> Vec<&str> {
     items
 }
 
-/// The numbers of `FROM..TO:COUNT`; `None` for what is no range.
+/// The numbers of `FROM..TO:COUNT`; `None` if the text isn't a range.
 fn range(text: &str, frames: Option<usize>, limit: usize) -> Result<Option<Vec<String>>, VariationError> {
     let Some((from, rest)) = text.split_once("..").filter(|_| !text.starts_with(['"', '[', '{'])) else {
         return Ok(None);
@@ -159,11 +158,11 @@ fn range(text: &str, frames: Option<usize>, limit: usize) -> Result<Option<Vec<S
     Ok(Some((0..count).map(|k| significant(value(k), EXACT_DIGITS.min(12))).collect()))
 }
 
-/// The figures of a family: each value of the first variation with each of the second, and so on; the last one changes
-/// first. `camera` is that of the figure.
+/// The figures of a family, with each value of the first variation combined with each of the second, and so on. The
+/// last one changes first. `camera` is that of the figure.
 ///
 /// # Errors
-/// [`VariationError`] names the value that is impossible.
+/// [`VariationError`] names the impossible value.
 pub fn variants(
     figure: &Figure,
     camera: &Camera,
@@ -186,10 +185,10 @@ pub fn variants(
     (0..count).map(|index| varied_by(figure, camera, &chosen(index), convention)).collect()
 }
 
-/// The figure with keys set, and operations applied in their order; `camera` is that of the figure.
+/// The figure with keys set, and operations applied in their order. `camera` is that of the figure.
 ///
 /// # Errors
-/// [`VariationError`] names the value that is impossible.
+/// [`VariationError`] names the impossible value.
 pub fn varied_by(
     figure: &Figure,
     camera: &Camera,
@@ -203,7 +202,7 @@ pub fn varied_by(
         value: value.to_owned(),
         error: Box::new(error),
     };
-    // A value that is impossible by itself is the one to be named.
+    // The message names a value that's impossible by itself.
     let mut figure = match varied_together(figure, &keys) {
         Ok(varied) => varied,
         Err(error) => {

@@ -11,7 +11,7 @@ crate::listed! {
         /// The projected image.
         Image = "image",
     }
-    /// The word for it on the command line, in names of files and in data that programs read.
+    /// The word for it on the command line, in file names and in data for programs.
     pub fn name
 }
 
@@ -30,7 +30,7 @@ impl View {
 pub enum Views {
     /// One of the three.
     One(View),
-    /// All but one, which is named here.
+    /// All but this one.
     Without(View),
     /// All three.
     All,
@@ -48,7 +48,7 @@ impl Views {
         Self::Without(View::World),
     ];
 
-    /// The word for it on the command line, in names of files and in data that programs read.
+    /// The word for it on the command line, in file names and in data for programs.
     pub const fn name(self) -> &'static str {
         match self {
             Self::One(view) => view.name(),
@@ -59,7 +59,7 @@ impl Views {
         }
     }
 
-    /// Whether a picture is among them.
+    /// True if a picture is among them.
     pub fn contains(self, view: View) -> bool {
         match self {
             Self::One(one) => one == view,

@@ -1,4 +1,4 @@
-//! The words of a figure file: each name as it is written there, with its value.
+//! The words of a figure file, each name in the file with its value.
 
 use super::{
     Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, ShadowReveal,
@@ -9,7 +9,7 @@ use crate::camera::{Decomposition, Ndc, Projection, SensorFit};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
 
-/// Names and their values, in the order in which they are offered.
+/// Names and their values, in the order of menus.
 pub type Words<T> = &'static [(&'static str, T)];
 
 /// `projection`
@@ -60,7 +60,7 @@ pub const TEXTURE_REVEALS: Words<TextureReveal> =
 pub const SHADOW_REVEALS: Words<ShadowReveal> =
     &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne), ("truth", ShadowReveal::Truth)];
 
-/// `[[scene.objects]] shape`. Those that have data are empty here.
+/// `[[scene.objects]] shape`. Shapes with data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;
 
 /// `[[scene.lights]] kind`
@@ -119,7 +119,7 @@ pub const EXPLANATIONS: Words<Explanation> = Explanation::NAMED;
 /// `[show] triangle`, its `step`
 pub const TRIANGLE_STEPS: Words<TriangleStep> = TriangleStep::NAMED;
 
-/// `[show] measure`: the notes' symbols; a component is written after a point.
+/// `[show] measure`: the notes' symbols, with a component after a point.
 pub const MEASURES: Words<Measured> = &[
     ("F", Measured::Dimension(Measure::Near)),
     ("B", Measured::Dimension(Measure::Far)),

@@ -3,23 +3,23 @@
 /// The `[world]` section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorldLook {
-    /// The picture is the section through C along **u**, as in the side figures of `[0]`, and not the space.
+    /// True if the picture is the section through C along **u**, as in the side figures of `[0]`, instead of the space.
     pub section: bool,
     /// F, B, D, W, H and θ/2 as dimension lines.
     pub dimensions: bool,
-    /// Opacity of the image on the view window, 0 … 1; `None` means opaque, but faint where it would hide much of the
+    /// Opacity of the image on the view window, 0 … 1; `None` means opaque, but faint if it would hide much of the
     /// scene.
     pub window_opacity: Option<f64>,
-    /// The length of **u**, **v**, **n**, VUP and DOP, as a multiple of the usual one; `None`: 1.
+    /// The length of **u**, **v**, **n**, VUP and DOP, as a multiple of the usual one; `None` means 1.
     pub axes_length: Option<f64>,
-    /// The parts that stand in the world.
+    /// The visible parts of the world.
     pub parts: WorldParts,
 }
 
 /// The least and the greatest [`WorldLook::axes_length`].
 pub const AXES_LENGTHS: [f64; 2] = [0.5, 4.0];
 
-/// A part of the world picture that may be left out.
+/// An optional part of the world picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorldPart {
     /// The grid on y = 0.
@@ -47,7 +47,7 @@ pub enum WorldPart {
 }
 
 impl WorldPart {
-    /// All, with their keys in `[world]`, in the order in which they are offered.
+    /// All, with their keys in `[world]`, in the order of menus.
     pub const ALL: [(Self, &'static str); 11] = [
         (Self::Grid, "grid"),
         (Self::Axes, "axes"),
@@ -63,14 +63,14 @@ impl WorldPart {
     ];
 }
 
-/// The parts that stand in the world: all, where nothing else is said.
+/// The visible parts of the world, by default all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WorldParts {
     left_out: [bool; WorldPart::ALL.len()],
 }
 
 impl WorldParts {
-    /// True for a part that is drawn.
+    /// True if a part is drawn.
     pub fn has(&self, part: WorldPart) -> bool {
         !self.left_out[part as usize]
     }

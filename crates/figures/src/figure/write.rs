@@ -21,7 +21,7 @@ use crate::camera::{LensForm, Parameters, Projection, Sensor, Viewport};
 use crate::numbers;
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shadows, Shape, ShapeData};
 
-/// The figure file of `figure`, its keys in the order of the documentation.
+/// The figure file of `figure`, with its keys in the order of the documentation.
 ///
 /// # Guarantees
 /// Reading the text gives the same figure back, every number to the last bit, for each figure that a file can hold.
@@ -44,7 +44,7 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     if figure.undistorted {
         image.insert("undistorted", Item::Value(true.into()));
     }
-    // Both or none: an opacity alone is refused.
+    // Both or none, because the reader refuses an opacity alone.
     if let Some(Photograph { file, opacity }) = &figure.photograph {
         image.insert("photograph", Item::Value(quoted(file)));
         image.insert("photograph_opacity", Item::Value(number(*opacity)));
@@ -63,7 +63,7 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     let observers = [("world", figure.observers.world), ("canonical", figure.observers.canonical)];
     let mut sections = Table::new();
-    // Without a line of its own: only [observers.world] and [observers.canonical] are written.
+    // Without a line of its own, because only [observers.world] and [observers.canonical] are written.
     sections.set_implicit(true);
     for (key, given) in observers {
         if let Some(o) = given {
@@ -169,7 +169,7 @@ fn object(object: &ObjectSpec) -> Table {
         ("rotate", object.rotate, DVec3::ZERO),
         ("scale", object.scale, DVec3::ONE),
     ] {
-        // −0 is not 0: compared bit by bit.
+        // −0 isn't 0, so they're compared bit by bit.
         if value.to_array().map(f64::to_bits) != default.to_array().map(f64::to_bits) {
             keys.push((key, vector(value)));
         }
@@ -284,7 +284,7 @@ fn screen(screen: Screen) -> Table {
     table(keys)
 }
 
-/// A text that is the same in both languages, or one for each.
+/// A text that's the same in both languages, or one for each.
 fn told(text: &Bilingual) -> Value {
     let Bilingual { en, pt_br } = text;
     if en == pt_br {
@@ -301,8 +301,8 @@ fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
     table
 }
 
-/// A text in double quotes on one line, where the library would take several lines for one with a line end: those
-/// change with the line ends of the file. (JSON escapes the same characters as TOML, but for DEL.)
+/// A text in double quotes on one line. The library would take several lines for a text with a line end, and those
+/// change with the line ends of the file. (JSON escapes the same characters as TOML, except for DEL.)
 pub(super) fn quoted(text: &str) -> Value {
     let quoted = serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007F");
     let mut value = quoted.parse().unwrap_or_else(|_| Value::from(text));
@@ -310,11 +310,11 @@ pub(super) fn quoted(text: &str) -> Value {
     value
 }
 
-/// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the
-/// library has hundreds of zeros where it is very large or small.
+/// The shortest decimal number that reads back as the same `f64`. It's in Rust's notation for floats, because the
+/// library's has hundreds of zeros if the number is very large or small.
 fn number(x: f64) -> Value {
     let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
-    // Spaces around it are those of its place.
+    // Spaces around it belong to its place.
     value.decor_mut().clear();
     value
 }

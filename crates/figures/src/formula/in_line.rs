@@ -1,12 +1,12 @@
-//! Formulas on one line, as labels in pictures have them: LaTeX → signs, with `_{…}` for what is lowered.
+//! Formulas on one line, for labels in pictures: LaTeX → signs, with `_{…}` for subscripts.
 
 use super::{FormulaError, FormulaProblem, check_one};
 
-/// A text whose formulas, between dollar signs, become signs: `$\theta_c$` → `θ_c`, `$\frac{H}{2}$` → `H/2`, and
-/// `\mathbf{u}` the bold letter of Unicode. What is raised are the raised signs of Unicode, so few things can be.
+/// Turns the formulas of a text, between dollar signs, into signs: `$\theta_c$` → `θ_c`, `$\frac{H}{2}$` → `H/2`, and
+/// `\mathbf{u}` into the bold letter of Unicode. Superscripts are those of Unicode, so only few things can be raised.
 ///
 /// # Errors
-/// [`FormulaError`] for the first formula that is none, or needs more than one line.
+/// [`FormulaError`] for the first formula that isn't one, or needs more than one line.
 pub fn set(text: &str) -> Result<String, FormulaError> {
     let mut set = String::with_capacity(text.len());
     for (i, part) in text.split('$').enumerate() {
@@ -38,7 +38,7 @@ const SIGNS: &[(&str, &str)] = &[
     ("lbrack", "["), ("rbrack", "]"), ("lbrace", "{"), ("rbrace", "}"), ("quad", " "), ("qquad", "  "), ("enspace", " "), ("thinspace", " "),
 ];
 
-/// LaTeX words that stand between two things, with room on both sides.
+/// LaTeX words that stand between two things, with space on both sides.
 #[rustfmt::skip]
 const BETWEEN: &[(&str, &str)] = &[
     ("times", "×"), ("div", "÷"), ("pm", "±"), ("mp", "∓"), ("le", "≤"), ("leq", "≤"), ("ge", "≥"), ("geq", "≥"), ("ne", "≠"), ("neq", "≠"),
@@ -47,17 +47,17 @@ const BETWEEN: &[(&str, &str)] = &[
     ("mapsto", "↦"), ("cap", "∩"), ("cup", "∪"), ("subset", "⊂"), ("otimes", "⊗"), ("oplus", "⊕"), ("wedge", "∧"), ("vee", "∨"),
 ];
 
-/// Functions, which are written as they are called.
+/// Functions, which are written under their own names.
 const FUNCTIONS: &[&str] =
     &["sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min", "max", "det", "arg", "lim"];
 
-/// Words whose braces hold what is shown as it is.
+/// Words whose braces contain text shown unchanged.
 const AS_IT_IS: &[&str] = &["mathrm", "mathit", "text", "textrm", "textit", "operatorname", "left", "right"];
 
-/// Words that change how large things are.
+/// Words that change sizes.
 const SIZES: &[&str] = &["displaystyle", "textstyle", "big", "Big", "bigl", "bigr", "Bigl", "Bigr", "limits"];
 
-/// Signs that Unicode has raised.
+/// Signs that Unicode has as superscripts.
 const RAISED: [&str; 2] = ["0123456789+−=()ni", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿⁱ"];
 
 /// The LaTeX word for a sign beyond ASCII, the first of several.
@@ -70,13 +70,13 @@ pub(super) fn word_for(sign: char) -> Option<String> {
     (!sign.is_ascii()).then(|| format!("\\{word}"))
 }
 
-/// The sign that this one is the raised form of.
+/// The sign whose superscript form this is.
 pub(super) fn raised_by(c: char) -> Option<char> {
     let at = RAISED[1].chars().position(|raised| raised == c)?;
     RAISED[0].chars().nth(at)
 }
 
-/// The bold letter of mathematics for a letter or digit of ASCII. Others as they are.
+/// The bold mathematical letter for a letter or digit of ASCII. Others stay as they are.
 pub fn bold(c: char) -> char {
     let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
     match c {
@@ -87,7 +87,7 @@ pub fn bold(c: char) -> char {
     }
 }
 
-/// The italic letter of mathematics for a letter of ASCII. Others as they are.
+/// The italic mathematical letter for a letter of ASCII. Others stay as they are.
 pub fn italic(c: char) -> char {
     let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
     match c {
@@ -99,7 +99,7 @@ pub fn italic(c: char) -> char {
     }
 }
 
-/// A text of the pictures in the letters of mathematics: single letters are symbols, **u**, **v** and **n** vectors.
+/// A text of the pictures in mathematical letters, with single letters as symbols, **u**, **v** and **n** as vectors.
 pub fn symbols(text: &str) -> String {
     let mut set = String::with_capacity(2 * text.len());
     let letters: Vec<char> = text.chars().collect();
@@ -117,7 +117,7 @@ pub fn symbols(text: &str) -> String {
     set
 }
 
-/// Reads a formula that [`check_one`] lets through.
+/// Reads a formula that [`check_one`] accepts.
 struct Setter<'a> {
     rest: &'a str,
 }
@@ -163,7 +163,7 @@ impl Setter<'_> {
         Ok(line)
     }
 
-    /// The next thing: a sign, a word with what it takes, or what stands in braces.
+    /// The next thing: a sign, a word with its arguments, or the content of braces.
     fn one(&mut self) -> Result<String, FormulaProblem> {
         self.rest = self.rest.trim_start_matches([' ', '\n', '\t']);
         let Some(c) = self.rest.chars().next() else { return Ok(String::new()) };
@@ -224,7 +224,7 @@ impl Setter<'_> {
     }
 }
 
-/// The letter of ASCII for an italic one. Others as they are.
+/// The letter of ASCII for an italic one. Others stay as they are.
 fn upright(c: char) -> char {
     ('A'..='Z').chain('a'..='z').find(|letter| italic(*letter) == c).unwrap_or(c)
 }
@@ -233,12 +233,12 @@ fn not_on_a_line(word: &str) -> FormulaProblem {
     FormulaProblem::NotOnALine(format!("\\{word}"))
 }
 
-/// A sum or a product in parentheses. A single thing as it is.
+/// A sum or a product in parentheses. A single thing stays as it is.
 fn together(part: &str) -> String {
     if part.contains([' ', '/', '·', '(']) { format!("({part})") } else { part.to_owned() }
 }
 
-/// Adds a sign between what there is and what comes. A sign of what comes, where there is nothing before it.
+/// Adds a sign between the text so far and the following one. At the beginning, it's a sign of the following one.
 fn between(line: &mut String, sign: &str) {
     let is_first = line.is_empty() || line.ends_with([' ', '(', '[', '|', '/']);
     if is_first && "+−".contains(sign) {

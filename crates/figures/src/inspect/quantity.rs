@@ -1,4 +1,4 @@
-//! The numbers of a report by type, from which their paths in the JSON of `inspect` come.
+//! The numbers of a report by type, which gives their paths in the JSON of `inspect`.
 
 use std::fmt;
 
@@ -7,13 +7,12 @@ use serde_json::Value;
 use super::Report;
 use crate::camera::ParameterKey;
 
-/// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order in which they were
-/// asked for.
+/// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order of the request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
-    /// A parameter of the camera. Its window is read by [`CameraSide`](Self::CameraSide).
+    /// A parameter of the camera. [`CameraSide`](Self::CameraSide) reads its window.
     Camera(ParameterKey),
-    /// A side of the window among the parameters, where they have one.
+    /// A side of the window among the parameters, if they have one.
     CameraSide(Side),
     /// DOP
     Direction,
@@ -185,7 +184,7 @@ named! {
     }
 }
 
-/// Numbers in rows: a number is 1 × 1, a vector is a column.
+/// Numbers in rows. A number is 1 × 1, and a vector is a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers {
     /// The number of columns.
@@ -207,7 +206,7 @@ impl Quantity {
         Some(Numbers { columns, entries: numbers(found)? })
     }
 
-    /// The quantity of a path. The rest of the path is of entries of it.
+    /// The quantity of a path. The rest of the path leads to entries of it.
     fn of_path<'a>(parts: &'a [&'a str]) -> Option<(Self, &'a [&'a str])> {
         let index = |part: &str| part.parse::<usize>().ok();
         Some(match parts {
@@ -231,7 +230,7 @@ impl Quantity {
     }
 }
 
-/// The numbers of a JSON value, row by row. 1 means true.
+/// The numbers of a JSON value, row by row. 1 stands for true.
 fn numbers(value: &Value) -> Option<Vec<f64>> {
     match value {
         Value::Array(rows) => rows.iter().map(numbers).collect::<Option<Vec<_>>>().map(|rows| rows.concat()),
@@ -260,12 +259,12 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// A quantity, or an entry of it: what a path in the JSON of `inspect` leads to.
+/// A quantity, or an entry of it: the target of a path in the JSON of `inspect`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct QuantityPath {
     /// A number, vector or matrix of `inspect`.
     pub quantity: Quantity,
-    /// The row that is meant, and the column; `None` means all.
+    /// The row and the column; `None` means all.
     pub entry: [Option<usize>; 2],
 }
 

@@ -1,4 +1,4 @@
-//! The way from the world to the canonical volume: as a strip of stills, and as an animation.
+//! The way from the world to the canonical volume, as a strip of stills, and as an animation.
 
 use std::path::Path;
 
@@ -10,12 +10,12 @@ use crate::figure::ShownStep;
 use crate::progress::{Activity, Progress};
 use crate::views::{Arrangement, Palette, Request};
 
-/// A way, and how it is shown.
+/// A way, and its display.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
     /// The canonical picture. Its size is that of each picture.
     pub request: Request,
-    /// Whose steps.
+    /// The source of the steps.
     pub decomposition: Decomposition,
 }
 
@@ -42,13 +42,13 @@ const PER_SECOND: u32 = 20;
 const REST: f64 = 1.2;
 
 impl Animation {
-    /// Number of steps; 0 where the camera has no such steps.
+    /// Number of steps; 0 if the camera has no such steps.
     pub fn steps(&self) -> u32 {
         let factors = self.request.camera.decomposed(self.decomposition).unwrap_or_default();
         u32::try_from(factors.len()).unwrap_or(0)
     }
 
-    /// The picture after a number of steps, of which the last may be under way.
+    /// The picture after a number of steps, the last of which may be incomplete.
     pub fn at(&self, time: f64) -> Request {
         let step = ShownStep { way: self.decomposition, at: Some(time) };
         self.request.clone().with_shot(|shot| shot.show.step = Some(step))
@@ -59,7 +59,7 @@ impl Animation {
         row((0..=self.steps()).map(|step| self.at(f64::from(step))).collect(), &self.request)
     }
 
-    /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format
+    /// The file: an animation with this many seconds for each step, or a strip, with a figure file in it if the format
     /// can carry one. It pauses after each picture, and within one.
     ///
     /// # Errors
@@ -79,8 +79,8 @@ impl Animation {
         }
     }
 
-    /// The animation, a step in so many seconds. Each whole step stands still for a moment. It pauses after each
-    /// picture, and within one.
+    /// The animation, with this many seconds for each step. Each whole step stands still for a moment. It pauses after
+    /// each picture, and within one.
     ///
     /// # Errors
     /// [`PictureError`].
@@ -111,7 +111,7 @@ pub(super) fn row(requests: Vec<Request>, like: &Request) -> Composite {
     Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None, width: None }
 }
 
-/// An animation of `pictures` frames: `at` gives each frame, of `size` pixels, and its duration in seconds. It pauses
+/// An animation of `pictures` frames. `at` gives each frame, of `size` pixels, and its duration in seconds. It pauses
 /// after each picture, and within one.
 ///
 /// # Errors
@@ -123,7 +123,7 @@ pub(super) async fn filmed(
     at: impl Fn(u32) -> Option<(Composite, f64)>,
     progress: &Progress,
 ) -> Result<Vec<u8>, PictureError> {
-    // How many pictures there are is told; a picture that takes long is given up too.
+    // The progress counts pictures. A picture that takes long can be cancelled too.
     let mut renderer = Renderer::default();
     renderer.watch(&progress.part());
     progress.begin(Activity::Encoding, pictures as usize);

@@ -6,9 +6,9 @@ use super::Pixels;
 use crate::appearance::Rgba;
 use crate::views::{Finish, Hover, Palette, Request, Side, Size, View};
 
-/// The greatest difference of a channel that counts as none: what rounding makes.
+/// The greatest difference of a channel that counts as none, because rounding may cause it.
 const SAME: u8 = 8;
-/// The longest side of an image whose pixels are counted. A larger one is made smaller.
+/// The longest side of an image whose pixels are counted. A larger one is reduced.
 const MOST_COUNTED: u32 = 1024;
 /// Pixels from one stripe to the next, and of a stripe, at scale 1.
 const STRIPES: (f32, f32) = (6.0, 2.0);
@@ -30,7 +30,7 @@ impl Differences {
         compared.map(|_| Self::new(pictures, color, request.size.scale))
     }
 
-    /// Compares the pictures of two sides. `color` and `scale`: of the stripes that mark the differing pixels.
+    /// Compares the pictures of two sides. `color` and `scale` belong to the stripes that mark the differing pixels.
     fn new([one, other]: &[Pixels; 2], color: Rgba, scale: f32) -> Self {
         let differing = differing(one, other).collect();
         #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
@@ -38,15 +38,15 @@ impl Differences {
         Self { differing, width: one.width as usize, color, stripes }
     }
 
-    /// The opacity of the mark on a pixel of a side that begins in this column of the whole picture; `None` means both
-    /// sides are alike there.
+    /// The opacity of the mark on a pixel of a side that begins in this column of the whole picture; `None` means that
+    /// both sides are alike there.
     fn mark(&self, [x, y]: [usize; 2], left: usize) -> Option<u8> {
         let [period, stripe] = self.stripes;
         let is_marked = self.differing.get(y * self.width + x) == Some(&true);
         is_marked.then_some(if (x + left + y) % period < stripe { 220 } else { 90 })
     }
 
-    /// The marks on a side, on a clear ground; `None` without memory.
+    /// The marks on a side, on a clear background; `None` without memory.
     pub(super) fn marks(&self, side: &Side) -> Option<Pixmap> {
         let Size { width, height, .. } = side.request.size;
         let mut marks = Pixmap::new(width, height)?;
@@ -60,15 +60,15 @@ impl Differences {
     }
 }
 
-/// Whether each pixel of one picture differs from that of the other.
+/// True for each pixel of one picture that differs from that of the other.
 fn differing<'a>(one: &'a Pixels, other: &'a Pixels) -> impl Iterator<Item = bool> + 'a {
     let differs = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > SAME);
     let [one, other] = [one, other].map(|picture| picture.rgba.as_chunks::<4>().0);
     one.iter().zip(other).map(differs)
 }
 
-/// The image of each side in its own pixels, for the count of those that differ: in every size of a picture, and beside
-/// any other, the count is the same. `None` for other views.
+/// The image of each side in its own pixels, for counting those that differ. The count is the same in every size of a
+/// picture, and beside any other. `None` for other views.
 pub(super) fn counted_requests(sides: &[Side; 2]) -> Option<[Request; 2]> {
     let image = sides[0].request.shot.look.image;
     if sides[0].request.view != View::Image {
@@ -89,7 +89,7 @@ pub(super) fn differing_share([one, other]: &[Pixels; 2]) -> f64 {
     count as f64 / all.max(1) as f64
 }
 
-/// Puts the columns of each side into the whole picture, with marks where they differ if that is asked.
+/// Puts the columns of each side into the whole picture, with marks on differences if requested.
 pub(super) fn joined(whole: &mut Pixels, sides: &[Side; 2], pictures: &[Pixels; 2], differences: Option<&Differences>) {
     let width = whole.width as usize;
     for (side, picture) in sides.iter().zip(pictures) {
@@ -112,7 +112,7 @@ pub(super) fn joined(whole: &mut Pixels, sides: &[Side; 2], pictures: &[Pixels; 
     }
 }
 
-/// Mixes a colour into a premultiplied pixel, which becomes as opaque as it is mixed.
+/// Mixes a colour into a premultiplied pixel, which becomes opaque by the share of the colour.
 fn tint(pixel: &mut [u8], color: Rgba, share: u16) {
     let mixed = |from: u8, to: u8| {
         let sum = u16::from(to) * share + u16::from(from) * (255 - share);

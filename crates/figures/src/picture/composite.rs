@@ -1,4 +1,4 @@
-//! One picture, or all three on a sheet: their sizes, their arrangement, and their gaps.
+//! One picture, or all three on a sheet, with their sizes, their arrangement, and their gaps.
 
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
@@ -10,11 +10,11 @@ use crate::views::{
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
 
-/// The space that a picture needs, width and height, as multiples of the height of its letters: with less, names cover
-/// their objects.
+/// The space that a picture needs, width and height, as multiples of the height of its letters. With less space, names
+/// cover their objects.
 const ROOM_IN_LETTERS: [f64; 2] = [16.0, 11.0];
 
-/// The height of the smallest letters that can be read on paper, in points.
+/// The height of the smallest letters that are legible on paper, in points.
 const LEAST_LETTERS: f64 = 6.0;
 
 /// The settings for paper.
@@ -22,15 +22,15 @@ const LEAST_LETTERS: f64 = 6.0;
 pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
-    /// Height of the letters of names in points; `None` means by the scale of the picture. Where there are several
-    /// pictures, they are smaller, as long as they can be read, if they would cover their objects: see
+    /// Height of the letters of names in points; `None` means by the scale of the picture. If there are several
+    /// pictures whose letters would cover their objects, the letters are smaller, as long as they stay legible. See
     /// [`Composite::crowded`].
     pub letters: Option<f64>,
     /// Width of the edges of solids in points, and other strokes in proportion; `None` means in proportion to the
     /// letters.
     pub lines: Option<f64>,
-    /// Several pictures are arranged so that they become as large as the shape of the paper allows. Otherwise they are
-    /// side by side.
+    /// True if several pictures are arranged so that they become as large as the shape of the paper allows. Otherwise
+    /// they're side by side.
     pub arranged: bool,
 }
 
@@ -45,7 +45,7 @@ impl OnPaper {
         centimetres / 2.54 * self.dpi
     }
 
-    /// The narrowest pictures in which the letters, and the smallest that can be read, do not cover their objects, in
+    /// The narrowest pictures in which the letters, and the smallest legible ones, don't cover their objects, in
     /// pixels.
     pub(super) fn least_widths(&self) -> [f64; 2] {
         [self.letters.unwrap_or(LEAST_LETTERS), LEAST_LETTERS].map(|letters| ROOM_IN_LETTERS[0] * self.pixels(letters))
@@ -57,24 +57,24 @@ impl OnPaper {
     }
 }
 
-/// Several pictures with less room on paper than their letters want.
+/// Several pictures with less space on paper than their letters need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crowded {
     /// Width and height of the smallest picture in centimetres.
     pub smallest: [f64; 2],
-    /// The requested height of letters, or else of the smallest that can be read, in points.
+    /// The requested height of letters, or else of the smallest legible ones, in points.
     pub wanted: f64,
-    /// Width and height in centimetres of a picture with room for those.
+    /// Width and height in centimetres of a picture with space for those.
     pub room: [f64; 2],
 }
 
-/// Why there is no sheet.
+/// The reason why there's no sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoComposite {
     /// More pixels than any picture may have.
     #[error("there is not enough memory for an image of this size")]
     TooLarge,
-    /// All pictures do not fit on it.
+    /// The pictures don't all fit on it.
     #[error("{count} images with gaps of {gap} pixels do not fit on a sheet of this size")]
     NoRoom {
         /// Number of pictures.
@@ -82,7 +82,7 @@ pub enum NoComposite {
         /// Pixels between two of them.
         gap: u32,
     },
-    /// Several pictures of each figure, whose rows would not have them below one another.
+    /// Several pictures of each figure, but the rows wouldn't align them in columns.
     #[error("{count} figures with several images each do not fill rows of {columns}")]
     UnevenRows {
         /// The number of figures.
@@ -99,7 +99,7 @@ pub(super) struct Grid {
     pub(super) columns: usize,
     /// The texts under them.
     pub(super) captions: Captions,
-    /// The room for these, in pixels.
+    /// The space for these, in pixels.
     pub(super) below: u32,
     /// The least size of the sheet in pixels, unless its pictures are cropped.
     pub(super) least: [u32; 2],
@@ -116,22 +116,22 @@ pub struct Composite {
     pub(super) gap: u32,
     /// The background between them.
     pub(super) ground: Rgba,
-    /// The message where several pictures have little space on their paper.
+    /// The message if several pictures have little space on their paper.
     pub crowded: Option<Crowded>,
     /// The rows of a family, and its captions; `None` means as in the arrangement.
     pub(super) grid: Option<Grid>,
-    /// The width of the sheet in pixels once its pictures are cropped; `None` means what is left of them.
+    /// The width of the sheet in pixels once its pictures are cropped; `None` means the width of the rest.
     pub(super) width: Option<u32>,
 }
 
 impl Composite {
-    /// The first picture of a kind, or all pictures of a shot: `request` for each of them, seen by its observer. All
-    /// together are as large as `request` says.
+    /// The first picture of a kind, or all pictures of a shot, with `request` for each of them, seen by its observer.
+    /// Together they're as large as `request` says.
     ///
     /// # Errors
-    /// [`NoComposite`] where there is no room for all, and where they would have more pixels than any picture.
+    /// [`NoComposite`] if there's no space for all of them, or they'd have more pixels than any picture may have.
     pub fn of(views: Views, request: &Request, shot: &Shot, paper: Option<&OnPaper>) -> Result<Self, NoComposite> {
-        // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
+        // Each of the three may be as large as a picture can be, and so may their sheet.
         let whole = request.size;
         if u64::from(whole.width) * u64::from(whole.height) > MAX_PIXELS {
             return Err(NoComposite::TooLarge);
@@ -148,7 +148,7 @@ impl Composite {
         };
         let (mut sizes, mut crowded) = (vec![whole], None);
         if !matches!(views, Views::One(_)) {
-            // Gaps alone are no pictures.
+            // Gaps alone aren't pictures.
             let fit = |all: &Vec<Size>| all.iter().all(|s| s.width > 0 && s.height > 0);
             let no_room = NoComposite::NoRoom { count: pictures.len(), gap: gap(whole.scale) };
             sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
@@ -172,16 +172,16 @@ impl Composite {
 }
 
 impl Composite {
-    /// The height in points of the smallest letters, where they are too small to be read on paper with so many pixels
-    /// per inch, and no [`crowded`](Self::crowded) sheet is the reason.
+    /// The height in points of the smallest letters, if they're too small to be legible on paper with this number of
+    /// pixels per inch, and the reason isn't a [`crowded`](Self::crowded) sheet.
     pub fn tiny_letters(&self, dpi: f64) -> Option<f64> {
         let heights = self.requests.iter().map(|request| f64::from(request.size.letters()) * 72.0 / dpi);
         let least = heights.fold(f64::INFINITY, f64::min);
-        // What is asked for as 6 points is 6 points, whatever is rounded on the way.
+        // A request for 6 points is 6 points, in spite of rounding.
         (self.crowded.is_none() && least < LEAST_LETTERS - 0.01).then_some(least)
     }
 
-    /// The same sheet, its pictures seen by the observers of another figure.
+    /// The same sheet, with pictures seen by the observers of another figure.
     pub fn seen_by(mut self, other: &ObserverOf) -> Self {
         let requests = self.requests.into_iter().map(|own| {
             let observer = other.observer(&own);
@@ -191,19 +191,19 @@ impl Composite {
         self
     }
 
-    /// The same sheet, each picture with what its observer was to show: see [`Request::gone_back`].
+    /// The same sheet, with everything in each picture that its observer was meant to show, see [`Request::gone_back`].
     pub fn gone_back(mut self) -> Self {
         self.requests = self.requests.into_iter().map(Request::gone_back).collect();
         self
     }
 
-    /// Width and height in pixels, where they are possible.
+    /// Width and height in pixels, if they're possible.
     pub fn size(&self) -> Option<[u32; 2]> {
         let sizes: Vec<[u32; 2]> = self.requests.iter().map(|own| [own.size.width, own.size.height]).collect();
         Some(self.layout(&sizes, false)?.size)
     }
 
-    /// The same sheet, smaller by a factor, with letters and strokes: a preview.
+    /// The same sheet, reduced by a factor with letters and strokes, for a preview.
     pub fn reduced(mut self, factor: f32) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "no more than it was")]
         let side = |side: u32| (side as f32 * factor.min(1.0)).round().max(1.0) as u32;
@@ -238,8 +238,8 @@ pub(super) fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, 
     request
 }
 
-/// Gives several pictures the letters of the paper. Returns the message if the smallest hardly has room for them: names
-/// that find no place are left out there, but the letters keep the height that was asked for.
+/// Gives several pictures the letters of the paper. Returns the message if the smallest hardly has space for them.
+/// Names without a place are left out there, but the letters keep the requested height.
 pub(super) fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;
@@ -271,7 +271,7 @@ fn best(pictures: &[Picture], request: &Request) -> Arrangement {
     })
 }
 
-/// The sizes of so many pictures on a sheet; `None` if there is no room for them.
+/// The sizes of this number of pictures on a sheet; `None` if there's no space for them.
 fn sizes_of(count: usize, arrangement: Arrangement, sheet: Size) -> Option<Vec<Size>> {
     let gap = gap(sheet.scale);
     let wide = |width| Size { width, ..sheet };
@@ -384,7 +384,7 @@ mod tests {
             (f64::from(letters[0]) / paper.dpi * 72.0, sheet.crowded)
         };
         let about = |a: f64, b: f64| assert!((a - b).abs() < 0.02 * b, "{a} {b}");
-        // 16 × 12 cm: 9 points have room.
+        // 16 × 12 cm: 9 points have space.
         let (letters, crowded) = heights([1890, 1417], PAPER);
         about(letters, 9.0);
         assert_eq!(crowded, None);

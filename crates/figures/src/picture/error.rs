@@ -1,4 +1,4 @@
-//! Why there is no picture file.
+//! The reasons why there's no picture file.
 
 use super::NoComposite;
 use crate::export::animation::AnimationFormat;
@@ -6,13 +6,13 @@ use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
 use crate::pipeline::OverBudget;
 
-/// Why there is no picture file.
+/// The reason why there's no picture file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PictureError {
-    /// A side is 0, or there is not enough memory.
+    /// A side is 0, or there isn't enough memory.
     #[error("there is not enough memory for an image of this size")]
     TooLarge,
-    /// There is no sheet.
+    /// There's no sheet.
     #[error(transparent)]
     Composite(#[from] NoComposite),
     /// Cancelled.
@@ -23,7 +23,7 @@ pub enum PictureError {
     Encode {
         /// The format that refuses the image.
         format: PictureFormat,
-        /// The message of the encoder. Its own error belongs to another crate, and can be neither cloned nor compared.
+        /// The message of the encoder. Its own error belongs to another crate, and can't be cloned or compared.
         why: String,
     },
     /// An error of an animation.

@@ -1,7 +1,7 @@
-//! Cropped sheets that are exactly as wide as they were asked to be.
+//! Cropped sheets that have exactly the requested width.
 //!
-//! A crop leaves less than the paper has. The pictures are drawn larger until their content fills it, with letters as
-//! high as before, and the last pixels are ground at both sides.
+//! A crop leaves less than the paper has. So the pictures are drawn larger until their content fills it, with letters
+//! as high as before, and the last pixels are background on both sides.
 
 use super::error::PictureError;
 use super::{Composite, assembled};
@@ -9,14 +9,14 @@ use crate::progress::Progress;
 
 /// The most attempts to fill a paper.
 const ROUNDS: usize = 5;
-/// Content this near to the width of its paper, in pixels, is near enough. The rest becomes ground.
+/// Content this close to the width of its paper, in pixels, is close enough. The rest becomes background.
 const NEAR: f64 = 2.0;
 
 /// The sheet whose cropped pictures are as wide as `asked`, in pixels, and no higher. `make` gives the sheet whose
 /// sides are a multiple of these.
 ///
 /// # Errors
-/// Those of `make` for the sheet itself, and those of drawing it.
+/// The errors of `make` for the sheet itself, and of drawing it.
 pub(super) async fn fitted<E: From<PictureError>>(
     asked: [u32; 2],
     make: impl Fn(f64) -> Result<Composite, E>,
@@ -46,8 +46,8 @@ pub(super) async fn fitted<E: From<PictureError>>(
 }
 
 impl Composite {
-    /// The parts of its pictures (left, top, width and height) that a crop keeps, so much wider that the sheet has the
-    /// width it was asked for.
+    /// The parts of its pictures (left, top, width and height) that a crop keeps, widened so that the sheet has the
+    /// requested width.
     pub(super) fn kept(&self, mut parts: Vec<[u32; 4]>) -> Vec<[u32; 4]> {
         let Some(wanted) = self.width else { return parts };
         let width_of = |parts: &[[u32; 4]]| {
@@ -65,7 +65,7 @@ impl Composite {
                 }
                 parts
             };
-            // Each by its share, the pictures of a column together, or what is left by any.
+            // All pictures by their share or by one column, or else a single one by the share.
             let each = (0..parts.len()).map(|place| wider(place..place + 1, share));
             let all = [wider(0..parts.len(), share), wider(0..parts.len(), 1)];
             let grown = all.into_iter().chain(each).find(|parts| (now + 1..=wanted).contains(&width_of(parts)));
@@ -77,7 +77,7 @@ impl Composite {
     }
 }
 
-/// A part of a picture with so many more columns, as far as the picture has them: half of them at each side.
+/// A part of a picture widened by this many columns, as far as the picture has them, half of them on each side.
 fn widened([left, top, width, height]: [u32; 4], by: u32, whole: u32) -> [u32; 4] {
     let wide = (width + by).min(whole).max(width);
     let left = left.saturating_sub((wide - width) / 2).min(whole.saturating_sub(wide));

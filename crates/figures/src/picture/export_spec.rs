@@ -1,16 +1,16 @@
-//! A picture file that is wanted, in one value: for the window, for the command line, and for families.
+//! A requested picture file in one value, for the window, for the command line, and for families.
 
 use super::exact_width::fitted;
 use super::{Composite, Family, FileOptions, NoComposite, OnPaper, PictureError, SheetSize};
 use crate::progress::Progress;
 use crate::views::{Finish, ObserverOf, Request, Shot, Size, Views};
 
-/// A picture file that is wanted.
+/// A requested picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExportSpec {
     /// One view, or several on a sheet.
     pub views: Views,
-    /// Width and height in pixels. A single figure has those of the whole sheet.
+    /// Width and height in pixels. For a single figure, they're those of the whole sheet.
     pub size: SheetSize,
     /// The factor of strokes and letters; `None` means by the height of letters on paper, or else as on a screen.
     pub scale: Option<f32>,
@@ -18,14 +18,14 @@ pub struct ExportSpec {
     pub transparent: bool,
     /// The units of paper.
     pub paper: Option<OnPaper>,
-    /// The width is that on paper. If the background is cropped, what is left is as wide.
+    /// True if the width is that on paper. If the background is cropped, the rest has this width.
     pub keeps_width: bool,
-    /// The format, and how it's written.
+    /// The format, and its options.
     pub options: FileOptions,
 }
 
 impl ExportSpec {
-    /// Width and height in pixels, as far as they are known before the pictures are arranged.
+    /// Width and height in pixels, as far as they're known before the pictures are arranged.
     pub fn pixels(&self) -> [u32; 2] {
         match self.size {
             SheetSize::Whole(size) | SheetSize::Pictures(size) => size,
@@ -33,7 +33,7 @@ impl ExportSpec {
         }
     }
 
-    /// A size with the strokes and letters that are wanted.
+    /// A size with the requested strokes and letters.
     fn sized(&self, [width, height]: [u32; 2]) -> Size {
         let letters = self.paper.and_then(|paper| Some(paper.pixels(paper.letters?)));
         #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
@@ -48,7 +48,8 @@ impl ExportSpec {
         Request { finish: Finish { transparent: self.transparent, ..Finish::default() }, ..request.clone() }
     }
 
-    /// The views of a figure. `request` has its camera, scene and words; `observer_of` looks, if it is there.
+    /// The views of a figure. `request` has its camera, scene and words. If `observer_of` is given, its observers are
+    /// used.
     ///
     /// # Errors
     /// [`PictureError`] if the size is impossible, or if it's cancelled.

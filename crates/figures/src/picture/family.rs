@@ -10,31 +10,31 @@ use crate::views::{
     with_observer,
 };
 
-/// The most pictures of a row, where their number is not given and they have room.
+/// The most pictures of a row, if their number isn't given and they have space.
 const MOST_COLUMNS: usize = 4;
 
-/// The figures of a family, and how they are shown.
+/// The figures of a family, and their display.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Family {
     /// The figures, each with its scene.
     pub members: Vec<(Variant, SharedScene)>,
     /// The pictures of each.
     pub views: Views,
-    /// The number of pictures in a row; `None` means as many as there is room for.
+    /// The number of pictures in a row; `None` means as many as there's space for.
     pub columns: Option<usize>,
     /// Letters before the captions: (a), (b) …
     pub parts: bool,
-    /// Captions in place of the values, as far as there are some.
+    /// Captions that replace the values, as far as there are any.
     pub captions: Vec<String>,
-    /// The figure whose observers see all of them; `None` means one observer, who has the subject of each in the
+    /// The figure whose observers see all of them; `None` means one observer that has the subject of each in the
     /// picture.
     pub observer_of: Option<ObserverOf>,
 }
 
-/// The figures of a family, each with its scene, which `scene` makes. Those whose objects are the same share one.
+/// The figures of a family, each with its scene, which `scene` makes. Figures with the same objects share one.
 ///
 /// # Errors
-/// The first of `scene`.
+/// The first error of `scene`.
 pub fn members<E>(
     figures: Vec<Variant>,
     mut scene: impl FnMut(&Figure) -> Result<SharedScene, E>,
@@ -67,7 +67,7 @@ pub enum SheetSize {
 }
 
 impl Family {
-    /// The sheet. `request` has the words and the settings of the pictures, `scale` is that of strokes and letters;
+    /// The sheet. `request` has the words and the settings of the pictures. `scale` is that of strokes and letters;
     /// `None` means by the size of the sheet.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl Family {
         let gap = gap(scale);
         let no_room = NoComposite::NoRoom { count: count * views.len(), gap };
         let places = [columns, rows].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-        // Remainders are margins of the sheet: all pictures have one size, and so one scale.
+        // Remainders become margins of the sheet, so that all pictures have one size, and one scale.
         let share = |side: u32, n: u32, taken: u32| {
             let room = u64::from(side).checked_sub(u64::from(n - 1) * u64::from(gap) + u64::from(n) * u64::from(taken));
             room.and_then(|room| u32::try_from(room / u64::from(n)).ok()).filter(|side| *side > 0).ok_or(no_room)
@@ -130,7 +130,7 @@ impl Family {
         let mut sizes = [Size { width: wide, height: high, scale }];
         let crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         let requests = self.requests(request, sizes[0], columns, paper);
-        // Images without names have room enough.
+        // Images without names have enough space.
         let has_names = |own: &Request| own.view != View::Image || own.shot.has_names();
         let crowded = crowded.filter(|_| requests.iter().any(has_names));
         let ground = Palette::of(request.shot.look.style.theme).paper;
@@ -165,10 +165,10 @@ impl Family {
         Captions::of(&values, &self.captions, self.parts, request.labels, (letters, theme))
     }
 
-    /// A number of columns that leaves letters room, and rows even.
+    /// A number of columns that leaves space for letters, and makes rows even.
     fn usual_columns(&self, views: usize, size: SheetSize, paper: Option<&OnPaper>) -> usize {
         let count = self.members.len();
-        // Of several variations, the values of the last one are a row.
+        // If there are several variations, the values of the last one form a row.
         let first = self.members.first().map(|(variant, _)| &variant.at[..variant.at.len().saturating_sub(1)]);
         let in_row = self
             .members
@@ -182,7 +182,7 @@ impl Family {
             SheetSize::Whole([width, _]) | SheetSize::Width(width) => Some(f64::from(width)),
             SheetSize::Pictures(_) => None,
         };
-        // The letters that are wanted have room, or at least some that can be read.
+        // There is space for the requested letters, or at least for legible ones.
         let most_of = |least: f64| {
             let fit = |columns: &usize| width.is_none_or(|width| width / *columns as f64 >= least);
             (1..=MOST_COLUMNS.min(count)).rev().find(fit).unwrap_or(1)
@@ -191,7 +191,7 @@ impl Family {
             let [wanted, least] = paper.least_widths().map(most_of);
             if wanted > 1 { wanted } else { least }
         });
-        // As many rows, with as few columns as that takes.
+        // The same number of rows, with as few columns as possible.
         count.div_ceil(count.div_ceil(most).max(1))
     }
 }

@@ -23,7 +23,7 @@ pub struct PictureFile {
     pub beside: Option<Beside>,
     /// A shortfall of the picture.
     pub over_budget: Option<OverBudget>,
-    /// Why faces of a page of vectors are a picture, where areas were asked for.
+    /// The reason why the faces of a page of vectors are a picture, although areas were requested.
     pub no_areas: Option<NoAreas>,
 }
 
@@ -34,11 +34,11 @@ pub struct Metadata {
     pub figure: String,
     /// Becomes the title of the file; empty if there is none.
     pub title: String,
-    /// A sentence for those who do not see it.
+    /// A sentence for readers who can't see it.
     pub description: String,
     /// The language of both, as a tag: `en`, `pt-BR`.
     pub language: &'static str,
-    /// The name of the file without its ending, by which it names a file beside it.
+    /// The name of the file without its extension, by which it refers to a file beside it.
     pub stem: String,
 }
 
@@ -49,7 +49,7 @@ impl Metadata {
     }
 }
 
-/// The file that a picture at `path` is written with, beside it: the PDF of a LaTeX file.
+/// The file written beside a picture at `path`: the PDF of a LaTeX file.
 pub fn file_beside(path: &Path) -> Option<PathBuf> {
     let is_latex = PictureFormat::of(path) == Some(PictureFormat::Tex);
     is_latex.then(|| path.with_file_name(format!("{}.pdf", vector::art_of(&vector::stem(path)))))
@@ -62,29 +62,29 @@ pub struct FileOptions {
     pub format: PictureFormat,
     /// Crop the empty background around each picture.
     pub crop: bool,
-    /// Pixels per inch on paper, which PNG and JPEG can tell to who prints them, and by which vectors have their size;
-    /// `None` means not for paper.
+    /// Pixels per inch on paper. PNG and JPEG store them for printing, and vectors have their size by them; `None`
+    /// means not for paper.
     pub dpi: Option<f64>,
-    /// How the faces of vectors are written.
+    /// The form of the faces of vectors.
     pub faces: Faces,
-    /// How the letters of vectors are written.
+    /// The form of the letters of vectors.
     pub letters: Letters,
 }
 
 impl FileOptions {
-    /// The usual ones of a format: all of the picture, for no paper.
+    /// The usual options of a format: the whole picture, not for paper.
     pub fn of(format: PictureFormat) -> Self {
         Self { format, crop: false, dpi: None, faces: Faces::default(), letters: Letters::default() }
     }
 }
 
-/// Pixels per inch where none are given: those of CSS.
+/// Pixels per inch if none are given, as in CSS.
 pub const PER_INCH: f64 = 96.0;
-/// The resolution of pictures of faces where none is given, in pixels per inch.
+/// The resolution of pictures of faces if none is given, in pixels per inch.
 const FINE: f64 = 192.0;
 
-/// The content of such a file: the pictures of `sheet`, and their shortfall; `crop`: each without the empty background
-/// around it. Pauses after each band of a picture.
+/// The content of such a file: the pictures of `sheet`, and their shortfall. With `crop`, each is without the empty
+/// background around it. Pauses after each band of a picture.
 ///
 /// # Errors
 /// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
@@ -99,12 +99,12 @@ pub async fn assembled(
     renderer.sheet(sheet, crop).await.ok_or(PictureError::TooLarge).map_err(or_cancelled)
 }
 
-/// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one. It pauses
-/// after each band of a picture and each row of a PNG, and after each picture of vectors; WebP and JPEG are encoded
-/// without a pause.
+/// The file with the pictures of `sheet`, and with a figure file in it if the format can carry one. It pauses after
+/// each band of a picture and each row of a PNG, and after each picture of vectors. WebP and JPEG are encoded without a
+/// pause.
 ///
-/// Where a PNG shows the canonical volume in another convention than the notes', it says which, also where the picture
-/// is too small to.
+/// If a PNG shows the canonical volume in another convention than the notes', it names that convention, even if the
+/// picture is too small to do so.
 ///
 /// *Guarantees*: the same sheet, form and text give the same bytes.
 ///
@@ -160,7 +160,7 @@ async fn drawn(
     Ok(Drawn { page: Page { title, description, language, ..drawn.page }, ..drawn })
 }
 
-/// The convention of NDC of the canonical volume, where it is not that of the notes.
+/// The convention of NDC of the canonical volume, if it isn't that of the notes.
 fn convention(sheet: &Composite) -> Option<String> {
     let request = sheet.requests.iter().find(|request| request.view == View::Canonical)?;
     let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();

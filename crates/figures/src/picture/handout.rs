@@ -1,4 +1,4 @@
-//! Pictures with texts on pages of paper, to be handed out.
+//! Pictures with texts on pages of paper, for handing out.
 
 use super::error::PictureError;
 use super::handout_formula::{self, FormulaPart, INK, written};
@@ -14,9 +14,9 @@ use crate::text::{Element, broken, measure};
 const PAPER: [f32; 2] = [595.0, 842.0];
 /// The free border of a page.
 const BORDER: f32 = 48.0;
-/// Between columns.
+/// The gap between columns.
 const GUTTER: f32 = 22.0;
-/// Below an entry.
+/// The gap below an entry.
 const GAP: f32 = 16.0;
 /// From line to line, in heights of the letters.
 const LEADING: f32 = 1.35;
@@ -62,7 +62,7 @@ pub struct Handout {
     pub language: &'static str,
     /// In the order of the pages.
     pub entries: Vec<HandoutEntry>,
-    /// The number of columns. Two make entries small. They stand side by side in rows, four on a page.
+    /// The number of columns. Two make entries small, and they stand side by side in rows, four on a page.
     pub columns: usize,
 }
 
@@ -73,7 +73,7 @@ impl Handout {
         (PAPER[0] - 2.0 * BORDER - (columns - 1.0) * GUTTER) / columns
     }
 
-    /// The handout as a PDF file, whose texts can be selected.
+    /// The handout as a PDF file with selectable texts.
     ///
     /// # Errors
     /// [`PictureError`]
@@ -146,7 +146,7 @@ impl Block {
             if let Item::Text(text) = &mut item
                 && bold
             {
-                // The bundled font has one weight. A heading has a border in its own colour, so that it is heavier and
+                // The bundled font has one weight. A heading has a border in its own colour, so that it's heavier and
                 // still one text for a search.
                 (text.halo, text.halo_width) = (color, 0.04 * size);
             }
@@ -155,8 +155,8 @@ impl Block {
         self.height += 0.35 * size;
     }
 
-    /// Texts below a picture. If they are higher than a page, there are fewer lines to write on. False if they don't
-    /// fit even so: then only the picture is left.
+    /// Adds texts below a picture. If they're higher than a page, there are fewer lines to write on. False if they
+    /// don't fit even then, so that only the picture is left.
     fn texts(&mut self, paragraphs: &[Paragraph], size: f32) -> bool {
         let (above, most) = (self.height, PAPER[1] - 2.0 * BORDER);
         let given = paragraphs.iter().map(|paragraph| if let Paragraph::Room(lines) = paragraph { *lines } else { 0 });
@@ -197,7 +197,7 @@ impl Block {
     }
 }
 
-/// The lines of a text that are no wider than `width`. A wider word is broken.
+/// The lines of a text, no wider than `width`. A wider word is broken.
 fn lines(text: &str, size: f32, width: f32) -> Vec<String> {
     let fits = |line: &str| measure(line, size, false).width <= width;
     let letters = |word: &str| word.chars().map(String::from).collect();
@@ -213,13 +213,13 @@ fn lines(text: &str, size: f32, width: f32) -> Vec<String> {
     lines
 }
 
-/// The pages as they fill, row after row.
+/// The pages, filled row after row.
 struct Pages<'a> {
     handout: &'a Handout,
     done: Vec<Page>,
     items: Vec<Item>,
     width: f32,
-    /// The upper end of the room left on this page.
+    /// The upper end of the free space on this page.
     y: f32,
     /// The rows on this page.
     rows: usize,
@@ -238,14 +238,14 @@ impl<'a> Pages<'a> {
         self.y += 10.0;
     }
 
-    /// Entries side by side, which stay whole.
+    /// Puts entries side by side, without breaking them.
     fn put_row(&mut self, row: Vec<Block>) {
         if row.is_empty() {
             return;
         }
         let height = row.iter().map(|block| block.height).fold(0.0, f32::max);
         if self.handout.columns > 1 {
-            // Two rows on a page, the second from its middle on where the first leaves that free.
+            // Two rows on a page. The second starts at its middle if the first leaves that free.
             match self.rows {
                 0 => {}
                 1 => self.y = self.y.max((0.5 * PAPER[1]).min(PAPER[1] - BORDER - height)),
@@ -263,7 +263,7 @@ impl<'a> Pages<'a> {
         self.y += height + GAP;
     }
 
-    /// Texts as wide as the page. They go on on the next one. A heading stays with what comes below it.
+    /// Puts texts across the whole page. They continue on the next one. A heading stays with the text below it.
     fn flow(&mut self, paragraphs: &[Paragraph], size: f32) {
         let width = PAPER[0] - 2.0 * BORDER;
         let block = |paragraph: &Paragraph| {
@@ -271,7 +271,7 @@ impl<'a> Pages<'a> {
             block.paragraph(paragraph, size);
             block
         };
-        // What is higher than a page goes on line by line.
+        // A text higher than a page continues line by line.
         let room = PAPER[1] - 2.0 * BORDER;
         let in_lines = |paragraph: &Paragraph| match paragraph {
             Paragraph::Text(text) if block(paragraph).height > room => {
@@ -292,7 +292,7 @@ impl<'a> Pages<'a> {
         self.y += GAP;
     }
 
-    /// Turns the page where the room left on it is less than a height.
+    /// Turns the page if the free space on it is less than a height.
     fn make_room(&mut self, height: f32) {
         if self.y + height > PAPER[1] - BORDER && !self.items.is_empty() {
             self.turn();

@@ -1,4 +1,4 @@
-//! Formulas of a handout on lines of their own: matrices in rows between brackets.
+//! Formulas of a handout on lines of their own, with matrices in rows between brackets.
 
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
@@ -8,12 +8,12 @@ use crate::text::{self, Element, measure};
 /// The colour of letters.
 pub(super) const INK: Rgba = Rgba::rgb(0x1a, 0x1a, 0x1a);
 
-/// Between the columns of a matrix, and between its bracket and its entries, in heights of the letters.
+/// The gap between the columns of a matrix, and between its bracket and its entries, in heights of the letters.
 const COLUMNS: f32 = 1.0;
 const INSIDE: f32 = 0.35;
 /// From row to row.
 const ROWS: f32 = 1.4;
-/// Beside a matrix.
+/// The gap beside a matrix.
 const BESIDE: f32 = 0.3;
 
 /// A part of a formula. `_c` and `_{abc}` in its texts are subscripts.
@@ -56,7 +56,7 @@ pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Ite
     Item::text(text, at, size, color, Anchor::Left)
 }
 
-/// Sets a formula. A part for which a line has no room begins another.
+/// Sets a formula. If a line has no space for a part, the part begins another line.
 pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
     let parts: Vec<FormulaPart> = parts.iter().flat_map(|part| broken(part, size, width)).collect();
     let mut lines: Vec<Vec<&FormulaPart>> = Vec::new();
@@ -91,7 +91,7 @@ pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
     formula
 }
 
-/// A line that is wider than its room, after brackets. Anything else as it is.
+/// A line that's wider than its space, broken after brackets. Anything else stays as it is.
 fn broken(part: &FormulaPart, size: f32, width: f32) -> Vec<FormulaPart> {
     let FormulaPart::Line(text) = part else { return vec![part.clone()] };
     let lines = text::broken(text.split_inclusive(") "), |line| measure(line, size, false).width <= width);

@@ -1,5 +1,5 @@
-//! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. The screen, the output of `render`
-//! and the exports of the window are the same, byte for byte.
+//! [`Request`](crate::views::Request) → pixels. This is the only place that makes pictures, so the screen, the output
+//! of `render` and the exports of the window are the same, byte for byte.
 
 mod animation;
 mod compared;
@@ -43,7 +43,7 @@ pub use sweep::Sweep;
 pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
 pub use vectors::{Faces, NoAreas};
 
-/// A finished picture; without pixels until something has been drawn on it.
+/// A finished picture, without pixels until something is drawn on it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pixels {
     width: u32,
@@ -67,7 +67,7 @@ impl Pixels {
         &self.rgba
     }
 
-    /// The picture without the empty background around its content, but for a margin in pixels.
+    /// The picture without the empty background around its content, except for a margin in pixels.
     pub fn cropped(mut self, margin: u32) -> Self {
         self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }
@@ -78,7 +78,7 @@ impl Pixels {
     /// *Guarantees*: the same picture and text give the same bytes.
     ///
     /// # Errors
-    /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails or the work is cancelled.
+    /// [`PngError::Encode`] for a picture without pixels, and if the encoder fails or the work is cancelled.
     pub async fn into_png(
         mut self,
         figure: &str,
@@ -90,7 +90,8 @@ impl Pixels {
         png::encode(pixmap, figure, said, dpi, progress).await
     }
 
-    /// Pictures at their places on a sheet with a ground. `None` if that would be empty or too large for memory.
+    /// Pictures at their places on a sheet with a background. `None` if the sheet would be empty or too large for
+    /// memory.
     fn arranged(pictures: Vec<Self>, layout: &Layout, ground: Rgba) -> Option<Self> {
         let pixmaps: Option<Vec<Pixmap>> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect();
         sheet(&pixmaps?, layout, ground).map(Self::from)
@@ -114,8 +115,7 @@ impl Pixels {
 }
 
 impl Composite {
-    /// The places of its pictures, which may be cropped to these sizes. `None` if there are none, or too many
-    /// pixels.
+    /// The places of its pictures, which may be cropped to these sizes. `None` if there are none, or too many pixels.
     fn layout(&self, sizes: &[[u32; 2]], crop: bool) -> Option<Layout> {
         if let Some(grid) = &self.grid {
             let least = if crop { [0, 0] } else { grid.least };

@@ -1,4 +1,4 @@
-//! Plates: the drawings that a picture is painted from. Pixels and vectors are made from the same ones.
+//! Plates: the drawings from which a picture is painted. Pixels and vectors come from the same ones.
 
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ pub(super) struct Plates {
 }
 
 impl From<Frame> for Plates {
-    /// The display of a stage paints the faces that the stage drops over the others.
+    /// To display a stage, the faces that the stage drops are painted over the others.
     fn from(mut frame: Frame) -> Self {
         frame.drawing.surfaces.append(&mut frame.dropped_faces);
         let width = frame.drawing.width;

@@ -8,26 +8,27 @@ use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
 use crate::views::LabelPlace;
 
-/// The report of a picture; without a clock it has only the shortfall.
+/// The report of a picture. Without a clock it only has the shortfall and the labels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RenderReport {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
-    /// The report of each object that went through the pipeline: those of the scene first, in its order.
+    /// The report of each object that went through the pipeline, beginning with those of the scene, in its order.
     pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
-    /// The shortfall. Also without a clock.
+    /// The shortfall. Available without a clock too.
     pub over_budget: Option<OverBudget>,
-    /// Where its labels are. Also without a clock. Of a picture that is compared, those of both sides that are seen.
+    /// The places of its labels. Available without a clock too. For a compared picture, they're the visible labels of
+    /// both sides.
     pub labels: Vec<LabelPlace>,
 }
 
 impl RenderReport {
-    /// The report of the pipeline, completed with the work on pixels; `on_window` is the time of the image on the view
-    /// window, if it was drawn. The time of neither the pipeline nor the rasterizer went into the scene of the picture.
-    /// The canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as
-    /// traversal.
+    /// The report of the pipeline, completed with the work on pixels. `on_window` is the time of the image on the view
+    /// window, if it was drawn. Neither the pipeline nor the rasterizer measures the preparation of the picture's
+    /// scene, which is clipped and projected for the canonical volume, and gets the camera's gear in the world. That
+    /// time counts as traversal.
     pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
         let mut stages = frame.report.clone();
         for report in stages.iter_mut().filter(|report| report.ran) {
@@ -44,7 +45,7 @@ impl RenderReport {
 }
 
 /// The elements that a stage worked on. A stage that the report counts by its triangles works on their pixels. They
-/// have their share of all pixels that were drawn.
+/// have their share of all drawn pixels.
 fn elements(report: &StageReport, frame: &Frame, work: Work) -> Elements {
     let drawing = &frame.drawing;
     let pixels = |weight: &dyn Fn(&Surface) -> usize| {
@@ -84,7 +85,7 @@ fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: 
             report.time = own(work.surfaces);
             report.counts = Some((work.triangles, count(work.covered)));
         }
-        // Painted in order, the picture's triangles decide among themselves.
+        // When painted in order, the picture's triangles decide among themselves.
         Stage::HiddenSurfaces if !drawing.painted_in_order => {
             report.counts = Some((count(work.covered), count(work.written)));
         }
@@ -98,7 +99,7 @@ fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: 
         Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias), pixels)),
         Stage::Write => report.counts = Some((pixels, pixels)),
         Stage::Lines => report.time = own(work.strokes),
-        // The rest is the pipeline's.
+        // The pipeline does the rest.
         _ => {}
     }
 }

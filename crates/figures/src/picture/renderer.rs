@@ -1,4 +1,4 @@
-//! Makes pictures from requests: the drawing of the view, then its pixels.
+//! Makes pictures from requests: first the drawing of the view, then its pixels.
 
 mod several;
 
@@ -21,7 +21,7 @@ use crate::views::{self, LabelPlace, Request, Side, Size, TimedPipeline, View, o
 
 /// Makes pictures. Keeps its buffers, and the image on the view window, from one to the next.
 ///
-/// *Guarantees*: equal requests give equal pixels, whatever has been drawn before.
+/// *Guarantees*: equal requests give equal pixels, regardless of earlier pictures.
 #[derive(Debug)]
 pub struct Renderer {
     pipeline: TimedPipeline,
@@ -33,7 +33,7 @@ pub struct Renderer {
     shadows: FoundShadows,
     /// The images whose differing pixels were counted last, and their share.
     counted: Option<([Request; 2], f64)>,
-    /// For pictures that are made at the same time as its own.
+    /// For pictures made at the same time as its own.
     beside: Vec<Self>,
     clock: Option<fn() -> Duration>,
     progress: Progress,
@@ -64,13 +64,12 @@ impl Renderer {
         }
     }
 
-    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None` means
-    /// no more.
+    /// Times every stage from now on, with a clock that gives the time since some fixed moment; `None` stops timing.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
     }
 
-    /// Says from now on how far a picture has come. There is no picture where that is cancelled.
+    /// Reports the progress of pictures from now on. If that's cancelled, there's no picture.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
         self.rasterizer.watch(progress);
@@ -84,15 +83,15 @@ impl Renderer {
         self.beside.iter_mut().for_each(Self::forget);
     }
 
-    /// A picture. `None` if a side is 0, there is not enough memory, or it was cancelled.
+    /// A picture. `None` if a side is 0, there isn't enough memory, or it was cancelled.
     pub fn pixels(&mut self, request: &Request) -> Option<Pixels> {
         let mut picture = Pixels::default();
         at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
     }
 
-    /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
-    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is
-    /// compared, the report is that of the figure as it is, with the shortfall and the labels of either side.
+    /// Makes a picture like [`pixels`](Self::pixels) in place of another one, with a report. If the result is `None`,
+    /// the other one is lost too. It pauses when [`Rasterizer::paint_into`] does. If the figure is compared, the report
+    /// is that of the figure as it is, with the shortfall and the labels of either side.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
         let Some(sides) = request.sides() else { return self.one_into(request, picture, [0, 1]).await };
         let mut pictures = [Pixels::default(), Pixels::default()];
@@ -122,7 +121,7 @@ impl Renderer {
         {
             return Some(*share);
         }
-        // Pictures of its own, and no part of the progress of these.
+        // Separate pictures, which aren't part of the progress of these.
         let mut counter = Self::sharing(&self.shadow_maps);
         let mut pictures = [Pixels::default(), Pixels::default()];
         for (request, picture) in requests.iter().zip(&mut pictures) {
@@ -133,7 +132,7 @@ impl Renderer {
         Some(share)
     }
 
-    /// A picture in which nothing is compared; `side`: which of how many are painted for one picture.
+    /// A picture in which nothing is compared. `side` tells which of how many are painted for one picture.
     async fn one_into(&mut self, request: &Request, picture: &mut Pixels, side: [usize; 2]) -> Option<RenderReport> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
@@ -179,7 +178,7 @@ impl Renderer {
         Some(account)
     }
 
-    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: the drawing that
+    /// The drawing of a picture with its plan and report, for outputs that aren't made of pixels. It's the drawing that
     /// [`pixels`](Self::pixels) paints, or that of the [`Output`](crate::pipeline::Output) in the request. `None`
     /// without enough memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
@@ -190,7 +189,8 @@ impl Renderer {
     /// the image on the window.
     pub(super) fn plates(&mut self, request: &Request) -> Option<Plates> {
         let mut plates = Plates::from(self.drawing(request)?);
-        // A forced stage asks a texture of one colour for the colour of each pixel. A page has areas of that colour.
+        // A forced stage looks up a texture of one colour for the colour of each pixel. A page has areas of that
+        // colour.
         for plate in &mut plates.plates {
             plate.drawing.surfaces.iter_mut().for_each(Surface::simplify);
         }
@@ -218,7 +218,7 @@ impl Renderer {
         Some((views::frame(request, on_window.as_ref(), &mut self.pipeline), time))
     }
 
-    /// The image that the window of the world shows. Drawn again only when its content has changed.
+    /// The image that the window of the world shows. Drawn again only if its content has changed.
     async fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
         let image = request.image_on_window();
         if let Some((made_from, texture)) = &self.on_window
@@ -242,7 +242,7 @@ impl Renderer {
     }
 }
 
-/// The labels of two sides that are seen, in the pixels of the whole picture.
+/// The visible labels of two sides, in the pixels of the whole picture.
 fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace> {
     let of_side = |(side, labels): (&Side, Vec<LabelPlace>)| {
         let columns = f64::from(side.columns.start)..f64::from(side.columns.end);
@@ -278,7 +278,7 @@ mod tests {
     use crate::views::unlabelled;
     use crate::views::{Finish, SharedScene, Shot, Size};
 
-    /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
+    /// Three boxes that intersect, with some glass. A BSP tree splits them into more than fifty pieces.
     pub(super) fn request(view: View, visibility: &str) -> Request {
         let object = |name: &str, color: &str, rotate: &str| {
             format!(
@@ -379,7 +379,7 @@ mod tests {
             assert_eq!(names, ["one", "three", "two"]);
             let report = account.stages.iter().find(|report| report.stage == Stage::HiddenSurfaces).unwrap();
             assert!(matches!(report.reason, Reason::TooManyPieces { pieces: 41.. }), "{report:?}");
-            // The note is in it, and nothing else is otherwise.
+            // The note is in it, and nothing else differs.
             assert_ne!(Some(&picture), renderer.pixels(&bare(&split)).as_ref());
             assert_eq!(renderer.pixels(&bare(&split)), Renderer::default().pixels(&bare(&tested)));
 
@@ -399,7 +399,7 @@ mod tests {
             request.with_shot(|shot| shot.compared = Shot::of(figure.as_ref().unwrap()).compared)
         };
         let mut other = compared("bsp");
-        // The side that is not the figure's own is sorted.
+        // The side that isn't the figure's own is sorted.
         other = other.with_shot(|shot| {
             let style = &mut shot.look.style;
             style.visibility = match style.visibility {

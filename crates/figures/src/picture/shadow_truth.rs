@@ -1,4 +1,4 @@
-//! Shadow maps held against rays, pixel by pixel: where the shadows of a picture are not those of the scene.
+//! Compares shadow maps with rays, pixel by pixel, and finds where the shadows of a picture aren't those of the scene.
 
 use std::sync::Arc;
 
@@ -17,25 +17,25 @@ use crate::raster::Rasterizer;
 use crate::scene::{Light, Object, Scene};
 use crate::views::{Request, ShadowTruth, SharedScene, View};
 
-/// Light that is neither more nor less than all.
+/// Light that's either all or nothing.
 const ALL: [f32; 2] = [1.0, 0.0];
 /// Rows of pixels between two pauses.
 const ROWS: u32 = 16;
-/// Within this part of a pixel of an edge the rasterizer may draw another face than the ray meets.
+/// Within this part of a pixel of an edge, the rasterizer may draw another face than the ray meets.
 const BESIDE: f64 = 0.01;
-/// Pictures that are remembered: the two sides of a comparison.
+/// Number of cached pictures: the two sides of a comparison.
 const KEPT: usize = 2;
 
-/// The shadow map's answer at a pixel, held against a ray to the light.
+/// The shadow map's answer at a pixel, compared with a ray to the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Nothing to say: no face, one that takes no light or is turned away from it, or the edge of a face.
+    /// No verdict: no face, one that receives no light or is turned away from it, or the edge of a face.
     None,
-    /// Light or shadow, as the ray says.
+    /// Light or shadow, in agreement with the ray.
     Right,
-    /// In the shadow, where the ray reaches the light: a face shadows itself.
+    /// In shadow, although the ray reaches the light, because a face shadows itself.
     WronglyDark,
-    /// In the light, where something stops the ray. The shadow has come off.
+    /// In the light, although something stops the ray. The shadow is detached.
     WronglyLit,
 }
 
@@ -46,15 +46,15 @@ impl Verdict {
     }
 }
 
-/// The scene as shadows are judged in it: its opaque faces, under one light.
+/// The scene for judging shadows: its opaque faces, under one light.
 pub fn under(scene: &Scene, light: Light) -> Scene {
     let plain = |object: &Object| Object { edges: None, outline: None, ..object.clone() };
     let opaque = scene.objects.iter().filter(|object| object.faces && !object.paint.is_translucent());
     Scene { objects: opaque.map(plain).collect(), lights: vec![light], ..Scene::default() }
 }
 
-/// A drawing of a scene [`under`] one light whose pixels are the share of it that arrives, by the shadow map: black to
-/// white, one sample a pixel.
+/// A drawing of a scene [`under`] one light, whose pixels are the share of it that arrives according to the shadow map,
+/// from black to white, one sample per pixel.
 pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: ImageSize) -> Drawing {
     let (white, black) = (Rgba::rgb(255, 255, 255), Rgba::rgb(0, 0, 0));
     let style = Style {
@@ -80,16 +80,16 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
     drawing
 }
 
-/// The truth of shadows at each pixel of an image: whether a light reaches what is seen there.
+/// The truth of shadows at each pixel of an image: true if a light reaches the visible point.
 #[derive(Clone, Debug)]
 pub struct TrueLight {
     image: ImageSize,
-    /// Row by row, the triangle and whether it is lit; `None` if there is nothing to say.
+    /// Row by row, the triangle and whether it's lit; `None` if there's no verdict.
     seen: Vec<Option<(usize, bool)>>,
 }
 
 impl TrueLight {
-    /// Through each pixel of an image, and on to a light. `None` if it was cancelled. It pauses on the way.
+    /// Casts rays through each pixel of an image, and on to a light. `None` if it was cancelled. It pauses on the way.
     pub async fn by_rays(
         solids: &Solids,
         camera: &Camera,
@@ -106,8 +106,8 @@ impl TrueLight {
         Some(Self { image, seen })
     }
 
-    /// The verdict at each pixel, row by row, of the pixels of a drawing of what is [`arriving`] from the light. `None`
-    /// where it was cancelled. It pauses on the way.
+    /// The verdict at each pixel, row by row, from the pixels of a drawing of the light [`arriving`]. `None` if it was
+    /// cancelled. It pauses on the way.
     pub async fn judge(
         &self,
         arriving: &Pixmap,
@@ -161,7 +161,7 @@ pub fn center(pixel: u32) -> f64 {
     f64::from(pixel) + 0.5
 }
 
-/// The truth of the pictures shown last.
+/// The truth of the last pictures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FoundShadows {
     kept: Vec<(Key, Arc<ShadowTruth>)>,
@@ -176,7 +176,8 @@ struct Key {
 }
 
 impl FoundShadows {
-    /// Where the shadow maps of the image of a request are wrong; `None` if that is not shown, or was cancelled.
+    /// The places where the shadow maps of the image of a request are wrong; `None` if that isn't shown, or was
+    /// cancelled.
     pub(super) async fn of(&mut self, request: &Request, progress: &Progress) -> Option<Arc<ShadowTruth>> {
         let look = &request.shot.look;
         let is_shown = request.view == View::Image

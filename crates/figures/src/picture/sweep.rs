@@ -1,4 +1,4 @@
-//! Pictures one after the other: a family, or the way from one camera to another, as an animation or as a strip of
+//! Pictures one after the other, for a family or the way from one camera to another, as an animation or as a strip of
 //! stills.
 
 use super::animation::{filmed, row};
@@ -10,7 +10,7 @@ use crate::views::Request;
 /// Pictures of one size, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// The pictures; at least one. The views of one frame follow each other.
+    /// The pictures, at least one. The views of one frame follow each other.
     pub requests: Vec<Request>,
     /// The number of views in a frame, side by side; at least 1.
     pub views: usize,
@@ -22,13 +22,13 @@ impl Sweep {
     /// All pictures side by side.
     ///
     /// # Errors
-    /// [`PictureError::TooLarge`] where there are none.
+    /// [`PictureError::TooLarge`] if there are none.
     pub fn stills(&self) -> Result<Composite, PictureError> {
         let first = self.requests.first().ok_or(PictureError::TooLarge)?;
         Ok(row(self.requests.clone(), first))
     }
 
-    /// The file: an animation, or a strip with a figure file in it where the format can carry one. It pauses after each
+    /// The file: an animation, or a strip with a figure file in it if the format can carry one. It pauses after each
     /// picture, and within one.
     ///
     /// # Errors

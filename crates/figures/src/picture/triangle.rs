@@ -22,7 +22,7 @@ pub struct TrianglePixels {
     test: DepthTest,
     alone: DepthBuffer,
     before: DepthBuffer,
-    /// Rows of pixels that it covers: j (from the top), the first i and the one after the last.
+    /// The rows of pixels that it covers: j (from the top), the first i and the one after the last.
     pub rows: Vec<[u32; 3]>,
 }
 
@@ -31,15 +31,15 @@ pub struct TrianglePixels {
 pub struct Tested {
     /// Z of the triangle, `[0]` Eq. (5.25).
     pub z: f64,
-    /// Z that was there; `None` means nothing.
+    /// The Z that was there before; `None` means nothing.
     pub before: Option<f64>,
     /// Nearer, and kept.
     pub kept: bool,
 }
 
 impl TrianglePixels {
-    /// Of a triangle (object of the scene, index in its mesh). `None` if its object is not drawn, and for images of
-    /// more than [`MAX_STEPPED_PIXELS`]. Pauses on the way, which leads past all faces of the scene.
+    /// The pixels of a triangle (object of the scene, index in its mesh). `None` if its object isn't drawn, and for
+    /// images of more than [`MAX_STEPPED_PIXELS`]. It pauses on its way past all faces of the scene.
     pub async fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let image = request.shot.look.image;
         if u64::from(image.width) * u64::from(image.height) > MAX_STEPPED_PIXELS {
@@ -58,7 +58,7 @@ impl TrianglePixels {
         }
         let mut rows: Vec<[u32; 3]> = Vec::new();
         for y in 0..image.height {
-            // A triangle is convex: its pixels in a row are in one piece.
+            // A triangle is convex, so its pixels in a row are in one piece.
             let covered = |x: &u32| alone.at(*x, y).is_some();
             if let Some(first) = (0..image.width).find(covered) {
                 let after = (first..image.width).find(|x| !covered(x)).unwrap_or(image.width);
@@ -84,7 +84,7 @@ impl TrianglePixels {
         Some(asked.unwrap_or([u32::midpoint(first, after.saturating_sub(1)), y]))
     }
 
-    /// The depth test at a pixel, (0, 0) at the top left; `None` if it does not cover it.
+    /// The depth test at a pixel, (0, 0) at the top left; `None` if the triangle doesn't cover it.
     pub fn test(&self, [x, y]: [u32; 2]) -> Option<Tested> {
         let (own, before) = (self.alone.at(x, y)?, self.before.at(x, y));
         let z = |depth| self.test.z(depth);
@@ -116,12 +116,12 @@ struct Kept {
 }
 
 impl FollowedTriangle {
-    /// The steps of the triangle that a request shows. `None` if none is shown, or there is no such triangle.
+    /// The steps of the triangle that a request shows. `None` if it shows none, or there's no such triangle.
     pub fn steps(&mut self, request: &Request) -> Option<TriangleSteps> {
         self.of(request).map(|(kept, _)| kept.steps.clone())
     }
 
-    /// Its steps, and in the steps that need them its pixels. `None` as for [`steps`](Self::steps).
+    /// Its steps, and its pixels if a step needs them. `None` as for [`steps`](Self::steps).
     pub async fn found(&mut self, request: &Request) -> Option<(TriangleSteps, Option<Arc<TrianglePixels>>)> {
         let ShownTriangle { index, step, .. } = request.shot.show.triangle.as_ref()?;
         let (kept, place) = self.of(request)?;
@@ -136,7 +136,7 @@ impl FollowedTriangle {
         Some((kept.steps.clone(), pixels))
     }
 
-    /// The triangle of a request, as far as it is known, and the place of its object in the scene.
+    /// The triangle of a request, as far as it's known, and the place of its object in the scene.
     fn of(&mut self, request: &Request) -> Option<(&mut Kept, usize)> {
         let ShownTriangle { object, index, .. } = request.shot.show.triangle.as_ref()?;
         let place = request.scene.place_of(object)?;

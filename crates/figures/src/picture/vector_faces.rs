@@ -1,4 +1,4 @@
-//! The faces of a page of vectors, in the order of painting: as areas, and what has a picture on it as a picture.
+//! The faces of a page of vectors, in the order of painting, as areas, or as pictures if they have a picture on them.
 //!
 //! A page has no depth buffer, so faces are painted from back to front. Viewers smooth the border of each area by
 //! itself, and the background shows through between neighbours. So triangles of one colour that follow one another
@@ -17,15 +17,15 @@ use crate::export::vector::Item;
 use crate::raster::Rasterizer;
 use crate::text::Element;
 
-/// The width of the strokes along common sides of neighbouring areas, in pixels: programs that paint each area by
-/// itself let the ground show there otherwise.
+/// The width of the strokes along common sides of neighbouring areas, in pixels. Programs that paint each area by
+/// itself let the background show there otherwise.
 const SEAM: f32 = 1.0;
-/// How far triangles may reach over one another and count as touching, in pixels.
+/// The distance by which triangles may overlap and still count as touching, in pixels.
 const TOUCH: f32 = 0.01;
-/// The most pictures among the areas of a picture: a surface that is cut into more of them would show its seams.
+/// The most pictures among the areas of a picture. A surface cut into more of them would show its seams.
 const MOST_PICTURES: usize = 8;
 
-/// The most pairs of triangles that are compared to put parts of pictures together: a second.
+/// The most pairs of triangles to compare in putting parts of pictures together, which takes a second.
 const MOST_COMPARED: usize = 1 << 26;
 
 /// Makes pixels of surfaces.
@@ -36,8 +36,8 @@ pub(super) struct Pictures<'a> {
 }
 
 impl Pictures<'_> {
-    /// Surfaces with one picture that follow one another in the order of painting, as pixels where they are: none where
-    /// they are outside of the drawing; `None` if there is no memory for them.
+    /// The pixels of surfaces with one picture that follow one another in the order of painting, at their place. Empty
+    /// if they're outside the drawing; `None` if there's no memory for them.
     fn of(&mut self, drawing: &Drawing, surfaces: &[&Surface]) -> Option<Option<Item>> {
         let size = [drawing.width, drawing.height];
         let ends = [0, 1].map(|axis| {
@@ -54,7 +54,7 @@ impl Pictures<'_> {
         Some(Some(Item::Picture { corner, size: extent, pixels }))
     }
 
-    /// Surfaces without all else, in the part of a drawing with this corner and this extent.
+    /// The given surfaces only, in the part of a drawing with this corner and this extent.
     fn alone(&mut self, drawing: &Drawing, surfaces: &[&Surface], [corner, extent]: [[f32; 2]; 2]) -> Option<Pixmap> {
         let factor = self.finer as f32;
         let place = |p: &[f32; 3]| [factor * (p[0] - corner[0]), factor * (p[1] - corner[1]), p[2]];
@@ -86,7 +86,7 @@ fn has_picture_of(surface: &Surface, other: &Surface) -> bool {
     }
 }
 
-/// True if the triangles of a surface have one colour each, or a picture on them that takes no light.
+/// True if the triangles of a surface have one colour each, or a picture on them that isn't lit.
 pub(super) fn can_be_written(surface: &Surface) -> bool {
     !surface.varies() || (surface.is_textured() && surface.light == SurfaceLight::InBase)
 }
@@ -145,8 +145,8 @@ impl Shape {
         Self { triangles, bounds }
     }
 
-    /// True if the two cover a place together; `steps`: pairs of triangles that may still be compared. True without any
-    /// left.
+    /// True if the two cover a place together. `steps` is the number of pairs of triangles that may still be compared.
+    /// True if none is left.
     fn covers(&self, other: &Self, steps: &mut usize) -> bool {
         if are_apart(self.bounds, other.bounds) {
             return false;
@@ -199,8 +199,8 @@ fn wound([a, b, c]: Corners) -> Option<Corners> {
     Some(if area > 0.0 { [a, b, c] } else { [a, c, b] })
 }
 
-/// Puts parts of one picture together if nothing that lies between them in the order covers the one that moves. The
-/// order cuts a surface by the planes of faces that need not be near it, and each cut would be a seam.
+/// Puts parts of one picture together if nothing between them in the order covers the one that moves. The order cuts a
+/// surface by the planes of faces that may be far from it, and each cut would be a seam.
 fn gather(parts: &mut Vec<Part>) {
     if !parts.iter().any(|part| matches!(part, Part::Pictured(_))) {
         return;
@@ -215,7 +215,7 @@ fn gather(parts: &mut Vec<Part>) {
         let between = first + 1..next;
         let mut is_free =
             |moved: usize| !shapes[between.clone()].iter().any(|shape| shapes[moved].covers(shape, &mut steps));
-        // What was painted first is still painted first.
+        // The order of painting stays the same.
         let (moved, to, before) = match (is_free(first), is_free(next)) {
             (true, _) => (first, next - 1, true),
             (false, true) => (next, first, false),
@@ -226,7 +226,7 @@ fn gather(parts: &mut Vec<Part>) {
         let at = if before { 0 } else { stays.len() };
         stays.splice(at..at, moved);
         shapes[to].join(shape, before);
-        // The part that has grown may go on.
+        // The part that has grown may move on.
         from = first;
     }
 }
@@ -240,7 +240,7 @@ fn is_of_one_picture(part: &Part, other: &Part) -> bool {
     }
 }
 
-/// True if two triangles of one winding cover a place together. Those that touch do not.
+/// True if two triangles of one winding cover a place together. Triangles that only touch don't.
 fn overlap(triangle: Corners, other: Corners) -> bool {
     let separates = |[a, b]: [[f32; 2]; 2], other: Corners| {
         let along = [b[0] - a[0], b[1] - a[1]];
@@ -251,9 +251,9 @@ fn overlap(triangle: Corners, other: Corners) -> bool {
     !is_apart(triangle, other) && !is_apart(other, triangle)
 }
 
-/// The triangles of a drawing in their order, those of one colour that follow one another as one area. Along the sides
-/// that opaque ones share with others, a stroke of their colour. Surfaces with pictures on them are pictures; `None`
-/// where there are too many of these, and where there is no memory for one.
+/// The triangles of a drawing in their order, with consecutive ones of one colour as one area. Along the sides that
+/// opaque ones share with others, there's a stroke of their colour. Surfaces with pictures on them are pictures; `None`
+/// if there are too many of these, or there's no memory for one.
 pub(super) fn faces_of(drawing: &Drawing, pictures: &mut Pictures) -> Option<Vec<Item>> {
     let mut parts: Vec<Part> = Vec::new();
     let mut shared: HashMap<SideKey, u32> = HashMap::new();
@@ -320,8 +320,8 @@ fn area_of(color: Rgba, triangles: &[Corners], shared: &HashMap<SideKey, u32>) -
     items
 }
 
-/// True if a triangle has a side in common with the last one of an area, and lies on the other side of it. Both are
-/// blended with what is below once.
+/// True if a triangle has a side in common with the last one of an area, and lies on the other side of it. Then both
+/// are blended with the background once.
 fn continues(triangles: &[Corners], next: Corners) -> bool {
     let Some(last) = triangles.last() else { return false };
     // With one winding, a common side is passed in both directions.
@@ -383,10 +383,10 @@ mod tests {
             kinds(&parts)
         };
         assert_eq!(gathered(FAR), "a2");
-        // Over the first alone: the second comes to it, below.
+        // Over the first alone, so the second comes to it, below.
         assert_eq!(gathered([[0.5, 0.5], [1.0, 0.5], [0.5, 1.0]]), "2a");
         assert_eq!(gathered(OVER), "1a1");
-        // Another picture is not of the same.
+        // Another picture isn't part of the same one.
         let other = Arc::new(Texture::flat(1, 1, vec![0; 4]));
         let other = pictured(&other, RIGHT);
         let mut parts = vec![Part::Pictured(vec![&left]), Part::Pictured(vec![&other])];

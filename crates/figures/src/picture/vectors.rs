@@ -1,4 +1,4 @@
-//! Pictures as pages of vectors: the same display list as for pixels, with the parts of strokes that can be seen found
+//! Pictures as pages of vectors, from the same display list as for pixels, with the visible parts of strokes computed
 //! exactly instead of pixel by pixel.
 
 use glam::DVec2;
@@ -23,11 +23,11 @@ use crate::text::Element;
 use crate::views::{Request, Side, Size, overlay};
 
 crate::listed! {
-    /// How the faces of a page are written.
+    /// The form of the faces of a page.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub enum Faces {
-        /// As areas where that says what the pixels do, in a number that programs can work with. What has a picture on
-        /// it, such as the window, is a picture among them. Otherwise as one picture.
+        /// As areas if these show the same as the pixels, in a number that programs can handle. Faces with a picture on
+        /// them, such as the window, are pictures among them. Otherwise as one picture.
         #[default]
         Auto = "auto",
         /// As areas.
@@ -39,37 +39,37 @@ crate::listed! {
     pub fn name
 }
 
-/// The most triangles that are written as areas unless they are asked for.
+/// The most triangles that are written as areas unless the user asks for areas.
 const MOST_AREAS: usize = 5000;
-/// A dash of no length is left out by some programs.
+/// Length of a dot, because some programs leave out a dash of zero length.
 const DOT: f32 = 0.01;
 
-/// Why a page has its faces as a picture, although areas were asked for.
+/// The reason why a page has its faces as a picture, although areas were requested.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAreas {
     /// Colours that vary over a face: light at vertices or pixels, textures in too many parts.
     Shaded,
-    /// Faces cross too often to be put in order.
+    /// Faces intersect too often to be sorted.
     OverBudget(OverBudget),
     /// Only the first faces are shown, in the order in which a depth buffer gets them.
     Partial,
 }
 
-/// A page, and what fell short.
+/// A page, and its shortfalls.
 pub(super) struct Drawn {
     /// The page, without title and description.
     pub page: Page,
     /// A shortfall of a picture.
     pub over_budget: Option<OverBudget>,
-    /// Why some faces are a picture.
+    /// The reason why some faces are a picture.
     pub no_areas: Option<NoAreas>,
 }
 
-/// The page of a sheet. `per_inch`: units of the page per inch of paper; `dpi`: the resolution of faces that are
-/// pictures, at least that of the sheet.
+/// The page of a sheet. `per_inch` is the number of units of the page per inch of paper, and `dpi` the resolution of
+/// faces that are pictures, at least that of the sheet.
 ///
 /// # Errors
-/// [`PictureError::TooLarge`], and [`PictureError::Strokes`] where the visible parts of strokes are not found.
+/// [`PictureError::TooLarge`], and [`PictureError::Strokes`] if the visible parts of strokes can't be computed.
 pub(super) async fn page(
     sheet: &Composite,
     faces: Faces,
@@ -116,7 +116,7 @@ pub(super) async fn page(
     Ok(Drawn { page, over_budget: painter.over_budget, no_areas: painter.no_areas })
 }
 
-/// A whole number of times as many pixels as the sheet has, as far as a picture may have them.
+/// The whole number of pixels along each side of a pixel of the sheet, within the limit of a picture.
 fn finer(sheet: &Composite, wanted: f64) -> u32 {
     let largest = sheet.requests.iter().map(|request| u64::from(request.size.width) * u64::from(request.size.height));
     let largest = largest.max().unwrap_or(1).max(1);
@@ -139,7 +139,7 @@ struct Painter {
 }
 
 impl Painter {
-    /// The things of a picture; of a compared one, those of both sides.
+    /// The items of a picture; for a compared one, those of both sides.
     fn picture(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
         let Some(sides) = request.sides() else { return self.one(request) };
         let differences = self.differences(request, &sides)?;
@@ -162,7 +162,7 @@ impl Painter {
         Ok(items)
     }
 
-    /// The differing pixels of a comparison that marks them: those of the same picture made of pixels.
+    /// The differing pixels of a comparison that marks them, taken from the same picture made of pixels.
     fn differences(&mut self, request: &Request, sides: &[Side; 2]) -> Result<Option<Differences>, PictureError> {
         if !request.shot.compared.as_ref().is_some_and(|compared| compared.comparison.differences) {
             return Ok(None);
@@ -174,7 +174,7 @@ impl Painter {
         Ok(Differences::marked(request, &pictures))
     }
 
-    /// The things of a picture in which nothing is compared.
+    /// The items of a picture in which nothing is compared.
     fn one(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
         let Plates { plates, over_budget } = self.renderer.plates(request).ok_or(PictureError::TooLarge)?;
         self.over_budget = self.over_budget.take().or(over_budget);
@@ -193,7 +193,7 @@ impl Painter {
         Ok(items)
     }
 
-    /// The things of a plate of a picture, which has a place among its plates.
+    /// The items of a plate of a picture, given its place among the plates.
     fn plate(
         &mut self,
         drawing: &Drawing,
@@ -242,7 +242,7 @@ impl Painter {
         let mut ordered = drawing;
         if !drawing.painted_in_order {
             if others.request.shot.show.painted.is_some() {
-                // From back to front, other faces would be the first ones.
+                // From back to front, the first faces would be different ones.
                 say(NoAreas::Partial, &mut self.no_areas);
                 return None;
             }
@@ -264,7 +264,7 @@ impl Painter {
         items
     }
 
-    /// The part of a picture that is not empty: left, top, width and height in pixels.
+    /// The part of a picture that isn't empty: left, top, width and height in pixels.
     fn content(&mut self, request: &Request, margin: u32) -> Result<[u32; 4], PictureError> {
         let mut pixels = self.renderer.pixels(request).ok_or(PictureError::TooLarge)?;
         let pixmap: Pixmap = pixels.take_pixmap().ok_or(PictureError::TooLarge)?;
@@ -272,7 +272,8 @@ impl Painter {
     }
 }
 
-/// True for a picture that shows something as wide as its pixels: with more of them it would be another picture.
+/// True for a picture that shows something as wide as its pixels, because with more of them it would be another
+/// picture.
 fn shows_pixels(request: &Request) -> bool {
     let Reveal { texture, shadows, .. } = request.shot.look.reveal;
     matches!(texture, Some(TextureReveal::Levels | TextureReveal::Texels)) || shadows == Some(ShadowReveal::Acne)
@@ -307,7 +308,7 @@ impl OtherVersions<'_> {
     }
 }
 
-/// The faces of a drawing alone, as pixels without a ground; `size`: on the page.
+/// Only the faces of a drawing, as pixels without a background. `size` is that on the page.
 fn faces_as_picture(drawing: &Drawing, size: [f32; 2], rasterizer: &mut Rasterizer) -> Result<Item, PictureError> {
     let alone = Drawing {
         background: drawing.background.with_alpha(0),
@@ -381,14 +382,14 @@ fn faded(color: Rgba, fades: bool) -> Rgba {
     if fades { color.with_alpha(alpha) } else { color }
 }
 
-/// The painted runs of strokes, those that look the same and follow one another as one path.
+/// The painted runs of strokes, with consecutive ones of the same look as one path.
 fn strokes(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
     let mut items: Vec<Item> = Vec::new();
     for run in painted_runs(drawing).map_err(|_| PictureError::Strokes)? {
         let Some(style) = run.style(drawing) else { continue };
         let length = length_of(drawing, &run);
         let head = style.head_length(length);
-        // The shaft ends a little inside the head, whose point would be blunt otherwise.
+        // The shaft ends a little inside the head, because the head's point would be blunt otherwise.
         let points = until(&run.points, length - 0.8 * head - run.start);
         if points.len() > 1 {
             push_stroke(&mut items, &points, &run, style);
@@ -409,7 +410,7 @@ fn push_stroke(items: &mut Vec<Item>, points: &[[f32; 2]], run: &Run, style: Lin
     let mut own: Vec<Element> = points.iter().map(|point| Element::Line(*point)).collect();
     own[0] = Element::Move(points[0]);
     match items.last_mut() {
-        // One path covers each place once, however often it comes there.
+        // One path covers each place once, however often it crosses it.
         Some(Item::Stroke { path, color, width, dashes: same, .. })
             if *color == style.color && *width == style.width && same.is_empty() && dashes.is_empty() =>
         {

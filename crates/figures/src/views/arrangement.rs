@@ -4,7 +4,7 @@ use super::View;
 use crate::camera::ImageSize;
 pub use crate::figure::Arrangement;
 
-/// The default share of the first of three pictures. The two others have the same.
+/// The default share of the first of three pictures. The two others share the rest equally.
 pub const fn share_of_first(arrangement: Arrangement) -> f32 {
     match arrangement {
         Arrangement::Row | Arrangement::Column => 1.0 / 3.0,
@@ -13,8 +13,8 @@ pub const fn share_of_first(arrangement: Arrangement) -> f32 {
     }
 }
 
-/// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one.
-/// `used`: the area that they use, in any unit.
+/// The arrangement in which `count` pictures use most of the space. If two are about as good, it's the first one.
+/// `used` is the area that they use, in any unit.
 pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arrangement {
     let candidates: &[Arrangement] = if count < 3 {
         &[Arrangement::Column]
@@ -25,7 +25,8 @@ pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arra
     candidates.iter().fold(Arrangement::Row, better)
 }
 
-/// Width by height of a picture's content. Very long images count as less so, because their place cannot follow them.
+/// Width by height of a picture's content. The aspect of very long images is limited, because their place can't follow
+/// it.
 pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
     match view {
         View::World => 4.0 / 3.0,
@@ -35,7 +36,7 @@ pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
     }
 }
 
-/// The area of the largest picture of a shape (width by height) in a room.
+/// The area of the largest picture of a shape (width by height) in a space.
 pub fn used_area(width: f32, height: f32, aspect: f32) -> f32 {
     let width = width.min(height * aspect);
     width * width / aspect

@@ -11,9 +11,9 @@ use crate::views::words::label_layout::Author;
 use crate::views::words::values::{done, said};
 use crate::views::world::gizmos::SMALL_TYPE;
 
-/// Room between two halves, in pixels at scale 1.
+/// Space between two halves, in pixels at scale 1.
 const GAP: f32 = 4.0;
-/// The names of the headings of the sides, by which an author changes them.
+/// The names of the headings of the sides, with which an author changes them.
 const SIDES: [&str; 2] = ["side:1", "side:2"];
 /// The longest heading in characters.
 const LONGEST: usize = 60;
@@ -49,7 +49,7 @@ pub struct Side {
 }
 
 impl Request {
-    /// The sides of a picture: the figure as it is, and in the other way, seen by one observer. `None` if nothing is
+    /// The sides of a picture: the figure as it is, and the other way, seen by one observer. `None` if nothing is
     /// compared.
     pub fn sides(&self) -> Option<[Side; 2]> {
         let compared = self.shot.compared.as_ref()?;
@@ -75,7 +75,7 @@ impl Request {
         Some(if x < f64::from(other.columns.start) { own } else { other })
     }
 
-    /// Its sides with their sizes, whose observers are not one yet. Itself where nothing is compared.
+    /// Its sides with their sizes, which don't share one observer yet. The request itself if nothing is compared.
     pub(super) fn each_side(&self) -> Vec<Self> {
         let Some(compared) = &self.shot.compared else { return vec![self.clone()] };
         let size = if compared.comparison.beside { half(self.size) } else { self.size };
@@ -95,7 +95,7 @@ impl Request {
 fn projected(mut other: Request, own: &Request) -> Request {
     other.projector = Some(own.probe().map(|probe| projector(own, probe)));
     if matches!(own.probe(), Some(Probe::Window(_))) {
-        // A place on the window of the one camera is none on that of the other.
+        // A place on the window of one camera isn't one on that of the other.
         other.hover.probe = None;
         let mut shot = Shot::clone(&other.shot);
         shot.show.probe = None;
@@ -111,7 +111,7 @@ fn half(size: Size) -> Size {
     Size { width: size.width.saturating_sub(gap) / 2, ..size }
 }
 
-/// The line between the sides, a heading on each, and how many pixels differ, on a clear ground.
+/// The line between the sides, a heading on each, and the number of differing pixels, on a clear background.
 pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>) -> Option<Drawing> {
     let compared = request.shot.compared.as_ref()?;
     let Size { width, height, scale } = request.size;
@@ -155,13 +155,13 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     Some(drawing)
 }
 
-/// An empty drawing on a clear ground of a colour, for what is put over others.
+/// An empty drawing on a clear background of a colour, to put over others.
 pub(super) fn on_clear_ground([width, height]: [u32; 2], ground: Rgba) -> Drawing {
     Drawing { painted_in_order: true, ..Drawing::new(width, height, ground.with_alpha(0)) }
 }
 
-/// A text on a plate, as its author wants it, where its room, from column to column, has place for it; where its author
-/// puts it, it needs no other.
+/// A text on a plate with its author's changes, if its range of columns has space for it. At a place that the author
+/// chose, it needs no space.
 fn plate(drawing: &mut Drawing, label: Label, room: [f32; 2], (author, request): (&Author<'_>, &Request)) {
     let is_moved = author.labels.change(&label.name, author.view).by.is_some();
     let Some((label, place)) = author.finished(label, &Author::page(request, DVec2::ZERO)) else { return };

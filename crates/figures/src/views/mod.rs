@@ -70,8 +70,8 @@ pub(crate) use words::labels::unlabelled;
 pub use words::note_place::note_place;
 pub use words::values::caption;
 
-/// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:
-/// [`Request::image_on_window`] as pixels; without it the window is plain.
+/// Draws a picture, and reports. `on_window` is the image that the view window of the world shows,
+/// [`Request::image_on_window`] as pixels. Without it the window is plain.
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let mut frame = match request.view {
         View::World => world::frame_of(request, on_window, pipeline),
@@ -91,7 +91,7 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     frame
 }
 
-/// The scene of a figure in the colours of its theme; `progress` follows the reading of its meshes.
+/// The scene of a figure in the colours of its theme. `progress` follows the reading of its meshes.
 ///
 /// # Errors
 /// [`SceneError`] names the object and its fault.
@@ -101,8 +101,9 @@ pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progre
     scene::build_with(&figure.scene, &figure.style, read_file, &mut files)
 }
 
-/// Pictures of one kind and one size, seen by one observer, so that what differs between them is what has moved: that
-/// of another figure, or else those of their figures, where these have some, or one who has all in the picture.
+/// Gives pictures of one kind and one size a common observer, so that only things that moved differ between them. It's
+/// the observer of another figure, or else those of their figures, if these have some, or one that has everything in
+/// the picture.
 pub fn with_observer(requests: Vec<Request>, other: Option<&ObserverOf>) -> Vec<Request> {
     if let Some(other) = other {
         let seen = |own: Request| {
@@ -142,7 +143,7 @@ impl Request {
         }
     }
 
-    /// Whether an observer has everything of interest in its picture. The image has none.
+    /// True if an observer has everything of interest in its picture. The image has none.
     pub fn holds(&self, observer: &Observer) -> bool {
         match self.view {
             View::World => world::world_framing::holds(self, observer),
@@ -151,11 +152,11 @@ impl Request {
         }
     }
 
-    /// The same picture for a page or a file. Its observer goes back to where everything of interest is in the picture,
-    /// if it was turned in a picture of another shape. A close look, of which most is outside anyway, goes back as far
+    /// The same picture for a page or a file. If its observer was turned in a picture of another shape, it goes back
+    /// until everything of interest is in the picture. A close look, which leaves most outside anyway, goes back as far
     /// as the picture is narrower than those beside one another in a window.
     pub fn gone_back(self) -> Self {
-        /// So many times as far, it would be another picture.
+        /// At this many times the distance, it would be another picture.
         const CLOSE: f64 = 2.0;
         /// Width over height of a picture beside another one in a window.
         const BESIDE: f64 = 1.1;

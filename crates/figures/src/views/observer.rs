@@ -1,4 +1,4 @@
-//! The sides from which a three-dimensional picture is seen, and the observer who has all of it in the picture.
+//! The sides from which to see a three-dimensional picture, and the observer that has all of it in the picture.
 
 use glam::{DVec2, DVec3};
 
@@ -9,9 +9,8 @@ use crate::geometry::Aabb;
 
 use super::Size;
 
-/// The share of the picture's width and height that [`enclosing`] leaves free on each side, and the least that this is
-/// in pixels at scale 1. A label has room there. In a small picture with large letters it is no more than
-/// `MOST_MARGIN`.
+/// The share of the picture's width and height that [`enclosing`] leaves free on each side, and its minimum in pixels
+/// at scale 1. A label has space there. In a small picture with large letters it's no more than `MOST_MARGIN`.
 const MARGIN: f64 = 0.05;
 const LEAST_MARGIN: f64 = 26.0;
 const MOST_MARGIN: f64 = 0.11;
@@ -28,11 +27,11 @@ pub enum Viewpoint {
     /// From a corner, in perspective.
     #[default]
     Iso,
-    /// Along **u**, parallel: the side figure of the notes, the eye to the left, the far plane to the right.
+    /// Along **u**, parallel: the side figure of the notes, with the eye to the left and the far plane to the right.
     AlongU,
     /// Along **v**, parallel: the same from above.
     AlongV,
-    /// Along **n**, parallel: as the camera looks.
+    /// Along **n**, parallel, in the direction of the camera.
     AlongN,
 }
 
@@ -42,13 +41,13 @@ impl Viewpoint {
         [Self::Front, Self::Top, Self::Side, Self::Iso, Self::AlongU, Self::AlongV, Self::AlongN];
 }
 
-/// An observer on a side of the origin, of which only the direction matters.
+/// An observer on a side of the origin. Only its direction matters.
 pub(super) const fn on_side(azimuth: f64, elevation: f64, parallel: bool) -> Observer {
     Observer { target: DVec3::ZERO, distance: 1.0, azimuth, elevation, roll: 0.0, parallel }
 }
 
 impl Viewpoint {
-    /// An observer with the direction in a space where the camera has the axes `basis`; `iso` says where the corner is.
+    /// An observer with the direction in a space where the camera has the axes `basis`. `iso` gives the corner.
     pub(super) fn direction(self, iso: Observer, basis: Basis) -> Observer {
         let along = |azimuth, elevation| on_side(azimuth, elevation, true);
         let from = |right, back| along(0.0, 0.0).looking(right, back);
@@ -70,10 +69,10 @@ fn eye(o: Observer) -> DVec3 {
     o.axes()[2]
 }
 
-/// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit
-/// vectors), all points on it would be at one spot.
+/// This direction, or the nearest one in which the eye keeps clear of lines. Along one of `lines` (unit vectors), all
+/// points on it would coincide.
 pub(super) fn clear_of(own: Observer, lines: &[DVec3]) -> Observer {
-    /// From this angle on a direction stays, and another is as far as this from all lines.
+    /// From this angle to all lines on, a direction stays. Any new one has an angle of at least `CLEAR`.
     const STAYS: f64 = 18.0;
     const CLEAR: f64 = 26.0;
     let clear = |d: Observer, least: f64| {
@@ -83,7 +82,7 @@ pub(super) fn clear_of(own: Observer, lines: &[DVec3]) -> Observer {
     if clear(own, STAYS) {
         return own;
     }
-    // Turning about the vertical keeps the ground as it is; rising is the second choice.
+    // Turning about the vertical keeps the ground as it is, so rising is the second choice.
     let around = (1..=36_u32).flat_map(|i| [1.0, -1.0].map(|side| side * f64::from(i) * 5.0));
     let up = [0.0, 12.0, -12.0, 24.0, -24.0, 36.0];
     up.into_iter()
@@ -105,19 +104,19 @@ fn fill(size: Size) -> DVec2 {
     1.0 - 2.0 * wanted.clamp(DVec2::splat(MARGIN), DVec2::splat(MOST_MARGIN))
 }
 
-/// The nearest observer in a direction that has all `points` in a picture of this size, with a margin. Points that are
-/// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
+/// The nearest observer in a direction that has all `points` in a picture of this size, with a margin. Points that
+/// aren't finite are left out. Without any, the observer looks at the cube \[−1, 1\]³.
 pub(super) fn enclosing(points: &[DVec3], direction: Observer, size: Size) -> Observer {
     let Some(bounds) = Aabb::around(points.iter().copied()) else {
         return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, size);
     };
-    // Far from the origin coordinates are coarse: the eye stays many of their steps away.
+    // Far from the origin coordinates are coarse, so the eye stays many of their steps away.
     let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-13);
     let least = if least > 0.0 { least } else { 1e-9 };
     let target = bounds.center();
     let [right, up, back] = direction.axes();
-    // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t ·
-    // depth), after `[0]` Eq. (5.9); opposite sides then meet in the eye.
+    // Each side of the view volume is pushed out until it touches the outermost point, a maximum of (across + t ·
+    // depth), after `[0]` Eq. (5.9). Opposite sides then meet in the eye.
     let support = |axis: DVec3, t: f64| {
         let slope = if direction.parallel { 0.0 } else { t };
         points
@@ -135,7 +134,7 @@ pub(super) fn enclosing(points: &[DVec3], direction: Observer, size: Size) -> Ob
     Observer { target, distance, ..direction }
 }
 
-/// Whether an observer has all `points` in its picture, to the very border. Points that are not finite do not count.
+/// True if an observer has all `points` in its picture, to the very border. Points that aren't finite don't count.
 pub(super) fn holds(observer: &Observer, points: &[DVec3], size: Size) -> bool {
     let [right, up, back] = observer.axes();
     let tangents = half_tangents(size.aspect());
@@ -181,7 +180,7 @@ mod tests {
                 assert!(slack.0.min(slack.1).abs() < 1e-9 && slack.0.max(slack.1) > -1e-9, "{viewpoint:?} {slack:?}");
                 assert!(points.iter().all(|p| p.z.abs() < 1.0), "{viewpoint:?}: inside the clipping planes");
                 assert!(holds(&o, &cloud(), size), "with margins");
-                // The margins are a tenth at least; a fifth nearer, something is outside.
+                // The margins are a tenth at least. A fifth nearer, something is outside.
                 let nearer = Observer { distance: 0.5 * o.distance, ..o };
                 assert!(!holds(&nearer, &cloud(), size), "{viewpoint:?}");
             }

@@ -1,10 +1,10 @@
-//! The observer of another figure: what pictures of a series are seen by.
+//! The observer of another figure, for the pictures of a series.
 
 use super::{Request, SharedScene, Shot};
 use crate::camera::Camera;
 use crate::figure::Observer;
 
-/// A figure whose observers others take.
+/// A figure whose observers serve others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObserverOf {
     /// The content of its pictures.

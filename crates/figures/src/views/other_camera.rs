@@ -5,12 +5,12 @@ use crate::appearance::Rgba;
 use crate::camera::Camera;
 use crate::figure::Figure;
 
-/// A camera of the figure that is not the one of the picture.
+/// A camera of the figure that isn't the one of the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OtherCamera {
     /// Its name in the figure.
     pub name: String,
-    /// Its color; `None` means that of its place.
+    /// Its color; `None` means the color of its place.
     pub color: Option<Rgba>,
     /// The camera, [rounded](Camera::rounded).
     pub camera: Camera,
@@ -27,7 +27,7 @@ impl OtherCamera {
         others.collect()
     }
 
-    /// The name of its label, by which an author changes it.
+    /// The name of its label, with which an author changes it.
     pub fn label_name(&self) -> String {
         format!("camera:{}", self.name)
     }
@@ -38,7 +38,7 @@ impl OtherCamera {
         ["", ":u", ":v", ":n"].map(|axis| format!("{own}{axis}"))
     }
 
-    /// The color of a camera at a place of the list: the given one, or that of its place.
+    /// The color of a camera at a place of the list, either the given one, or that of its place.
     pub fn color_at(given: Option<Rgba>, place: usize, palette: Palette) -> Rgba {
         let [x, y, z] = palette.axes;
         let usual = [z, palette.view_up, y, x];

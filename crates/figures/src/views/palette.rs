@@ -2,14 +2,14 @@
 
 use crate::appearance::{Rgba, Theme};
 
-/// The colours of one theme. The hues are those of Okabe and Ito (2008), which red-green blind people tell apart,
-/// darkened or lightened until a letter in them has a contrast of 4.5 : 1 on the paper; letters, dashes and shapes say
-/// the same once more.
+/// The colours of one theme. The hues are those of Okabe and Ito (2008), which red-green blind people can distinguish,
+/// darkened or lightened until a letter in them has a contrast of 4.5 : 1 on the paper. Letters, dashes and shapes
+/// repeat the information.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
-    /// Ground of the three pictures.
+    /// Background of the three pictures.
     pub paper: Rgba,
-    /// Ground around the image where its aspect leaves room.
+    /// Background around the image if its aspect leaves space.
     pub surround: Rgba,
     /// Texts and strong lines.
     pub ink: Rgba,

@@ -1,21 +1,21 @@
-//! The pictures of a shot, as a list: three of a figure, or as many as something else asks for.
+//! The pictures of a shot, as a list: three of a figure, or as many as another caller asks for.
 
 use super::View;
 use crate::camera::Camera;
 use crate::figure::{Observer, Observers};
 
-/// The most pictures that are shown at a time.
+/// The most pictures shown at a time.
 pub const MAX_PICTURES: usize = 8;
 
-/// One picture of a shot: its kind, from where it is seen, and the camera that it is about.
+/// One picture of a shot: its kind, its observer, and its camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// The world, the canonical volume, or the image.
     pub kind: View,
-    /// The observer of a three-dimensional picture; `None` means from a corner, with everything in the picture. The
-    /// image is seen by the camera alone.
+    /// The observer of a three-dimensional picture; `None` means from a corner, with everything in the picture. Only
+    /// the camera sees the image.
     pub observer: Option<Observer>,
-    /// The camera that it is about; `None` means that of the figure.
+    /// Its camera; `None` means that of the figure.
     pub camera: Option<Camera>,
 }
 
@@ -30,7 +30,7 @@ impl Picture {
         View::ALL.into_iter().map(|kind| Self::new(kind, observer_in(observers, kind))).collect()
     }
 
-    /// From where the first picture of each kind is seen.
+    /// The observers of the first picture of each kind.
     pub fn observers(pictures: &[Self]) -> Observers {
         let of = |kind| pictures.iter().find(|picture| picture.kind == kind).and_then(|picture| picture.observer);
         Observers { world: of(View::World), canonical: of(View::Canonical) }

@@ -1,4 +1,4 @@
-//! Sizes and rectangles in pixels, and where the image lies in a picture.
+//! Sizes and rectangles in pixels, and the place of the image in a picture.
 
 use crate::appearance::Rgba;
 use crate::pipeline::Target;
@@ -10,7 +10,7 @@ pub struct Size {
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// Pixels for one unit of stroke width or type size: 1 on a plain screen, 2 where pixels are small or in a large
+    /// Pixels for one unit of stroke width or type size: 1 on a plain screen, 2 if pixels are small or in a large
     /// export.
     pub scale: f32,
 }
@@ -18,7 +18,7 @@ pub struct Size {
 /// The size of the letters of names in a picture of scale 1 and middling size, in pixels.
 const LETTERS: f32 = 14.0;
 
-/// Pictures up to this size fill a screen as they are.
+/// Pictures up to this size fill a screen without enlargement.
 const SCREEN: [f32; 2] = [1920.0, 1080.0];
 
 /// Growth of letters and strokes with the side of a picture (`side`, in units of stroke width).
@@ -28,11 +28,11 @@ fn growth(side: f32) -> f32 {
 }
 
 impl Size {
-    /// The width of the edges of solids to the height of the letters of names, where strokes are in proportion.
+    /// The width of the edges of solids relative to the height of the letters of names, if strokes are in proportion.
     pub const EDGES_TO_LETTERS: f64 = 1.0 / LETTERS as f64;
 
-    /// Letters and strokes as on a screen of 1920 × 1080: a picture that is larger in both directions has them larger
-    /// by the same factor.
+    /// Letters and strokes as on a screen of 1920 × 1080. A picture that's larger in both directions has them larger by
+    /// the same factor.
     pub fn as_on_a_screen(width: u32, height: u32) -> Self {
         let [x, y] = [width as f32 / SCREEN[0], height as f32 / SCREEN[1]];
         Self { width, height, scale: x.min(y).max(1.0) }
@@ -42,7 +42,7 @@ impl Size {
     pub fn with_letters(width: u32, height: u32, letters: f32) -> Self {
         let wanted = letters / LETTERS;
         let of = |scale: f32| Self { width, height, scale };
-        // The growth depends on the scale: it falls as the scale rises, so that their product rises.
+        // The growth depends on the scale. It falls as the scale rises, so that their product rises.
         let (mut low, mut high) = (wanted / 1.6, wanted / 0.8);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
@@ -72,13 +72,13 @@ impl Size {
         if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
     }
 
-    /// The smaller one of width and height, in pixels: across it an observer has its view angle.
+    /// The smaller of width and height, in pixels. Across it an observer has its view angle.
     pub fn smaller_side(&self) -> f64 {
         f64::from(self.width.min(self.height))
     }
 
-    /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one
-    /// not full of letters.
+    /// Letters and strokes grow a little with the picture, so that they're neither too fine in a large one nor too big
+    /// in a small one.
     pub(super) fn target(self, background: Rgba) -> Target {
         Target { width: self.width, height: self.height, scale: self.type_scale(), background }
     }
@@ -91,9 +91,9 @@ pub struct PixelRect {
     pub x: u32,
     /// Top.
     pub y: u32,
-    /// Width, at least 1 in a picture that is not empty.
+    /// Width, at least 1 in a picture that isn't empty.
     pub width: u32,
-    /// Height, at least 1 in a picture that is not empty.
+    /// Height, at least 1 in a picture that isn't empty.
     pub height: u32,
 }
 
@@ -105,8 +105,7 @@ impl PixelRect {
 }
 
 /// The place of the image in a picture of this size: the largest rectangle with its aspect (to the nearest pixel;
-/// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. All of the picture where that is m × n pixels
-/// large.
+/// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. The whole picture if that has m × n pixels.
 pub fn image_frame(size: Size, aspect: f64) -> PixelRect {
     let width = rounded(f64::from(size.height) * aspect, size.width);
     let height = rounded(f64::from(size.width) / aspect, size.height);

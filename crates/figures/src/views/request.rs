@@ -1,4 +1,4 @@
-//! Everything that a picture depends on, as one value: equal requests give equal pixels.
+//! Everything that a picture depends on, as one value. Equal requests give equal pixels.
 
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
@@ -15,20 +15,20 @@ use crate::geometry::Aabb;
 use crate::pipeline::Output;
 use crate::scene::Scene;
 
-/// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
+/// A requested picture. "Has anything changed?" is `==`, whose cost doesn't grow with the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The kind of the picture.
     pub view: View,
-    /// From where a three-dimensional picture is seen; `None` means from a corner, with everything in the picture.
+    /// The observer of a three-dimensional picture; `None` means from a corner, with everything in the picture.
     pub observer: Option<Observer>,
-    /// The camera that the picture is about.
+    /// The camera of the picture.
     pub camera: Camera,
-    /// The part of the shot that is seen in this picture.
+    /// The part of the shot that's visible in this picture.
     pub shot: Arc<Shot>,
     /// Shared by all views of a frame.
     pub scene: SharedScene,
-    /// The part made by the pointer alone.
+    /// The part that depends on the pointer alone.
     pub hover: Hover,
     /// The settings of the output.
     pub finish: Finish,
@@ -36,35 +36,35 @@ pub struct Request {
     pub labels: &'static Labels,
     /// Size of the picture.
     pub size: Size,
-    /// Run every stage of the pipeline, needed or not. The picture is the same.
+    /// Runs every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
-    /// The output of the drawing. Pixels are made of drawings for pixels.
+    /// The kind of output. Pixels are made from drawings for pixels.
     pub output: Output,
-    /// The triangle of the shot on its way, which the renderer finds. Nobody else sets it.
+    /// The triangle of the shot on its way. Only the renderer sets it.
     pub triangle: Option<Arc<TriangleOverlay>>,
-    /// The image is that of another camera, beside the figure's own: the projector that is marked there, if any.
+    /// Set if the image is that of another camera, beside the figure's own: the projector marked there, if any.
     pub projector: Option<Option<Projector>>,
-    /// Where the shadow maps of the image are wrong, which the renderer finds. Nobody else sets it.
+    /// The places where the shadow maps of the image are wrong. Only the renderer sets it.
     pub shadow_truth: Option<Arc<ShadowTruth>>,
 }
 
 /// The settings of an output, independent of the content.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Finish {
-    /// Without texts and legends: the picture is painted on something.
+    /// Without texts and legends, for painting the picture on something.
     pub bare: bool,
     /// Transparent background.
     pub transparent: bool,
     /// The factor of stroke widths; `None` means in proportion to the letters.
     pub stroke_factor: Option<f32>,
-    /// The image has a border, with room around it for the marks at its sides: on paper, and beside other pictures.
+    /// The image has a border, with space around it for the marks at its sides, on paper and beside other pictures.
     pub framed: bool,
-    /// No letters are smaller than those of names, unless the author made them so. Their height was asked for.
+    /// No letters are smaller than those of names, unless the author made them so, because the user chose their height.
     pub least_letters: bool,
 }
 
 impl Request {
-    /// A picture of a figure, without hover. The camera is the figure's, or that after operations, as in
+    /// A picture of a figure, without hover. The camera is the figure's, or the one after operations, as in
     /// [`of_picture`](Self::of_picture). The scene is [`scene_of`](super::scene_of) the figure.
     pub fn of(
         figure: &Figure,
@@ -77,7 +77,7 @@ impl Request {
         Self::new(&Shot::of(figure), view, camera, scene, labels, size)
     }
 
-    /// The first picture of a kind of a shot, with nothing pointed at. The camera is the figure's.
+    /// The first picture of a kind of a shot, without hover. The camera is the figure's.
     pub fn new(
         shot: &Shot,
         view: View,
@@ -89,8 +89,8 @@ impl Request {
         Self::of_picture(shot, &shot.picture(view), camera, scene, labels, size)
     }
 
-    /// A picture of a shot, with nothing pointed at. The camera is the figure's. The picture may have one of its own.
-    /// It is [rounded](Camera::rounded), so that a picture is the same before its figure is saved and after.
+    /// A picture of a shot, without hover. The camera is the figure's, but the picture may have its own. It's
+    /// [rounded](Camera::rounded), so that a picture is the same before its figure is saved and after.
     pub fn of_picture(
         shot: &Shot,
         picture: &Picture,
@@ -128,7 +128,8 @@ impl Request {
         if count > 1 { format!("{}. {text}", place + 1) } else { text }
     }
 
-    /// The same picture with another shot, of which the part seen in it counts; where it is compared, on both sides.
+    /// The same picture with another shot, of which only the part visible in it counts. If it's compared, this applies
+    /// to both sides.
     pub fn with_shot(self, change: impl Fn(&mut Shot)) -> Self {
         let mut shot = Shot::clone(&self.shot);
         change(&mut shot);
@@ -138,18 +139,18 @@ impl Request {
         Self { shot: Arc::new(shot.seen_in(self.view)), ..self }
     }
 
-    /// The same picture with another observer. The image is seen by the camera alone.
+    /// The same picture with another observer. Only the camera sees the image.
     pub fn seen_by(self, observer: Option<Observer>) -> Self {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }
     }
 
-    /// The canonical picture on its way from the world, step by step; `None` means there is no way that the camera can
-    /// go, or none is shown.
+    /// The canonical picture on its way from the world, step by step; `None` means that there's no way for the camera,
+    /// or none is shown.
     pub fn normalizing(&self) -> Option<Normalizing> {
         Normalizing::of(self.shot.show.step?, &self.camera)
     }
 
-    /// The height of the smallest letters that are wanted, in pixels; 0 if any are.
+    /// The height of the smallest requested letters, in pixels; 0 if any are fine.
     pub(in crate::views) fn least_letters(&self) -> f32 {
         if self.finish.least_letters { self.size.letters() } else { 0.0 }
     }
@@ -167,13 +168,13 @@ impl Request {
         shown.iter().chain(pointed).copied()
     }
 
-    /// The object of which parts are measured.
+    /// The object whose parts are measured.
     pub fn measured_object(&self) -> Option<ObjectTransform> {
         self.hover.object.or(self.shot.measured_object)
     }
 
-    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within
-    /// reason, and with the aspect of the window, in which it is undistorted.
+    /// The image, without margins and legends, for the view window in the world. It's half as large as the picture,
+    /// within reason, and has the aspect of the window, in which it's undistorted.
     #[must_use]
     pub fn image_on_window(&self) -> Self {
         let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
@@ -188,7 +189,7 @@ impl Request {
             hover: Hover::default(),
             finish: Finish { bare: true, stroke_factor: self.finish.stroke_factor, ..Finish::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
-            // Also in a vector picture it is a texture.
+            // It's a texture in a vector picture too.
             output: Output::Pixels,
             triangle: None,
             shadow_truth: None,
@@ -197,12 +198,12 @@ impl Request {
     }
 }
 
-/// The progress of the scene through a decomposition: whole numbers are whole steps.
+/// The progress of the scene through a decomposition. Whole numbers are whole steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Normalizing {
-    /// Whose steps.
+    /// The source of the steps.
     pub decomposition: Decomposition,
-    /// 0: the world; from the number of steps on: the canonical volume.
+    /// 0 is the world. From the number of steps on, it's the canonical volume.
     pub time: f64,
 }
 
@@ -215,16 +216,16 @@ impl Normalizing {
     }
 }
 
-/// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have
-/// millions of vertices, and a new one is made only when something in it has changed.
+/// A scene that requests share. Two are equal if they're the same one, not if they look alike, because scenes have
+/// millions of vertices, and a new one is made only if something in it has changed.
 #[derive(Clone, Debug, Default)]
 pub struct SharedScene(Arc<SceneWithBounds>);
 
 #[derive(Debug, Default)]
 struct SceneWithBounds {
     scene: Scene,
-    /// The box around the scene: with a million vertices it takes a while to find. By one thread: those of the pool
-    /// would begin another picture of the scene meanwhile, which would wait for it.
+    /// The box around the scene, which takes a while to find with a million vertices. A single thread does it, because
+    /// threads of the pool would begin another picture of the scene meanwhile, which would wait for it.
     bounds: OnceLock<Option<Aabb>>,
 }
 
@@ -234,7 +235,7 @@ impl SharedScene {
         Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::new() }))
     }
 
-    /// Another scene, which is this one with marks in it: pictures frame it as they frame this one.
+    /// Another scene, which is this one with marks in it. Pictures frame it like this one.
     #[must_use]
     pub fn marked(&self, scene: Scene) -> Self {
         Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()) }))

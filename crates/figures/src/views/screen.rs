@@ -1,4 +1,4 @@
-//! A camera and the pixels that its window fills: from points to pixels and back to rays.
+//! A camera and the pixels of its window, from points to pixels and back to rays.
 
 use glam::{DVec2, DVec3};
 
@@ -21,7 +21,7 @@ pub(super) struct Screen {
 }
 
 impl Screen {
-    /// `scale`: pixels for one unit of stroke width or type size.
+    /// `scale` is the number of pixels for one unit of stroke width or type size.
     pub(super) fn new(camera: Camera, rect: PixelRect, scale: f32) -> Self {
         let origin = DVec2::new(f64::from(rect.x), f64::from(rect.y));
         Self {
@@ -36,7 +36,7 @@ impl Screen {
         &self.camera
     }
 
-    /// The displayed position of a point, in pixels. Also outside the rectangle. `None` for points not in front of the
+    /// The displayed position of a point, in pixels, also outside the rectangle. `None` for points not in front of the
     /// front plane.
     pub(super) fn place(&self, p: DVec3) -> Option<DVec2> {
         let c = self.camera.clip_point(p);
@@ -46,7 +46,7 @@ impl Screen {
             .then(|| self.origin + self.extent * DVec2::new(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y))
     }
 
-    /// As [`place`](Self::place), for points within the rectangle only.
+    /// Like [`place`](Self::place), for points within the rectangle only.
     pub(super) fn place_inside(&self, p: DVec3) -> Option<DVec2> {
         self.place(p).filter(|&px| self.holds(px))
     }
@@ -56,9 +56,9 @@ impl Screen {
         self.origin + self.extent * 0.5
     }
 
-    /// Width of the edges of the scene, and size of marks, in units of their own (`Scenes::with_fineness`): less than 1
-    /// where the scene is small in the picture, unless the width of edges was asked for. `place`: where a point of the
-    /// world is seen.
+    /// Width of the edges of the scene, and size of marks, in units of their own (`Scenes::with_fineness`). It's less
+    /// than 1 if the scene is small in the picture, unless the width of edges was requested. `place` gives the
+    /// displayed place of a point of the world.
     pub(super) fn fineness(&self, request: &Request, place: impl Fn(DVec3) -> Option<DVec2>) -> f32 {
         /// Distance of the corners of a scene from its middle from which on its strokes have their own width, in units
         /// of stroke width.
@@ -76,7 +76,7 @@ impl Screen {
         }
         let radius = 0.5 * (high - low).length();
         let radius = radius / f64::from(request.size.type_scale());
-        // What is no larger than its marks is seen by them alone.
+        // If a scene isn't larger than its marks, only these make it visible.
         if radius > SPECK { single((radius / SMALL).clamp(LEAST, 1.0)) } else { 1.0 }
     }
 
@@ -104,8 +104,7 @@ impl Screen {
         self.camera.ray_through_window(self.window_point(px))
     }
 
-    /// The direction in which a point moves on the screen when it moves along `direction`. Zero where that cannot be
-    /// seen.
+    /// The direction in which a point moves on the screen when it moves along `direction`. Zero if that isn't visible.
     pub(super) fn heading(&self, p: DVec3, direction: DVec3) -> DVec2 {
         let step = direction * (self.units_per_pixel(p) * 0.01);
         match (self.place(p), self.place(p + step)) {
@@ -114,7 +113,7 @@ impl Screen {
         }
     }
 
-    /// A point moved in the plane through it that is parallel to the picture, by pixels (y down).
+    /// A point moved in the plane through it that's parallel to the picture, by pixels (y down).
     pub(super) fn moved(&self, p: DVec3, by: DVec2) -> DVec3 {
         let basis = self.camera.basis();
         p + (basis.u * by.x - basis.v * by.y) * self.units_per_pixel(p)

@@ -1,5 +1,5 @@
-//! All that pictures show, as one value: the content of a file, a link, a session and an export. The part made by the
-//! pointer alone is [`Hover`](super::Hover).
+//! Everything that pictures show, as one value: the content of a file, a link, a session and an export. The part that
+//! depends on the pointer alone is [`Hover`](super::Hover).
 
 use std::sync::Arc;
 
@@ -16,14 +16,14 @@ use crate::scene::edit::{object_named, placements};
 use crate::scene::transform::Trs;
 use crate::stage::Stage;
 
-/// All that pictures show of a scene and a camera.
+/// Everything that pictures show of a scene and a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shot {
     /// The look of everything.
     pub look: Look,
-    /// The points that are followed.
+    /// The followed points.
     pub points: Arc<[NamedPoint]>,
-    /// Whose NDC the canonical volume and the numbers are in.
+    /// The NDC of the canonical volume and the numbers.
     pub ndc: Ndc,
     /// The pictures, each with its observer and its camera.
     pub pictures: Vec<Picture>,
@@ -33,7 +33,7 @@ pub struct Shot {
     pub show: Show,
     /// The second camera of `show`.
     pub answered: Option<Camera>,
-    /// The name of the current camera, where there are others.
+    /// The name of the current camera, if there are others.
     pub camera_name: Option<Arc<str>>,
     /// The other cameras of the figure.
     pub cameras: Arc<[OtherCamera]>,
@@ -48,11 +48,11 @@ pub struct Shot {
 pub struct Compared {
     /// The shot of the figure in the other way.
     pub shot: Shot,
-    /// Its camera, where it is another one.
+    /// Its camera, if it's another one.
     pub camera: Option<Camera>,
     /// The comparison, with the place of its sides.
     pub comparison: Comparison,
-    /// The keys that are compared, with the values of both sides.
+    /// The compared keys, with the values of both sides.
     pub values: Vec<(String, [Option<String>; 2])>,
 }
 
@@ -68,16 +68,16 @@ impl Compared {
         Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
     }
 
-    /// The part that is seen in a picture of a kind; `None` if it looks like `own` there.
+    /// The part that's visible in a picture of a kind; `None` if it looks like `own` there.
     #[must_use]
     pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
-        // Worlds and canonical volumes of two cameras would only be the same scene again.
+        // Worlds and canonical volumes of two cameras would only show the same scene again.
         if self.comparison.camera.is_some() && view != View::Image {
             return None;
         }
         let mut shot = self.shot.seen_in(view);
         if view == View::Canonical {
-            // The pixels of the image are beyond the canonical volume.
+            // The pixels of the image don't matter to the canonical volume.
             (shot.look.image, shot.look.viewport) = (own.look.image, own.look.viewport);
             shot.look.undistorted = own.look.undistorted;
         }
@@ -105,7 +105,7 @@ impl Shot {
         Self { compared, ..Self::of_one(figure, &figure.scene) }
     }
 
-    /// The shot of a figure, whose scene may be elsewhere, in one way.
+    /// The shot of one side of a figure, whose scene may be elsewhere.
     pub fn of_one(figure: &Figure, scene: &SceneSpec) -> Self {
         let show = figure.show.clone();
         let measures_object = show.measure.iter().any(|measured| measured.is_of_object());
@@ -125,19 +125,19 @@ impl Shot {
         }
     }
 
-    /// The first picture of a kind; where there is none, one of the figure's camera.
+    /// The first picture of a kind, or one of the figure's camera if there is none.
     pub fn picture(&self, kind: View) -> Picture {
         let there = self.pictures.iter().find(|picture| picture.kind == kind);
         there.cloned().unwrap_or_else(|| Picture::new(kind, None))
     }
 
-    /// Whether an image shows names or explanations over the scene.
+    /// True if an image shows names or explanations over the scene.
     pub fn has_names(&self) -> bool {
         !self.points.is_empty() || self.show != Show::default() || self.look.reveal != Reveal::default()
     }
 
-    /// The part of it that is seen in a picture of a kind: parts of others are at their defaults, so that they change
-    /// nothing here. The pictures are left out. A request has its own.
+    /// The part of it that's visible in a picture of a kind. Parts of others have their defaults, so that they change
+    /// nothing here. The pictures are left out, because a request has its own.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         let show = &self.show;
@@ -165,7 +165,7 @@ impl Shot {
         let seen = Self {
             look,
             points: Arc::clone(&self.points),
-            // Steps end in the convention of those who take them.
+            // Steps end in the convention of their source.
             ndc: show.step.map_or(self.ndc, |step| step.way.ndc()),
             pictures: Vec::new(),
             labels: self.labels.seen_in(view),
@@ -180,8 +180,8 @@ impl Shot {
         Self { compared: compared.map(Arc::new), ..seen }
     }
 
-    /// The inner work of the pipeline in a picture. The requested part, and while a stage of the image is shown, its
-    /// parts in the pictures beside.
+    /// The inner work of the pipeline in a picture: the requested part, and while a stage of the image is shown, its
+    /// parts in the pictures beside it.
     fn revealed_in(&self, view: View) -> Reveal {
         let reveal = self.look.reveal;
         let beside = self.show.stage_of == StagePicture::default() && view != View::Image;
@@ -233,7 +233,7 @@ impl Default for Look {
 }
 
 impl Look {
-    /// As a figure wants it.
+    /// As the figure gives it.
     pub fn of(figure: &Figure) -> Self {
         let Figure { image, undistorted, viewport, style, reveal, world, ref photograph, .. } = *figure;
         Self {
@@ -247,7 +247,7 @@ impl Look {
         }
     }
 
-    /// Width / height of the image as it is shown: m / n, whatever the window, or that of the window.
+    /// Width / height of the image as displayed: m / n, whatever the window, or that of the window.
     pub fn image_aspect(&self, camera: &Camera) -> f64 {
         if self.undistorted { camera.window().aspect() } else { self.image.aspect() }
     }

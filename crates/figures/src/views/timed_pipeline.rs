@@ -10,19 +10,19 @@ use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
 use crate::views::reveal::stage_overlay;
 
-/// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long
-/// each stage takes.
+/// The pipeline, with buffers that serve one picture after the other, and a clock for callers that want the time of
+/// each stage.
 #[derive(Clone, Debug, Default)]
 pub struct TimedPipeline {
     /// The stages.
     pub stages: Pipeline,
-    /// The time since any moment that stays the same. Without it nothing is timed.
+    /// The time since some fixed moment. Without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }
 
 impl TimedPipeline {
-    /// Sends the content of a picture through the pipeline. `repaint` may paint its surfaces otherwise, before a stage
-    /// is shown over them.
+    /// Sends the content of a picture through the pipeline. `repaint` may paint its surfaces in another way, before a
+    /// stage is shown over them.
     pub(super) fn frame<'a>(
         &mut self,
         request: &Request,
@@ -35,8 +35,8 @@ impl TimedPipeline {
         let options = Options {
             force_all_stages: request.force_all_stages,
             output: request.output,
-            // Faces divided first are put into the image, with depths from F to B.
-            // And whole numbers of a format are shares of that range.
+            // Faces divided first are put into the image, with depths from F to B. Also, whole numbers of a format are
+            // shares of that range.
             depth_of_volume: request.view == View::Image
                 && (request.shot.look.reveal.divide_first || style.depth_format != DepthFormat::Float),
             shown: request.shot.show.stage,

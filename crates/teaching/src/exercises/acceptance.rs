@@ -1,4 +1,4 @@
-//! Right answers: the numbers, choices and cameras that are accepted.
+//! Right answers: the accepted numbers, choices and cameras.
 
 use super::answer::Answer;
 use super::exercise::{Ask, Expected, TOLERANCE};
@@ -7,7 +7,7 @@ use super::worked::Worked;
 use crate::camera::Camera;
 use crate::exercises::mistakes::slip::{Slip, Slips};
 
-/// Whether an answer is right in one of the readings.
+/// True if an answer is right in one of the readings.
 pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
     ask.readings.iter().any(|reading| match (&reading.expected, answer) {
         (Expected::Choice(right, ..), Answer::Choice(chosen)) => right == chosen,
@@ -23,7 +23,8 @@ pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
 }
 
 impl Ask {
-    /// How far an answer is from the right place in the image: pixels to the right, and down. `None` for other answers.
+    /// The distance of an answer from the right place in the image, in pixels to the right and down. `None` for other
+    /// answers.
     pub fn off(&self, answer: &Answer) -> Option<[f64; 2]> {
         let Answer::Numbers { entries, .. } = answer else { return None };
         let right = self.expected().table().filter(|_| self.places)?;
@@ -33,7 +34,7 @@ impl Ask {
         }
     }
 
-    /// Whether a number is right where `right` is.
+    /// True if a number is right when `right` is.
     pub fn accepts(&self, given: Option<f64>, right: f64) -> bool {
         let Some(given) = given else { return false };
         if self.whole {
@@ -41,12 +42,12 @@ impl Ask {
         }
         // The error of a decimal number in f64 relative to the intended one.
         let rest = 1e-12 * right.abs();
-        // The least of a number that is 0 but for its error has no size.
+        // A number that's 0 apart from its error has no size to take a share of.
         let share = if right.abs() <= 1e-9 * self.tolerance { f64::INFINITY } else { self.share * right.abs() };
         (given - right).abs() <= self.tolerance.min(share) + rest || is_rounded(given, right, rest)
     }
 
-    /// Whether the right answer shows that a slip was not made.
+    /// True if the right answer shows that a slip wasn't made.
     pub(super) fn tells(&self, slip: Slip) -> bool {
         let tables = self.expected().table().zip(self.expected().slipped(Slips::one(slip)));
         tables.is_some_and(|(right, wrong)| wrong.shape() == right.shape() && !self.accepts_all(&wrong.entries, &right))
@@ -59,7 +60,7 @@ impl Ask {
 }
 
 impl Worked {
-    /// Whether a number is the value of its last row, or that value rounded to three digits or more.
+    /// True if a number is the value of its last row, or that value rounded to three digits or more.
     pub fn ends_with(&self, number: f64) -> bool {
         let is_it = |value: f64| {
             let rest = 1e-9 * value.abs().max(1.0);
@@ -69,12 +70,12 @@ impl Worked {
     }
 }
 
-/// Whether `given` is `right`, rounded to three or more significant digits.
+/// True if `given` is `right` rounded to three or more significant digits.
 fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
     (3..=16).any(|digits| (given - rounded(right, digits)).abs() <= rest)
 }
 
-/// A number rounded to this many significant digits.
+/// Rounds a number to this many significant digits.
 pub(super) fn rounded(value: f64, digits: usize) -> f64 {
     format!("{:.*e}", digits.saturating_sub(1), value).parse().unwrap_or(value)
 }

@@ -1,4 +1,4 @@
-//! Answers as they are typed: `1/sqrt(3)`, `[1, 0, 0]`, `[[1; 0]; [0; 1]]`, a choice, `key=value; …` of `[camera]`.
+//! Answers as students type them: `1/sqrt(3)`, `[1, 0, 0]`, `[[1; 0]; [0; 1]]`, a choice, `key=value; …` of `[camera]`.
 
 use super::exercise::{Ask, Kind, Unit};
 use crate::camera::Parameters;
@@ -6,10 +6,10 @@ use crate::expression::{self, Dimension, ExpressionError, ExpressionProblem};
 use crate::figure::{FigureError, read};
 use crate::limits::MAX_ANSWER;
 
-/// An answer as it was understood.
+/// A parsed answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
-    /// Numbers; `None` if nothing was typed, or `?`.
+    /// Numbers; `None` for an empty entry, or `?`.
     Numbers {
         /// Number of rows.
         rows: usize,
@@ -24,16 +24,16 @@ pub enum Answer {
     Camera(Box<Parameters>),
 }
 
-/// Why an answer cannot be read. It is not judged then.
+/// The reason why an answer can't be read. It isn't judged then.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AnswerError {
     /// No answer.
     #[error("an answer is missing")]
     Empty,
-    /// More than anybody types.
+    /// Too long for any sensible answer.
     #[error("an answer has at most {MAX_ANSWER} characters")]
     TooLong,
-    /// A number that is not one.
+    /// An invalid number.
     #[error("row {}, column {}: {error}", row + 1, column + 1)]
     Number {
         /// From 0.
@@ -42,13 +42,13 @@ pub enum AnswerError {
         column: usize,
         /// The text of the entry.
         text: String,
-        /// The fault in it.
+        /// The error in it.
         error: ExpressionError,
     },
     /// A bracket without its other half.
     #[error("a bracket is missing")]
     Bracket,
-    /// Neither a number that is multiplied nor a row.
+    /// Neither a number that's multiplied nor a row.
     #[error("beside the brackets only a factor may stand; a function needs brackets: [1, 1, 1]/sqrt(3)")]
     BesideBrackets,
     /// Rows of different lengths.
@@ -61,12 +61,12 @@ pub enum AnswerError {
         /// The number of entries of the first row.
         first: usize,
     },
-    /// Not one of the choices.
+    /// None of the choices.
     #[error("{given:?} is none of {}", choices.join(", "))]
     Choice {
         /// The text of the answer.
         given: String,
-        /// The words that the question takes.
+        /// The words that the question accepts.
         choices: Vec<String>,
     },
     /// Not `key=value`.
@@ -80,7 +80,7 @@ pub enum AnswerError {
     Camera(FigureError),
 }
 
-/// Reads an answer; `names` are numbers that it may use by their names, such as F.
+/// Reads an answer. It may use the numbers in `names` by their names, such as F.
 ///
 /// # Errors
 /// [`AnswerError`] names the unreadable part and its place.
@@ -98,7 +98,7 @@ pub fn read_answer(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answe
     }
 }
 
-/// Whether an answer uses a name that has a number only in its exercise.
+/// True if an answer uses a name that has a number only in its exercise.
 pub fn uses_names(text: &str, ask: &Ask, names: &[(&str, f64)]) -> bool {
     let unknown = |error: &AnswerError| {
         matches!(
@@ -148,7 +148,7 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
         }
     }
     let (rows, columns) = (cells.len(), first);
-    // A vector may be typed as a row or as a column.
+    // A student may type a vector as a row or as a column.
     let lies = !is_matrix && rows == 1;
     Ok(if lies {
         Answer::Numbers { rows: columns, columns: 1, entries }
@@ -157,20 +157,19 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
     })
 }
 
-/// The numbers of a row between which nothing but blanks stands; `None` for other rows.
+/// The numbers of a row if only blanks separate them; `None` for other rows.
 fn between_blanks(row: &str, asked: usize, reads: impl Fn(&str) -> bool) -> Option<Vec<&str>> {
     let apart: Vec<&str> = row.split_whitespace().collect();
     let is_number = |part: &&str| !part.starts_with([',', ';']) && !part.ends_with([',', ';']) && reads(part);
     (asked > 1 && apart.len() == asked && apart.iter().all(is_number)).then_some(apart)
 }
 
-/// The marks in the place of a number that is not given.
+/// The marks that stand for a missing number.
 fn is_gap(part: &str) -> bool {
     matches!(part, "" | "?" | "_")
 }
 
-/// A list or a matrix without the number by which it is multiplied or divided, and that number: `2*[1, 0]`,
-/// `[1, 0]/√2`.
+/// A list or a matrix without the number that multiplies or divides it, and that number: `2*[1, 0]`, `[1, 0]/√2`.
 fn without_factor<E>(text: &str, number: impl Fn(&str) -> Result<f64, E>) -> Option<(&str, f64)> {
     let (start, end) = match (text.find('['), text.rfind(']')) {
         (Some(start), Some(end)) if start < end => (start, end + 1),
@@ -182,17 +181,17 @@ fn without_factor<E>(text: &str, number: impl Fn(&str) -> Result<f64, E>) -> Opt
     }
     let before = before.trim_end_matches(['*', '×', '·']).trim_end();
     let before = before.strip_suffix(r"\cdot").unwrap_or(before);
-    // 1*[…]/2 and -[…]; what stands after it begins with its sign.
+    // 1*[…]/2 and -[…]. The text after it begins with its sign.
     let before = match before {
         "" => "1".to_owned(),
         "-" | "−" | "–" => "-1".to_owned(),
         other => other.to_owned(),
     };
-    // Of a sum only a part would be multiplied.
+    // In a sum, only a part would be multiplied.
     let scales = |one: f64, twice: f64| ((2.0 * one - twice).abs() <= 1e-9 * twice.abs()).then_some(one);
     let factor = scales(number(&before).ok()?, number(&format!("2*{before}")).ok()?)?;
     let share = scales(number(&format!("1{after}")).ok()?, number(&format!("2{after}")).ok()?)?;
-    // 1[…]5 is no product.
+    // 1[…]5 isn't a product.
     let is_product = after.is_empty() || after.starts_with(['/', '*', '÷', '×', '·']);
     (is_product && (factor * share).is_finite()).then_some((list, factor * share))
 }
@@ -255,7 +254,7 @@ fn top_level(text: &str, separator: char) -> Vec<&str> {
     .collect()
 }
 
-/// Without the brackets around the whole.
+/// The text without the brackets around the whole.
 fn unwrapped(text: &str) -> Result<&str, AnswerError> {
     let text = text.trim();
     let (mut open, mut closes_before_end) = (0_i64, false);
@@ -280,7 +279,7 @@ fn unwrapped(text: &str) -> Result<&str, AnswerError> {
     }
 }
 
-/// The rows `[…]` of a matrix, with whatever separators between them.
+/// The rows `[…]` of a matrix, with any separators between them.
 fn rows_in_brackets(text: &str) -> Result<Vec<&str>, AnswerError> {
     let (mut rows, mut open, mut start) = (Vec::new(), 0_i64, 0);
     for (at, c) in text.char_indices() {
@@ -309,7 +308,7 @@ fn rows_in_brackets(text: &str) -> Result<Vec<&str>, AnswerError> {
     if open == 0 { Ok(rows) } else { Err(AnswerError::Bracket) }
 }
 
-/// The names of the parameters of a camera, as the notes and both languages have them, and their keys.
+/// The names of the parameters of a camera in the notes and in both languages, and their keys.
 const PARAMETERS: [(&[&str], &str); 10] = [
     (&["c", "position", "posição", "posicao"], "position"),
     (&["pf", "focal_point", "focal point", "ponto focal"], "focal_point"),
@@ -323,7 +322,7 @@ const PARAMETERS: [(&[&str], &str); 10] = [
     (&["window", "janela"], "window"),
 ];
 
-/// The words of values that another language has.
+/// The words for values in another language.
 const WORDS: [(&str, &str); 3] =
     [("paralela", "parallel"), ("perspectiva", "perspective"), ("em perspectiva", "perspective")];
 
@@ -362,7 +361,7 @@ fn between_commas(text: &str) -> Vec<&str> {
     pairs
 }
 
-/// (l, r, b, t) as TOML has a window.
+/// (l, r, b, t) as a window in TOML.
 fn sides(value: &str) -> Option<String> {
     let inner = value.strip_prefix(['(', '['])?.strip_suffix([')', ']'])?;
     let parts: Vec<String> = expression::parts(inner).map(|part| toml_value(part.trim())).collect();
@@ -370,7 +369,7 @@ fn sides(value: &str) -> Option<String> {
     Some(format!("{{ left = {left}, right = {right}, bottom = {bottom}, top = {top} }}"))
 }
 
-/// A value as TOML has it: words and expressions become texts.
+/// A value in TOML: words and expressions become texts.
 fn toml_value(value: &str) -> String {
     let between = |open, close| value.strip_prefix(open).and_then(|rest: &str| rest.strip_suffix(close));
     let list = between('[', ']').or_else(|| between('(', ')').filter(|inner| inner.contains([',', ';'])));
@@ -385,7 +384,7 @@ fn toml_value(value: &str) -> String {
     let is_toml = value.parse::<toml_edit::Value>().is_ok();
     match number {
         _ if is_toml && (number.is_some() || value.starts_with(['"', '\'', '{'])) => value.to_owned(),
-        // .5 is a number, and not one of TOML.
+        // .5 is a number, but not one in TOML.
         Some(number) => toml_edit::Value::from(number).to_string(),
         None => toml_edit::Value::from(value).to_string(),
     }

@@ -1,4 +1,4 @@
-//! The answers beside another one: what follows from them is right for a student's own wrong value.
+//! Judges an answer beside the others: if it follows from a student's own wrong value, it's right.
 
 use super::acceptance::is_right;
 use super::answer::Answer;
@@ -26,7 +26,7 @@ impl<'a> Beside<'a> {
         others.filter_map(move |(name, answer)| Some((self.ask(name)?, answer)))
     }
 
-    /// The names of the first wrong answers from which an answer follows. None where it does not.
+    /// The names of the first wrong answers from which an answer follows. Empty if it doesn't follow from any.
     pub(super) fn carried(&self, ask: &'a Ask, answer: &Answer) -> Vec<String> {
         let Some(given) = numbers(answer, ask) else { return Vec::new() };
         ask.follows.iter().find_map(|way| self.along(way, ask, &given)).unwrap_or_default()
@@ -49,12 +49,12 @@ impl<'a> Beside<'a> {
             .collect();
         let wrong = |k: usize| answers[k].filter(|_| is_wrong[k]).and_then(|answer| numbers(answer, asks[k]));
         let tables: Vec<Table> = (0..asks.len()).map(|k| wrong(k).unwrap_or_else(|| rights[k].clone())).collect();
-        // From nothing everything follows.
+        // Everything follows from nothing.
         let is_nothing = |k: usize| !matches!(asks[k].kind, Kind::Choice(_)) && tables[k].size() == 0.0;
         if (0..asks.len()).any(|k| is_wrong[k] && is_nothing(k)) {
             return None;
         }
-        // A 0 is none where the numbers that it comes from were rounded: the share of it is no measure.
+        // A 0 counts as none if it comes from rounded numbers, because a share of it is no measure.
         let follows =
             |given: f64, of: f64| ask.accepts(Some(given), of) || (!ask.whole && (given - of).abs() <= ask.tolerance);
         let gives = |tables: &[Table]| {
@@ -64,7 +64,7 @@ impl<'a> Beside<'a> {
         if !is_wrong.contains(&true) || !gives(&tables) {
             return None;
         }
-        // What follows as well from the right value is not carried from the wrong one.
+        // An answer that follows from the right value too isn't carried from the wrong one.
         let without = |k: usize| {
             let mut tables = tables.clone();
             tables[k].clone_from(&rights[k]);
@@ -73,7 +73,7 @@ impl<'a> Beside<'a> {
         let matters = (0..asks.len()).filter(|k| is_wrong[*k] && !gives(&without(*k)));
         let mut names = Vec::new();
         for k in matters {
-            // The first cause, and not each answer on the way.
+            // The first cause, not each answer on the way.
             let earlier = answers[k].map(|answer| self.carried(asks[k], answer)).unwrap_or_default();
             let found = if earlier.is_empty() { vec![asks[k].name.clone()] } else { earlier };
             names.extend(found.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());

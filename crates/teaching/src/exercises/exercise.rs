@@ -28,28 +28,28 @@ pub struct Exercise {
     pub seed: u64,
     /// The figure that the statement is about.
     pub subject: Subject,
-    /// Numbers that the notes leave open and an answer may choose, with those that are chosen here.
+    /// Numbers that the notes leave open and an answer may choose, with the values chosen here.
     pub free: Vec<(&'static str, f64)>,
     /// The facts of the statement, by their names in its text.
     pub facts: Vec<(&'static str, Fact)>,
-    /// Assumptions where the source leaves a question open: the names of their texts.
+    /// Assumptions for questions that the source leaves open, as the names of their texts.
     pub assumptions: Vec<&'static str>,
-    /// The figure with the answers drawn into it, where it has them: to be shown once they have been tried.
+    /// The figure with the answers drawn into it, if there is one, to show once the student has tried them.
     pub answered: Option<Box<Figure>>,
     /// In the order of the sheet.
     pub asks: Vec<Ask>,
-    /// Its texts, in a lecturer's own exercise.
+    /// Its texts, if it's a lecturer's own exercise.
     pub texts: Option<Arc<OwnTexts>>,
 }
 
 impl Exercise {
-    /// With more facts in its statement.
+    /// Adds facts to its statement.
     pub(super) fn with_facts<F: Into<Fact>>(mut self, facts: impl IntoIterator<Item = (&'static str, F)>) -> Self {
         self.facts.extend(facts.into_iter().map(|(name, fact)| (name, fact.into())));
         self
     }
 
-    /// The figure with the right camera, where its picture is part of the statement.
+    /// The figure with the right camera, if its picture is part of the statement.
     pub fn figure_to_match(&self) -> Option<Figure> {
         let shows = self.id == "match-picture";
         let wanted = self.asks.iter().filter(|_| shows).find_map(|ask| match ask.expected() {
@@ -59,13 +59,13 @@ impl Exercise {
         wanted.map(|camera| Figure { camera, ..self.subject.figure.clone() })
     }
 
-    /// True if any picture of the figure answers a question: whether a point is inside.
+    /// True if any picture of the figure answers a question, for example if a point is inside.
     pub fn is_told_by_figure(&self) -> bool {
         let inside = |path: QuantityPath| matches!(path.quantity, Quantity::Point(_, PointNumber::Inside));
         self.asks.iter().any(|ask| ask.quantity.is_some_and(inside))
     }
 
-    /// The steps of each ask that did not occur in an ask before it.
+    /// The steps of each ask that didn't occur in an ask before it.
     pub fn new_steps(&self) -> Vec<Vec<Worked>> {
         let mut told = Vec::new();
         let new = |ask: &Ask| {
@@ -82,7 +82,7 @@ impl Exercise {
     }
 }
 
-/// A number, or more, that a statement tells.
+/// One or more numbers in a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
     /// A number.
@@ -93,9 +93,9 @@ pub enum Fact {
     Tuple(Vec<f64>),
     /// A matrix.
     Matrix(Table),
-    /// A word that is the same in both languages: the name of a function, a colour.
+    /// A word that's the same in both languages: the name of a function, a colour.
     Word(String),
-    /// A word that each language has its own for: the name of its text.
+    /// A word that differs between the languages, as the name of its text.
     Text(&'static str),
 }
 
@@ -120,28 +120,28 @@ pub struct Ask {
     pub kind: Kind,
     /// The quantity that its numbers measure.
     pub unit: Unit,
-    /// The nature of what is asked for.
+    /// The nature of the answer.
     pub nature: Nature,
-    /// Greatest distance of each number from the right one. A number that is the right one rounded to three or more
-    /// significant digits is right too, except where whole numbers are required.
+    /// Greatest distance of each number from the right one. A number that equals the right one rounded to three or more
+    /// significant digits is right too, unless whole numbers are required.
     pub tolerance: f64,
-    /// Greatest distance of each number from the right one, as a share of it. Infinite where a lecturer says the
+    /// Greatest distance of each number from the right one, as a share of it. Infinite if a lecturer gives the
     /// tolerance.
     pub share: f64,
     /// Whole numbers are required.
     pub whole: bool,
     /// A place in the image: two numbers, pixels from its left edge and from its upper one.
     pub places: bool,
-    /// The path to the right answer in the report of the exercise's subject, where it has one.
+    /// The path to the right answer in the report of the exercise's subject, if it has one.
     pub quantity: Option<QuantityPath>,
-    /// The readings of the question: an answer that is right in one of them is right. The first is the one that the
-    /// assumptions settle. The others have the name of their text.
+    /// The readings of the question. An answer is right if it's right in one of them. The first follows from the
+    /// assumptions. The others have the name of their text.
     pub readings: Vec<Reading>,
     /// The texts of a lecturer's choices, by their names.
     pub own_choices: BTreeMap<String, Bilingual>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
-    /// The ways to it from other answers.
+    /// The ways to the answer from other answers.
     pub follows: Vec<Follows>,
     /// The worked steps, if they begin with numbers of the statement instead of the camera.
     pub way: Option<Vec<Worked>>,
@@ -156,7 +156,7 @@ pub enum Kind {
     Vector(usize),
     /// Rows and columns.
     Matrix(usize, usize),
-    /// One of these. They have the names of their texts, or are the same in both languages.
+    /// One of these. They're the names of their texts, or the same in both languages.
     Choice(Vec<String>),
     /// A camera.
     Camera,
@@ -189,7 +189,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// As the contract writes it. Empty for plain numbers.
+    /// The symbol as the contract writes it. Empty for plain numbers.
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::None => "",
@@ -203,14 +203,14 @@ impl Unit {
 /// One way to understand a question.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// The name of its text. Empty for the one that the statement settles.
+    /// The name of its text. Empty for the reading that the statement settles.
     pub name: &'static str,
     /// The right answer in it.
     pub expected: Expected,
 }
 
-/// Computes a table; with slips, as it comes out when they are made. `None` means nothing comes out, or the slip can't
-/// be made there.
+/// Computes a table, with the results of any slips. `None` means that nothing comes out, or that the slip can't be made
+/// there.
 pub type Compute = Arc<dyn Fn(Slips) -> Option<Table> + Send + Sync>;
 /// The conditions on a camera: their names, and whether it meets them.
 pub type Conditions = Arc<dyn Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync>;
@@ -222,9 +222,9 @@ pub enum Expected {
     Quantity(Box<Subject>, QuantityPath),
     /// A value computed by a family.
     Computed(Compute, Vec<Worked>),
-    /// One of the choices. Others that are known mistakes.
+    /// One of the choices. Others are known mistakes.
     Choice(usize, Vec<(usize, Mistake)>, Vec<Worked>),
-    /// A camera that fulfils all conditions; one that does, with the way to it; others that are known mistakes.
+    /// A camera that meets all conditions, one example with the way to it, and others that are known mistakes.
     Camera(Conditions, Box<Parameters>, Vec<(Parameters, Mistake)>, Vec<Worked>),
 }
 
@@ -240,7 +240,7 @@ impl fmt::Debug for Expected {
 }
 
 impl Expected {
-    /// The numbers that are right; `None` for choices and cameras.
+    /// The right numbers; `None` for choices and cameras.
     pub fn table(&self) -> Option<Table> {
         match self {
             Self::Quantity(subject, path) => subject.value(*path),
@@ -249,7 +249,7 @@ impl Expected {
         }
     }
 
-    /// The numbers that come out when slips are made.
+    /// The numbers that result from slips.
     pub fn slipped(&self, slips: Slips) -> Option<Table> {
         match self {
             Self::Quantity(subject, path) => textbook::value(subject, *path, slips),
@@ -261,7 +261,7 @@ impl Expected {
 
 /// The tolerance of numbers about 1 that a student computes with a calculator.
 pub const TOLERANCE: f64 = 1e-3;
-/// The tolerance of numbers of which the greatest has this size: a power of ten, which does not tell the answer.
+/// The tolerance of numbers of which the greatest has this size. It's a power of ten, so it doesn't reveal the answer.
 fn tolerance_of(table: &Table) -> f64 {
     let size = table.size();
     if size > 0.0 && size.is_finite() { TOLERANCE * 10.0_f64.powf(size.log10().round()) } else { TOLERANCE }
@@ -312,7 +312,7 @@ impl Ask {
             Quantity::Point(_, PointNumber::Pixel) | Quantity::Ray(_, RayNumber::Pixel) => {
                 Self { unit: Unit::Pixels, whole: true, ..ask }
             }
-            // Z is of another size than X and Y.
+            // Z has another size than X and Y.
             Quantity::Point(_, PointNumber::Viewport) => Self { unit: Unit::Pixels, tolerance: TOLERANCE, ..ask },
             Quantity::Camera(ParameterKey::ViewAngle) => Self { unit: Unit::Degrees, ..ask },
             Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint | ParameterKey::Height)
@@ -362,7 +362,7 @@ impl Ask {
         Self::new(name, Kind::Choice(choices), Expected::Choice(right, mistakes.to_vec(), steps))
     }
 
-    /// A camera that fulfils conditions, and one that does, with the way to it.
+    /// A camera that meets conditions, and one example with the way to it.
     pub fn camera(
         name: &str,
         (model, steps): (Parameters, Vec<Worked>),
@@ -373,17 +373,17 @@ impl Ask {
         Self::new(name, Kind::Camera, expected)
     }
 
-    /// The same ask with the quantity that its numbers measure.
+    /// Sets the quantity that its numbers measure.
     pub fn in_unit(self, unit: Unit) -> Self {
         Self { unit, ..self }
     }
 
-    /// The same ask with the nature of what it asks for.
+    /// Sets the nature of the answer.
     pub fn of_nature(self, nature: Nature) -> Self {
         Self { nature, ..self }
     }
 
-    /// The same ask with a way to it from other answers, by their names.
+    /// Adds a way to it from other answers, by their names.
     pub fn following(
         mut self,
         from: &'static [&'static str],
@@ -393,22 +393,22 @@ impl Ask {
         self
     }
 
-    /// The same ask with worked steps of its own.
+    /// Gives it worked steps of its own.
     pub fn worked_as(self, way: Vec<Worked>) -> Self {
         Self { way: Some(way), ..self }
     }
 
-    /// With whole numbers.
+    /// Requires whole numbers.
     pub fn whole(self) -> Self {
         Self { whole: true, ..self }
     }
 
-    /// With a tolerance of its own.
+    /// Sets its tolerance.
     pub fn within(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// With another reading, in which `other` is right.
+    /// Adds another reading, in which `other` is right.
     pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
         self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
         self

@@ -1,4 +1,4 @@
-//! The ways from answers of an exercise to another one.
+//! The ways from some answers of an exercise to another one.
 
 use std::fmt;
 use std::sync::Arc;

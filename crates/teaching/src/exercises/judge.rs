@@ -21,26 +21,25 @@ pub struct Judged {
     pub name: String,
     /// Right in one of the readings.
     pub right: bool,
-    /// From 0 to 1: the share of the question that is answered rightly; 1 for what follows rightly from other answers.
+    /// From 0 to 1: the correct share of the question. It's 1 if the answer follows correctly from other answers.
     pub score: f64,
-    /// Right entries, row by row; one for a choice; one for each condition of a camera.
+    /// Right entries, row by row. There's one for a choice, and one for each condition of a camera.
     pub entries: Vec<Vec<bool>>,
-    /// The name of the reading in which it is right, or as right as can be. Empty for the one that the statement
-    /// settles.
+    /// The name of the reading in which it's right, or most nearly right. Empty for the one that the statement settles.
     pub reading: &'static str,
-    /// The conditions that a camera has to fulfil, in the order of `entries`.
+    /// The conditions on a camera, in the order of `entries`.
     pub conditions: Vec<&'static str>,
-    /// The explanation of a wrong answer; `None` for a right one, and where no known mistake explains it.
+    /// The explanation of a wrong answer; `None` for a right one, or if no known mistake explains it.
     pub diagnosis: Option<Diagnosis>,
-    /// The names of other answers, where this one is right for their wrong values.
+    /// The names of other answers, if this one is right for their wrong values.
     pub carried: Vec<String>,
-    /// The number of the first worked step that the right answers beside it do not show to be done.
+    /// The number of the first worked step that the right answers beside it don't prove done.
     pub first_step: usize,
-    /// The answer as understood.
+    /// The parsed answer.
     pub understood: Answer,
 }
 
-/// Judges an answer that has been read, by itself.
+/// Judges a parsed answer by itself.
 pub fn judge_answer(ask: &Ask, answer: Answer) -> Judged {
     judge_in_context(ask, answer, None)
 }
@@ -59,7 +58,7 @@ pub(super) fn judge_beside(ask: &Ask, answer: Answer, beside: Beside<'_>) -> Jud
     Judged { score: 1.0, diagnosis: None, carried, ..judged }
 }
 
-/// The first step that no right answer beside it shows to be done.
+/// The first step that no right answer beside it proves done.
 fn first_step(ask: &Ask, beside: Beside<'_>) -> usize {
     let right = beside.answered(&ask.name).filter(|(other, answer)| is_right(other, answer));
     let done: Vec<_> = right.flat_map(|(other, _)| other.steps()).map(|step| step.said()).collect();
@@ -90,7 +89,7 @@ fn judge_readings(ask: &Ask, answer: Answer, beside: Option<Beside<'_>>) -> Judg
         if judged.right {
             return judged;
         }
-        // An explanation is worth more than entries that are right by chance.
+        // An explanation is worth more than entries that happen to be right.
         let rank = |judged: &Judged| (judged.diagnosis.is_some(), judged.score);
         if best.as_ref().is_none_or(|best| rank(&judged) > rank(best)) {
             best = Some(judged);
@@ -157,7 +156,7 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
             let diagnosis = if is_right.iter().all(|is| *is) {
                 None
             } else {
-                // A table with gaps is judged by its entries, but not explained.
+                // A table with gaps is judged by its entries, but gets no explanation.
                 let given: Option<Vec<f64>> = entries.iter().copied().collect();
                 given.and_then(|given| diagnose(ask, expected, &right, &given, beside))
             };
@@ -168,14 +167,14 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
     }
 }
 
-/// True for cameras whose view volumes have the same corners, in the same order, to the digits that are written.
+/// True for cameras whose view volumes have the same corners, in the same order, to the digits given.
 fn same_volume(a: &Camera, b: &Camera) -> bool {
     let size = a.far() + a.distance();
     a.volume_corners().iter().zip(b.volume_corners()).all(|(a, b)| (*a - b).length() <= TOLERANCE * size)
 }
 
 impl Ask {
-    /// The wrong answer that was expected, and is this one.
+    /// The expected wrong answer that this one equals.
     fn own_mistake(&self, answer: &Answer) -> Option<Arc<OwnMistake>> {
         let is = |own: &&Arc<OwnMistake>| match (&own.answer, answer) {
             (ExpectedAnswer::Choice(wrong), Answer::Choice(chosen)) => wrong == chosen,

@@ -1,9 +1,9 @@
-//! Exercises: those of the notes, families with numbers from a seed, and a lecturer's own; answers are judged, and
-//! wrong ones explained.
+//! Exercises from the notes, families with numbers from a seed, and a lecturer's own, with the judging of answers and
+//! explanations of wrong ones.
 //!
 //! The right answer is the value of [`Subject::value`] (the numbers of `inspect`) or of a family. The result of a known
-//! [`Mistake`] comes from the same place with a [`Slip`] built in. For an answer that is neither right nor explained,
-//! the wrong numbers are reported.
+//! [`Mistake`] comes from the same place with a [`Slip`] built in. For an answer that's neither right nor explained,
+//! the report names the wrong numbers.
 
 mod acceptance;
 mod answer;
@@ -50,7 +50,7 @@ use crate::numbers::random::Random;
 pub struct Entry {
     /// Unique among all exercises, such as `view-matrix`.
     pub id: Cow<'static, str>,
-    /// Its place in the notes, or the topic it practises: `[0] 5.1`; empty for a lecturer's own.
+    /// Its place in the notes, or the topic it practises, such as `[0] 5.1`; empty for a lecturer's own.
     pub source: &'static str,
     /// Its numbers come from a seed.
     pub is_family: bool,
@@ -68,7 +68,7 @@ enum Make {
     Own(Arc<Exercise>),
 }
 
-/// Numbers that the notes leave open, where an answer chooses them: F, B, D, M.
+/// Numbers that the notes leave open and an answer chooses: F, B, D, M.
 pub type Free = std::collections::BTreeMap<String, f64>;
 
 impl Entry {
@@ -80,7 +80,7 @@ impl Entry {
         Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Family(make) }
     }
 
-    /// Its texts, in a lecturer's own exercise.
+    /// Its texts, if it's a lecturer's own exercise.
     pub fn texts(&self) -> Option<&OwnTexts> {
         match &self.make {
             Make::Shipped(_) | Make::Family(_) => None,
@@ -88,7 +88,7 @@ impl Entry {
         }
     }
 
-    /// The exercise with the numbers of a seed; `free` chooses those that the notes leave open.
+    /// The exercise with the numbers of a seed. `free` chooses those that the notes leave open.
     pub fn exercise(&self, seed: u64, free: &Free) -> Exercise {
         let exercise = match &self.make {
             Make::Shipped(make) => make(seed, free),
@@ -111,7 +111,7 @@ pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Resul
 /// number that the notes leave open has to be right for other numbers too.
 ///
 /// # Errors
-/// [`AnswerError`] if the text cannot be read as an answer; then nothing is judged.
+/// [`AnswerError`] if the text can't be read as an answer. Then nothing is judged.
 pub fn check_beside(
     entry: &Entry,
     exercise: &Exercise,
@@ -140,12 +140,12 @@ pub fn check_beside(
     Ok(judged)
 }
 
-/// All of them: the notes' own first.
+/// All entries, the notes' own first.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     notes::ENTRIES.iter().chain(families::ENTRIES)
 }
 
-/// All of them, and after them those of a folder.
+/// All entries, and after them those of a folder.
 pub fn with_own(own: &[Entry]) -> impl Iterator<Item = &Entry> {
     notes::ENTRIES.iter().chain(families::ENTRIES).chain(own)
 }

@@ -1,4 +1,4 @@
-//! The operations on a camera as they are done with the known mistakes.
+//! The operations on a camera with the known mistakes.
 
 use glam::{DQuat, DVec3};
 
@@ -7,7 +7,7 @@ use crate::camera::{Camera, CameraError, Convention, Operation, Parameters, Proj
 use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::geometry::Angle;
 
-/// The camera after the operations, as they are done with the slips.
+/// The camera after the operations, done with the slips.
 pub(super) fn operated(subject: &Subject, slips: Slips) -> Result<Camera, CameraError> {
     let mut operations = subject.operations.clone();
     if slips.has(Slip::OrderReversed) {
@@ -26,7 +26,7 @@ pub(super) fn operated(subject: &Subject, slips: Slips) -> Result<Camera, Camera
 /// A rotation by an angle.
 type Turn = fn(Angle) -> Operation;
 
-/// The operation that is done where slips are made.
+/// The operation that slips turn another into.
 fn slipped(operation: Operation, slips: Slips) -> Operation {
     if let Some(angle) = operation.angle() {
         let angle = if slips.has(Slip::OppositeAngle) { -angle } else { angle };
@@ -68,7 +68,7 @@ fn slipped(operation: Operation, slips: Slips) -> Operation {
     }
 }
 
-/// The camera after slips that no operation does; `None` if none of them is made.
+/// The camera after slips that no operation performs; `None` if none of them was made.
 fn otherwise(camera: &Camera, operation: Operation, slips: Slips) -> Option<Parameters> {
     let before = *camera.parameters();
     let (position, focal_point) = (before.position, before.focal_point);
@@ -96,7 +96,7 @@ fn otherwise(camera: &Camera, operation: Operation, slips: Slips) -> Option<Para
             let by = DVec3::new(dx, dy, 0.0);
             Some(Parameters { position: position + by, focal_point: focal_point + by, ..before })
         }
-        // The height that comes from the view angle, in a parallel projection too (5.2 of `[0]`).
+        // The height that follows from the view angle, in a parallel projection too (5.2 of `[0]`).
         Operation::Zoom(factor) if slips.has(Slip::ZoomOnAngle) && has_height_of_angle(&before) => {
             let half = (before.view_angle / factor / 2.0).to_radians().tan();
             Some(Parameters { height: 2.0 * before.near * half, ..before })
@@ -105,7 +105,7 @@ fn otherwise(camera: &Camera, operation: Operation, slips: Slips) -> Option<Para
     }
 }
 
-/// Whether the height of a parallel camera is 2 F tan(θ/2).
+/// True if the height of a parallel camera is 2 F tan(θ/2).
 fn has_height_of_angle(camera: &Parameters) -> bool {
     let height = 2.0 * camera.near * (camera.view_angle / 2.0).to_radians().tan();
     camera.projection == Projection::Parallel && (camera.height - height).abs() <= 1e-9 * height

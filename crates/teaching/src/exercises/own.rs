@@ -1,4 +1,4 @@
-//! A lecturer's own exercises: one TOML file each, read as figure files are.
+//! A lecturer's own exercises: one TOML file each, read like figure files.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,10 +23,10 @@ use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
 use crate::scene::Preset;
 
 impl Entry {
-    /// Changes each text of a lecturer's own question: what is asked, the choices, the messages and hints.
+    /// Changes each text of a lecturer's own question: the question, the choices, the messages and hints.
     ///
     /// # Errors
-    /// Those of `change`.
+    /// The errors of `change`.
     pub(crate) fn with_texts<E>(&mut self, mut change: impl FnMut(&mut Bilingual) -> Result<(), E>) -> Result<(), E> {
         let Make::Own(exercise) = &mut self.make else { return Ok(()) };
         let exercise = Arc::make_mut(exercise);
@@ -90,10 +90,10 @@ fn entry(exercise: Exercise) -> Entry {
     Entry { id: exercise.id.clone().into(), source: "", is_family: false, make: Make::Own(Arc::new(exercise)) }
 }
 
-/// The identifier in the bytes of a file that may be at fault elsewhere.
+/// The identifier in the bytes of a file that may be faulty elsewhere.
 pub fn id_in(bytes: &[u8]) -> Option<String> {
     let text = read::text_of(bytes, MAX_EXERCISE_BYTES).ok()?;
-    // By its line, since the file need not be TOML; keys of sections come later.
+    // Found by its line, because the file may not be TOML. Keys of sections come later.
     let top = text.lines().map(str::trim).take_while(|line| !line.starts_with('['));
     let values = top.filter_map(|line| line.strip_prefix("id")?.trim_start().strip_prefix('='));
     let quoted = values.filter_map(|value| {
@@ -104,7 +104,7 @@ pub fn id_in(bytes: &[u8]) -> Option<String> {
     quoted.map(str::to_owned).next().filter(|id| !id.is_empty())
 }
 
-/// The fault of an exercise whose identifier another one has.
+/// The error for an exercise whose identifier another one has.
 pub fn taken(text: &str, id: &str) -> FigureError {
     let refuse = |mut section: Section<'_>, faults: &mut Vec<Fault>| {
         section.refuse("id", Allowed::FreeName);
@@ -141,7 +141,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     }
     let sections = at_most(sections, MAX_ASKS, "[[ask]]", faults);
     faults.extend(root.finish());
-    // The questions about a faulty figure are not checked.
+    // Questions about a faulty figure aren't checked.
     let is_good = faults.iter().all(Fault::is_unknown_key);
     let mut asks: Vec<Ask> = Vec::new();
     let mut texts = OwnTexts { title, statement, assumptions, ..OwnTexts::default() };
@@ -156,11 +156,11 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
 }
 
 fn own(id: String, subject: Subject, asks: Vec<Ask>, texts: OwnTexts) -> Exercise {
-    // Its statement has its numbers already; braces in it are those of formulas.
+    // Its statement has its numbers already, so braces in it belong to formulas.
     Exercise { id, facts: Vec::new(), asks, texts: Some(Arc::new(texts)), ..about(subject) }
 }
 
-/// An exercise of one question, in a section of its own; `None`, and a fault, where it is impossible.
+/// An exercise of one question, in a section of its own; `None`, and a fault, if it's impossible.
 pub(crate) fn question(
     section: Section<'_>,
     id: String,
@@ -173,7 +173,7 @@ pub(crate) fn question(
     Some(entry(own(id, subject, vec![ask], texts)))
 }
 
-/// A name that is valid in a command line and in a file.
+/// A name that's valid in a command line and in a file.
 pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
     let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
     let Some(text) = section.text(key) else {
@@ -188,22 +188,22 @@ pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
     String::new()
 }
 
-/// A text that has to be there.
+/// A required text.
 pub(crate) fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
     section.require(key, Allowed::Bilingual);
     let told = section.told(key);
     told.and_then(|texts| harmless(section, key, texts)).unwrap_or_default()
 }
 
-/// A list of texts, which may be missing.
+/// An optional list of texts.
 pub(crate) fn bilingual_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
     let all = section.bilingual_list(key);
     all.into_iter().filter_map(|texts| harmless(section, key, texts)).collect()
 }
 
-/// A text that can be shown, and set on a sheet; `None`, and a fault, where it is more than words and mathematics.
+/// A text that the window can show and a sheet can set; `None`, and a fault, if it has more than words and mathematics.
 pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Bilingual> {
-    // Files from Windows end their lines so.
+    // Files from Windows have these line ends.
     let texts = texts.map(|text| text.replace("\r\n", "\n"));
     for text in &texts {
         if text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')) {
@@ -218,7 +218,7 @@ pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2])
     Some(texts.into())
 }
 
-/// A question; `None`, and a fault, where it is impossible.
+/// A question; `None`, and a fault, if it's impossible.
 fn ask(
     mut section: Section<'_>,
     name: String,
@@ -306,7 +306,7 @@ fn asked(
                     [rows, columns] => Kind::Matrix(rows, columns),
                 };
                 Some(Ask::computed(name, kind, Vec::new(), move |slips| {
-                    // Most known mistakes need a figure; only those that apply to any table are known here.
+                    // Most known mistakes need a figure. Only those that apply to any table are known here.
                     (slips == super::Slips::NONE).then(|| table.clone())
                 }))
             }
@@ -340,7 +340,7 @@ fn placed(section: &mut Section<'_>, name: &str, subject: &Subject) -> Option<As
     let ask = Ask::computed(name, Kind::Vector(2), Vec::new(), move |slips| {
         (slips == super::Slips::NONE).then(|| table.clone())
     });
-    // A twentieth of the image is near enough for an eye.
+    // A twentieth of the image is accurate enough for the eye.
     let tolerance = (sides[0].min(sides[1]) / 20.0).round().max(1.0);
     Some(Ask { places: true, unit: Unit::Pixels, tolerance, share: f64::INFINITY, ..ask })
 }

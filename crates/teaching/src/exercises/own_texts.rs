@@ -24,15 +24,15 @@ pub struct OwnTexts {
 pub struct OwnMistake {
     /// The answer that makes this mistake likely.
     pub answer: ExpectedAnswer,
-    /// The known mistake that it is, if any.
+    /// The known mistake that it makes, if any.
     pub mistake: Option<Mistake>,
-    /// The sentence for students who give it.
+    /// The sentence for students who give this answer.
     pub message: Bilingual,
     /// Hints, weaker ones first.
     pub hints: Vec<Bilingual>,
 }
 
-/// An answer as a lecturer gives it.
+/// An answer as a lecturer writes it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExpectedAnswer {
     /// Numbers.

@@ -1,4 +1,4 @@
-//! Worked steps to a camera that is to be found: around a box, above a point, and about PF.
+//! Worked steps to a wanted camera: around a box, above a point, and about PF.
 
 use glam::DVec3;
 
@@ -19,7 +19,7 @@ fn components(names: [(&'static str, &'static str); 3], of: DVec3) -> [Named; 3]
     [0, 1, 2].map(|k| named(names[k].0, names[k].1, of[k]))
 }
 
-/// A parallel camera that looks along −z, with VUP = (0, 1, 0), and whose view volume is the box from `low` to `high`:
+/// A parallel camera that looks along −z, with VUP = (0, 1, 0), and whose view volume is the box from `low` to `high`,
 /// `[0]` §5.2.
 pub(super) fn around_box(camera: &Parameters, [low, high]: [DVec3; 2]) -> Vec<Worked> {
     let (low, high) = (components(LOW, low), components(HIGH, high));
@@ -43,7 +43,7 @@ pub(super) fn around_box(camera: &Parameters, [low, high]: [DVec3; 2]) -> Vec<Wo
 }
 
 /// A camera that has P in the middle of its image, and looks down at it by `slope` degrees from a direction in which Q
-/// is not behind it.
+/// isn't behind it.
 pub(super) fn looking_down(camera: &Parameters, q: DVec3, aside: DVec3, slope: f64) -> Vec<Worked> {
     let p = camera.focal_point;
     let [p_of, q_of] = [components(P, p), components([("Q_x", "Q_x"), ("Q_y", "Q_y"), ("Q_z", "Q_z")], q)];
@@ -61,7 +61,7 @@ pub(super) fn looking_down(camera: &Parameters, q: DVec3, aside: DVec3, slope: f
             .row(a[0], over(b[0], length))
             .row(a[2], over(b[1], length))
     } else {
-        // Q above or below P: every side will do.
+        // If Q is above or below P, any side will do.
         across.row(a[0], aside.x.into()).row(a[2], aside.z.into())
     };
     let slope = angle("α", r"\alpha", slope);
@@ -76,7 +76,7 @@ pub(super) fn looking_down(camera: &Parameters, q: DVec3, aside: DVec3, slope: f
     vec![straight, across, placed]
 }
 
-/// The place of C about PF: its distance, its turn about the vertical, and its slope; `[0]` §5.6, azimuth and
+/// The place of C about PF by its distance, its turn about the vertical, and its slope; `[0]` §5.6, azimuth and
 /// elevation.
 pub(super) fn about_focal_point(camera: &Parameters) -> Vec<Worked> {
     let by = camera.position - camera.focal_point;

@@ -32,7 +32,7 @@ const AFTER: [[(&str, &str); 5]; 4] = [
     names!("w'", "1" "2" "3" "4" "5"),
 ];
 
-/// Points multiplied by a matrix, row by column. Rows that leave w as it is need no sum.
+/// Points multiplied by a matrix, row by column. Rows that leave w unchanged need no sum.
 pub(super) fn multiplied(by: DMat4, vertices: &[DVec4]) -> Worked {
     multiplied_as("vertices", by, vertices)
 }

@@ -1,7 +1,6 @@
-//! A student's progress: per exercise and per known mistake, stored as a TOML text, and the choice of the next
-//! exercise.
+//! A student's progress per exercise and per known mistake, stored as a TOML text, and the choice of the next exercise.
 //!
-//! There is no clock here: times are arguments, in seconds since the beginning of 1970 (UTC).
+//! There's no clock here. Times are arguments, in seconds since the beginning of 1970 (UTC).
 
 mod text;
 
@@ -21,34 +20,34 @@ pub struct Progress {
     exercises: BTreeMap<String, Tried>,
     mistakes: BTreeMap<Mistake, Made>,
     guesses: BTreeMap<String, Guess>,
-    /// The file as it was read: unknown keys stay in it.
+    /// The file as read, which keeps unknown keys.
     rest: DocumentMut,
 }
 
 /// The progress in an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tried {
-    /// Number of answers judged, with whatever numbers.
+    /// Number of answers judged, whatever their numbers.
     pub tries: u32,
-    /// Number of complete right solutions: at most one for each seed.
+    /// Number of complete right solutions, at most one for each seed.
     pub solved: u32,
-    /// Number of these that were found without a hint or a worked step, with numbers for which none was ever opened.
+    /// Number of these found without a hint or a worked step, with numbers for which none was ever opened.
     pub alone: u32,
-    /// When it was solved last.
+    /// When it was last solved.
     pub solved_at: Option<u64>,
     /// The sources of numbers for which a hint or a worked step was opened.
     pub helped: BTreeSet<u64>,
     /// Number of wrong answers in a row, with the present numbers.
     pub wrong: u32,
-    /// When an answer was judged last.
+    /// When an answer was last judged.
     pub last: Option<u64>,
     /// The present source of its numbers, which the following fields are about.
     pub seed: u64,
     /// Number of hints and worked steps opened, by the names of the asks.
     pub hints: BTreeMap<String, u32>,
-    /// The asks that have been answered rightly.
+    /// The asks with right answers so far.
     pub right: BTreeSet<String>,
-    /// The mistakes that were made.
+    /// The mistakes made.
     pub mistakes: BTreeSet<Mistake>,
     /// All questions have been answered rightly.
     pub is_solved: bool,
@@ -57,7 +56,7 @@ pub struct Tried {
 /// The guess at a question of a lesson, before the picture that answers it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Guess {
-    /// The answer as it was given.
+    /// The answer as given.
     pub said: String,
     /// It was right.
     pub right: bool,
@@ -70,11 +69,11 @@ pub struct Guess {
 pub struct Made {
     /// Number of times.
     pub times: u32,
-    /// When it was made last.
+    /// When it was last made.
     pub last: u64,
-    /// The exercise in which it was made last.
+    /// The exercise in which it was last made.
     pub exercise: String,
-    /// No exercise that shows it has been solved without it since.
+    /// No exercise that reveals it has been solved without it since.
     pub is_open: bool,
 }
 
@@ -83,7 +82,7 @@ pub struct Made {
 pub enum Stage {
     /// No answer has been judged.
     Untouched,
-    /// Something has been judged.
+    /// An answer has been judged.
     Begun,
     /// Solved, with these numbers or others.
     Solved,
@@ -93,7 +92,7 @@ pub enum Stage {
 
 /// Seconds of a day.
 const DAY: u64 = 86_400;
-/// Days after which what was solved comes back: after the first time, the second, the third, and from then on.
+/// Days after which a solved exercise comes back: after the first time, the second, the third, and from then on.
 const DAYS: [u64; 4] = [1, 3, 7, 21];
 /// Wrong answers in a row after which a lesson or other numbers help more than another try.
 pub const MANY_WRONG: u32 = 3;
@@ -103,18 +102,18 @@ pub const MANY_WRONG: u32 = 3;
 pub struct Next {
     /// The identifier of the exercise.
     pub id: String,
-    /// With these numbers.
+    /// The seed of its numbers.
     pub seed: u64,
-    /// Why this one.
+    /// The reason for this one.
     pub why: Why,
 }
 
-/// Why an exercise is the next.
+/// The reason why an exercise is next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
     /// It practises this mistake, which was made this many times, and more often than other open ones.
     Mistake(Mistake, u32),
-    /// It was begun last, and is not solved.
+    /// It was begun last, and isn't solved.
     Begun,
     /// It was solved this many days ago, and comes back.
     Due(u64),
@@ -124,7 +123,7 @@ pub enum Why {
     LongestAgo,
 }
 
-/// An error of a text that is not a progress file.
+/// An error of a text that isn't a progress file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ProgressError {
     /// Not TOML.
@@ -151,14 +150,14 @@ impl Progress {
         }
     }
 
-    /// The steps of a solution that are shown as they are: all of them at first, one fewer at the end each time that
-    /// the exercise has been solved. The others are to be done.
+    /// The number of steps of a solution that are shown in full: all of them at first, and one fewer at the end each
+    /// time the exercise has been solved. The student does the others.
     pub fn given_steps(&self, id: &str, steps: usize) -> usize {
         let solved = self.tried(id).map_or(0, |tried| tried.solved);
         steps.saturating_sub(usize::try_from(solved).unwrap_or(usize::MAX))
     }
 
-    /// The known mistakes that were made.
+    /// The known mistakes made so far.
     pub fn mistakes(&self) -> impl Iterator<Item = (Mistake, &Made)> {
         self.mistakes.iter().map(|(mistake, made)| (*mistake, made))
     }
@@ -168,12 +167,12 @@ impl Progress {
         self.guesses.iter().map(|(id, guess)| (id.as_str(), guess))
     }
 
-    /// Records a guess; of several at one question the last is kept.
+    /// Records a guess. Only the last guess at a question is kept.
     pub fn guessed(&mut self, id: &str, guess: Guess) {
         self.guesses.insert(id.to_owned(), guess);
     }
 
-    /// Whether there is no progress at all.
+    /// True if there's no progress at all.
     pub fn is_empty(&self) -> bool {
         self.exercises.is_empty() && self.mistakes.is_empty() && self.guesses.is_empty()
     }
@@ -192,7 +191,7 @@ impl Progress {
         }
     }
 
-    /// Other numbers were chosen where the notes leave them open: other answers are right now.
+    /// Records other choices of numbers that the notes leave open. Other answers are right now.
     pub fn numbers_changed(&mut self, id: &str) {
         if let Some(tried) = self.exercises.get_mut(id) {
             tried.right.clear();
@@ -205,7 +204,7 @@ impl Progress {
         kept.solved = kept.solved.max(1);
     }
 
-    /// The exercise begins anew, with the numbers of a seed.
+    /// Begins the exercise anew, with the numbers of a seed.
     pub fn begin(&mut self, id: &str, seed: u64) {
         let kept = self.of(id);
         let Tried { tries, solved, alone, solved_at, last, .. } = *kept;
@@ -213,7 +212,7 @@ impl Progress {
         *kept = Tried { seed, tries, solved, alone, solved_at, last, helped, ..Tried::default() };
     }
 
-    /// An answer to an exercise has been judged at a time.
+    /// Records the judgement of an answer to an exercise at a time.
     pub fn judged(&mut self, exercise: &Exercise, judged: &Judged, now: u64) {
         if self.of(&exercise.id).seed != exercise.seed {
             self.begin(&exercise.id, exercise.seed);
@@ -223,7 +222,7 @@ impl Progress {
         tried.last = Some(now);
         let is_wrong = !judged.right && judged.carried.is_empty();
         tried.wrong = if is_wrong { tried.wrong.saturating_add(1) } else { 0 };
-        // Of several that give the same numbers none is known to be the one.
+        // If several give the same numbers, we can't know which was made.
         let known = judged.diagnosis.iter().filter(|diagnosis| diagnosis.others.is_empty());
         for Cause { mistake, .. } in known.flat_map(|diagnosis| &diagnosis.causes) {
             tried.mistakes.insert(*mistake);
@@ -256,10 +255,11 @@ impl Progress {
         }
     }
 
-    /// The next of these to practise: a family that shows the open mistake that was made most often; else the one that
-    /// was begun last; else the family that has waited longest beyond its day to come back; else the first unsolved one
-    /// in the order of `entries`; else the one that was tried least recently before `now`. A later time comes from a
-    /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are none.
+    /// The next of these to practise. The first choice is a family that reveals the open mistake made most often.
+    /// Otherwise it's the exercise begun last, or else the family that's most overdue to come back, or the first
+    /// unsolved one in the order of `entries`, or the one tried least recently before `now`. A later time comes from a
+    /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are no
+    /// entries.
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
         let mut open: Vec<(Mistake, &Made)> =
@@ -267,7 +267,7 @@ impl Progress {
         open.sort_by_key(|(mistake, made)| (std::cmp::Reverse((made.times, made.last)), *mistake));
         for (mistake, made) in open {
             let families = || entries.iter().filter(|entry| entry.is_family);
-            // The mistake can be made again in the same exercise; else the first one that shows it.
+            // The mistake can be made again in the same exercise; otherwise the first one that reveals it.
             let found = families().find(|entry| entry.id == made.exercise).or_else(|| {
                 families().find(|entry| entry.exercise(self.next_seed(entry), &Free::new()).shows(mistake))
             });
@@ -293,7 +293,7 @@ impl Progress {
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
     }
 
-    /// Seconds since the time at which what was solved comes back, and days since it was solved; `None` before that
+    /// Seconds since the time at which a solved exercise comes back, and days since it was solved; `None` before that
     /// time, and for an exercise that isn't solved.
     fn waited(&self, id: &str, now: u64) -> Option<(u64, u64)> {
         let tried = self.tried(id).filter(|tried| tried.solved > 0)?;
@@ -306,7 +306,7 @@ impl Progress {
         Next { id: entry.id.clone().into_owned(), seed: self.next_seed(entry), why }
     }
 
-    /// New numbers where those it has are solved, or a mistake was made with them.
+    /// A new seed if the present numbers are solved, or a mistake was made with them.
     fn next_seed(&self, entry: &Entry) -> u64 {
         match self.tried(&entry.id) {
             Some(tried) if entry.is_family && (tried.is_solved || !tried.mistakes.is_empty()) => {
@@ -321,7 +321,7 @@ impl Progress {
     pub fn to_csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let mut row = |cells: [String; 8]| {
-            // Writing to memory cannot fail, and all rows are of one length.
+            // Writing to memory can't fail, and all rows have the same length.
             let _ = writer.write_record(cells);
         };
         row(["kind", "name", "tries", "solved", "last", "seed", "hints", "open"].map(str::to_owned));
@@ -352,14 +352,14 @@ impl Progress {
 }
 
 impl Mistake {
-    /// Not a slip of the pen, of the calculator or of the eye: practice can mend it.
+    /// True unless it's a slip of the pen, of the calculator or of the eye. Practice can mend it.
     pub const fn is_misconception(self) -> bool {
         !matches!(self, Self::ArithmeticSlip | Self::RoundedTooEarly | Self::WrongShape)
     }
 }
 
 impl Exercise {
-    /// Whether a known mistake, made in it, gives another answer than the right one.
+    /// True if a known mistake, made in it, gives another answer than the right one.
     pub fn shows(&self, mistake: Mistake) -> bool {
         self.asks.iter().any(|ask| match ask.expected() {
             Expected::Choice(_, mistakes, _) => mistakes.iter().any(|(_, known)| *known == mistake),
@@ -380,7 +380,7 @@ impl Exercise {
 /// Seconds since the beginning of 1970 as a date and a time of day in UTC, in the Gregorian calendar.
 fn date(seconds: u64) -> String {
     let (days, rest) = (seconds / 86_400, seconds % 86_400);
-    // Years begin in March here, so that the day that some years have more is their last; 400 of them are one cycle.
+    // Years begin in March here, so that the leap day is their last; 400 of them are one cycle.
     let since = days + 719_468;
     let (cycle, day) = (since / 146_097, since % 146_097);
     let year = (day - day / 1_460 + day / 36_524 - day / 146_096) / 365;

@@ -7,7 +7,7 @@ use super::subject::Subject;
 use crate::camera::{ImageSize, Parameters, Projection};
 use crate::figure::{NamedPoint, points::free_name};
 
-/// With a point that is followed, and shown in the figure.
+/// Adds a point that the subject follows and the figure shows.
 pub(super) fn with_point(mut subject: Subject, point: DVec3) -> Subject {
     subject.points.push(point);
     let name = free_name(&subject.figure.points);

@@ -21,7 +21,7 @@ pub struct Subject {
     pub pixels: Vec<[i64; 2]>,
 }
 
-/// The place of a point of the world in the image, as [`Subject::place`] says it.
+/// The place of a point of the world in the image, as in [`Subject::place`].
 pub fn place_of(camera: &Camera, image: ImageSize, point: DVec3) -> Option<[f64; 2]> {
     let stations = camera.stations(point, image, &Viewport::whole(image));
     let projected = stations.projected.filter(|_| stations.view.z < 0.0)?;
@@ -38,7 +38,7 @@ impl Subject {
         camera_after(&self.figure.camera, &self.operations, Convention::RightHand)
     }
 
-    /// Every number of it, as `camera-lab inspect` prints them.
+    /// Every number of the subject, as `camera-lab inspect` prints them.
     ///
     /// # Errors
     /// [`InspectError`] names the impossible quantity.
@@ -52,7 +52,7 @@ impl Subject {
         place_of(&self.camera().ok()?, self.figure.image, point)
     }
 
-    /// A quantity of that report. A boolean is 1 or 0. `None` means the report does not have it.
+    /// A quantity of that report. A boolean is 1 or 0. `None` means the report doesn't have it.
     pub fn value(&self, path: impl Into<QuantityPath>) -> Option<Table> {
         let Numbers { columns, entries } = path.into().numbers(&self.report().ok()?)?;
         Some(Table { rows: entries.len() / columns.max(1), columns, entries })

@@ -1,4 +1,5 @@
-//! The notes' equations as they are written by hand, with the known mistakes built in: the reference for wrong answers.
+//! The notes' equations as students write them by hand, with the known mistakes built in. They're the reference for
+//! wrong answers.
 //!
 //! Right answers come from the camera itself ([`Subject::value`]). This chain only computes the results of mistakes.
 
@@ -11,7 +12,7 @@ use crate::camera::{Camera, ImageSize, ParameterKey, Projection, ViewWindow, Vie
 use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix, WindowNumber};
 
-/// A quantity of the report when `slips` are made; `None` if it is not a number, or the report does not have it.
+/// A quantity of the report with slips; `None` if it isn't a number, or the report doesn't have it.
 pub(super) fn value(subject: &Subject, path: impl Into<QuantityPath>, slips: Slips) -> Option<Table> {
     let QuantityPath { quantity, entry } = path.into();
     let camera = operated(subject, slips).ok()?;
@@ -26,7 +27,7 @@ pub(super) fn value(subject: &Subject, path: impl Into<QuantityPath>, slips: Sli
     found.is_finite().then_some(found)
 }
 
-/// The quantities derived from a camera when slips are made.
+/// The quantities derived from a camera with slips.
 struct Textbook<'a> {
     camera: &'a Camera,
     subject: &'a Subject,
@@ -54,7 +55,7 @@ impl<'a> Textbook<'a> {
 
     fn at(&self, quantity: Quantity) -> Option<Table> {
         let (parameters, slips) = (self.camera.parameters(), self.slips);
-        // Made in the formula of the point that moves.
+        // These concern the formula of the point that moves.
         let of_point = [Slip::PointsExchanged, Slip::TurnedInPlace];
         if slips.any(&of_point)
             && !matches!(quantity, Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint))
@@ -95,7 +96,7 @@ impl<'a> Textbook<'a> {
         })
     }
 
-    /// M_p as it is written down.
+    /// M_p as the student writes it.
     fn shown_projection(&self) -> DMat4 {
         let mut rows = self.projection.transpose();
         let (near, far) = (self.near, self.far);
@@ -123,7 +124,7 @@ impl<'a> Textbook<'a> {
         rows.transpose()
     }
 
-    /// Whether the window is as wide to the left as to the right, and as high as deep.
+    /// True if the window extends as far to the left as to the right, and as far up as down.
     fn is_symmetric(&self) -> bool {
         let ViewWindow { left, right, bottom, top } = self.window;
         left == -right && bottom == -top
@@ -137,7 +138,7 @@ impl<'a> Textbook<'a> {
         }
     }
 
-    /// The axes in which numbers of the VRC are understood.
+    /// The axes that numbers of the VRC refer to.
     fn axes(&self) -> [DVec3; 3] {
         if self.slips.has(Slip::ViewAsWorld) { [DVec3::X, DVec3::Y, DVec3::Z] } else { [self.u, self.v, self.n] }
     }
@@ -146,7 +147,7 @@ impl<'a> Textbook<'a> {
         let ViewWindow { left, right, bottom, top } = self.window;
         let (x, y) = *[(left, bottom), (right, bottom), (right, top), (left, top)].get(k % 4)?;
         let distance = if k < 4 { self.near } else { self.far };
-        // On the far plane it is as much further from the axis in perspective.
+        // In perspective, a point on the far plane is farther from the axis by the same factor.
         let spread = if self.camera.projection() == Projection::Perspective { distance / self.near } else { 1.0 };
         let is_printed = self.slips.has(Slip::PrintedBackFace);
         let depth = if is_printed { self.near } else { distance };
@@ -186,7 +187,7 @@ impl<'a> Textbook<'a> {
         })
     }
 
-    /// F where a point is projected.
+    /// F in the projection of a point.
     fn near_of_window(&self) -> f64 {
         self.slips
             .pick([(Slip::NearForgottenOnWindow, 1.0), (Slip::DistanceOnWindow, self.camera.distance())], self.near)
@@ -203,7 +204,7 @@ impl<'a> Textbook<'a> {
         seen.truncate() * if in_perspective { self.near_of_window() / depth } else { 1.0 }
     }
 
-    /// A number of pixels as a whole one.
+    /// A number of pixels as a whole number.
     fn floored(&self, x: f64) -> f64 {
         let whole = self.slips.pick([(Slip::NotFloored, x), (Slip::RoundedNotFloored, x.round())], whole(x));
         whole + if self.slips.has(Slip::OneBased) { 1.0 } else { 0.0 }
@@ -298,7 +299,7 @@ fn exchanged(projection: Projection, slips: Slips) -> Projection {
     }
 }
 
-/// ⌊x⌋, where x may be off by a rounding.
+/// ⌊x⌋, even if x is off by a rounding.
 fn whole(x: f64) -> f64 {
     (x + 1e-9).floor()
 }
@@ -311,7 +312,7 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     let all = slips.has(Slip::NothingNormalised);
     let unit = |v: DVec3, keeps_length: bool| if keeps_length { v } else { v / v.length() };
     let n = unit(to_viewer, all || slips.has(Slip::NNotNormalised));
-    // The others are made from a unit n where it alone keeps its length.
+    // If only n keeps its length, the other axes come from a unit n.
     let made_from = unit(to_viewer, all);
     let u = unit(up.cross(made_from), all || slips.has(Slip::UNotNormalised));
     let u = if slips.has(Slip::UReversed) { -u } else { u };
@@ -322,7 +323,7 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     [u, v, if slips.has(Slip::NReversedAlone) { -n } else { n }]
 }
 
-/// tan(θ/2) for θ in degrees: half the window's height to F, `[0]` (5.5).
+/// tan(θ/2) for θ in degrees, the ratio of half the window's height to F, `[0]` (5.5).
 pub(super) fn half_tangent(view_angle: f64, slips: Slips) -> f64 {
     let (angle, by) = slips.pick(
         [(Slip::WholeAngle, (view_angle, 1.0)), (Slip::WholeAngleOnce, (view_angle, 2.0))],
@@ -392,7 +393,7 @@ pub(super) fn view_matrix([u, v, n]: [DVec3; 3], position: DVec3, slips: Slips) 
     view
 }
 
-/// M_p, `[0]` (5.13) to (5.16), where the image has so many rows.
+/// M_p, `[0]` (5.13) to (5.16), for an image with this many rows.
 fn projection_matrix(camera: &Camera, window: &ViewWindow, rows: u32, slips: Slips) -> DMat4 {
     let ViewWindow { left, right, bottom, top } = *window;
     let (width, height, near, far) = (right - left, top - bottom, camera.near(), camera.far());
@@ -422,7 +423,7 @@ fn projection_matrix(camera: &Camera, window: &ViewWindow, rows: u32, slips: Sli
     if slips.any(&[Slip::DepthRowSign, Slip::DepthShiftSign]) {
         shift = -shift;
     }
-    // Without a division nothing but the scale would tell it from planes taken as coordinates.
+    // Without a division, only the scale would distinguish it from planes taken as coordinates.
     if slips.has(Slip::LeftHanded) && projection == Projection::Perspective {
         scale = -scale;
     }

@@ -24,7 +24,7 @@ impl Table {
         Self { rows: values.len(), columns: 1, entries: values.to_vec() }
     }
 
-    /// A matrix, from its rows, which are of the same length.
+    /// A matrix from rows of the same length.
     pub fn from_rows<const N: usize>(rows: &[[f64; N]]) -> Self {
         Self { rows: rows.len(), columns: N, entries: rows.concat() }
     }
@@ -44,12 +44,12 @@ impl Table {
         self.entries[row * self.columns + column]
     }
 
-    /// From the first row to the last.
+    /// The rows, from the first to the last.
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.entries.chunks(self.columns.max(1))
     }
 
-    /// Rows for columns.
+    /// Exchanges rows and columns.
     #[must_use]
     pub fn transposed(&self) -> Self {
         let entries = (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| self.get(row, column)));
@@ -80,19 +80,19 @@ impl Table {
         self.entries.iter().fold(0.0, |size, entry| size.max(entry.abs()))
     }
 
-    /// The vector of three entries; `None` if it is none.
+    /// The vector of three entries; `None` for other tables.
     pub fn vector(&self) -> Option<DVec3> {
         let [x, y, z] = self.entries[..] else { return None };
         Some(DVec3::new(x, y, z))
     }
 
-    /// The matrix of four rows and columns; `None` if it is none.
+    /// The matrix of four rows and columns; `None` for other tables.
     pub fn matrix(&self) -> Option<DMat4> {
         let entries: [f64; 16] = self.entries[..].try_into().ok()?;
         Some(DMat4::from_cols_array(&entries).transpose())
     }
 
-    /// Each entry changed.
+    /// Changes each entry.
     #[must_use]
     pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         Self { entries: self.entries.iter().map(|entry| f(*entry) + 0.0).collect(), ..*self }

@@ -1,4 +1,4 @@
-//! Worked steps: the formulas of the notes with the numbers of an exercise put in.
+//! Worked steps: the formulas of the notes with the numbers of an exercise.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ pub struct Worked {
     pub heading: &'static str,
     /// The equations that it uses.
     pub equation: String,
-    /// The numbers of the symbols: a figure without operations.
+    /// The figure, without operations, that gives the symbols their numbers.
     subject: Arc<Subject>,
     /// The point whose coordinates it uses.
     point: Option<DVec3>,
@@ -54,7 +54,7 @@ impl Worked {
         Self { heading, equation: equation.to_owned(), subject, point: None, rows: Vec::new() }
     }
 
-    /// The same step with a row. The number of `symbol` is `formula`.
+    /// Adds a row. The number of `symbol` is `formula`.
     pub fn row(mut self, symbol: Named, formula: Formula) -> Self {
         self.rows.push(FormulaRow { symbol: symbol.into(), formula, value: symbol.value });
         self
@@ -69,7 +69,7 @@ impl Worked {
         self.rows.push(FormulaRow { symbol: symbol.into(), formula, value });
     }
 
-    /// All that it says, by which it is compared with others: steps of different cameras may well say the same.
+    /// All its content, for comparison with other steps, because steps of different cameras may have the same content.
     pub fn said(&self) -> (&'static str, String, Vec<Line>) {
         let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
         (self.heading, self.equation.clone(), self.lines(style, true))
@@ -80,7 +80,7 @@ impl Worked {
         self.rows.last().map(|row| row.value)
     }
 
-    /// The rows as they are written.
+    /// The rows as text.
     pub fn lines(&self, style: Style, exact: bool) -> Vec<Line> {
         let Ok(camera) = self.subject.camera() else { return Vec::new() };
         let setting = setting(&camera, &self.subject);
@@ -106,7 +106,7 @@ fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
     Setting::new(camera.notes_clip_space(), subject.figure.image, subject.figure.viewport)
 }
 
-/// The steps to a quantity of `inspect`. None to an entry of it.
+/// The steps to a quantity of `inspect`. There are none to an entry of it.
 pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Worked> {
     let QuantityPath { quantity, entry } = path.into();
     let (mut steps, after) = operated(subject, |operation| matters(quantity, operation));
@@ -165,7 +165,7 @@ pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Wo
     steps
 }
 
-/// The way to whether a point is inside. Its clip coordinates, and how far inside of each plane it is.
+/// The steps that decide if a point is inside: its clip coordinates, and how far inside each plane it is.
 pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
     let mut steps = worked(subject, Quantity::Point(k, PointNumber::Clip));
     let (_, after) = operated(subject, |_| false);
@@ -182,7 +182,7 @@ pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
     steps
 }
 
-/// Whether an operation changes the value at a path.
+/// True if an operation changes the value at a path.
 fn matters(quantity: Quantity, operation: Operation) -> bool {
     let changes = operation.changes();
     let (pose, window) = (changes.position || changes.focal_point || changes.view_up, changes.window);
@@ -243,7 +243,7 @@ fn operation(subject: &Arc<Subject>, setting: &Setting<'_>, operation: Operation
         Operation::Pan { .. } => ("pan", None),
     };
     let equation = match operation {
-        // [0] has neither; these are the equations they are made of.
+        // [0] has neither, so these are the equations they're made of.
         Operation::Dolly(_) => "(5.2)",
         Operation::Pan { .. } => "(5.3)",
         _ => "§5.6",
@@ -297,11 +297,12 @@ fn operation(subject: &Arc<Subject>, setting: &Setting<'_>, operation: Operation
     step
 }
 
-/// The VRC turned about one of its axes: the axis that is turned towards the next one takes of it, and C or PF follow.
+/// The VRC turned about one of its axes. The axis that turns towards the next one gets a part of it, and C or PF
+/// follow.
 fn turned(step: &mut Worked, setting: &Setting<'_>, operation: Operation, about: Axis, degrees: f64) {
     let alpha = angle("α", r"\alpha", degrees);
     let of = |function| Formula::Of(function, Box::new(alpha.into()));
-    // About u: v turns towards n, n away from v; and round in this order.
+    // About u, v turns towards n, and n away from v. The other axes work alike, in cyclic order.
     let (first, second) = match about {
         Axis::U => ((Axis::V, NEW_V), (Axis::N, NEW_N)),
         Axis::V => ((Axis::N, NEW_N), (Axis::U, NEW_U)),
@@ -373,7 +374,7 @@ fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: BasisAxis) -> Vec
 
 const CROSS: [(&str, &str); 3] = [("a_x", "a_x"), ("a_y", "a_y"), ("a_z", "a_z")];
 
-/// **a** = VUP × **n** and its length in rows of their own, before the components of **u** that are made of them.
+/// **a** = VUP × **n** and its length in rows of their own, before the components of **u**, which use them.
 fn with_cross_product(step: &mut Worked, setting: &Setting<'_>) {
     let mut of_axis = std::mem::take(&mut step.rows);
     let mut parts: Vec<Named> = Vec::new();
@@ -391,7 +392,7 @@ fn with_cross_product(step: &mut Worked, setting: &Setting<'_>) {
     step.rows.extend(of_axis);
 }
 
-/// The length of a vector whose components have names, and the name of that.
+/// The length of a vector whose components have names, and the name of the length.
 fn length_of(text: &'static str, latex: &'static str, parts: &[Named], setting: &Setting<'_>) -> (Formula, Named) {
     let squares = parts.iter().map(|part| times([(*part).into(), (*part).into()]));
     let length = Formula::Of(Function::Root, Box::new(explain::sum(squares)));
@@ -406,7 +407,7 @@ fn window(subject: &Arc<Subject>, setting: &Setting<'_>) -> Vec<Worked> {
     if step.rows.is_empty() { Vec::new() } else { vec![step] }
 }
 
-/// A step of definitions, of those symbols that have one.
+/// A step of definitions, for those symbols that have one.
 fn defined(
     subject: &Arc<Subject>,
     setting: &Setting<'_>,
@@ -422,7 +423,7 @@ fn defined(
                     equations.push(equation);
                 }
             }
-            // The camera's own number, which a formula in plain f64 may miss by its last digit.
+            // The camera's own number, because a formula in plain f64 may miss it by its last digit.
             let value = setting.value(symbol);
             step.rows.push(FormulaRow { symbol: symbol.into(), formula: found.formula, value });
         }
@@ -431,7 +432,7 @@ fn defined(
     step
 }
 
-/// The entries of a matrix that are not 0 or 1 for every camera.
+/// The entries of a matrix that aren't 0 or 1 for every camera.
 fn matrix(subject: &Arc<Subject>, setting: &Setting<'_>, of: Matrix) -> Worked {
     let formulas = MatrixFormula::new(of, setting);
     let mut step = Worked::of("matrix", formulas.equation, subject);
@@ -451,7 +452,7 @@ fn matrix(subject: &Arc<Subject>, setting: &Setting<'_>, of: Matrix) -> Worked {
     step
 }
 
-/// A point's way from the world to a space.
+/// The steps of a point from the world to a space.
 fn trace(subject: &Arc<Subject>, setting: &Setting<'_>, point: DVec3, to: &str) -> Vec<Worked> {
     let all = explain::forward(&setting.clone().with_point(point));
     let mut wanted = to;

@@ -1,4 +1,4 @@
-//! Goals of a student: conditions on the camera, on the keys of the figure, or on what is seen.
+//! Goals of a student: conditions on the camera, on the keys of the figure, or on visible objects.
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ use crate::inspect::quantity::QuantityPath;
 use crate::numerics::diagnosis::Counter;
 use crate::scene::Scene;
 
-/// The longest side of the image in which pixels are counted. A picture in a window is not much larger.
+/// The longest side of the image whose pixels are counted. A picture in a window isn't much larger.
 const SIDE: u32 = 640;
 
 /// Something to reach with the controls.
@@ -19,9 +19,9 @@ const SIDE: u32 = 640;
 pub struct Goal {
     /// The wording, in Markdown, with `{quantity}` for the numbers of the figure.
     pub text: Bilingual,
-    /// The conditions: it is reached where all hold.
+    /// The conditions. The goal is reached if all hold.
     pub until: Vec<Condition>,
-    /// Operations and keys with their values that reach it from the step's figure. May be empty.
+    /// Operations and keys with their values that reach the goal from the step's figure. May be empty.
     pub way: Vec<(String, String)>,
 }
 
@@ -46,17 +46,18 @@ pub enum Condition {
     Key {
         /// The key with its section.
         key: String,
-        /// The value as it is written in a figure file.
+        /// The value as a figure file writes it.
         value: String,
     },
-    /// The number of a key of the figure lies between two, both included; without such a number it does not hold.
+    /// The number of a key of the figure lies between two, both included. Without such a number the condition doesn't
+    /// hold.
     Number {
         /// The key with its section.
         key: String,
         /// The numbers.
         range: Range,
     },
-    /// A pixel of the image or more shows the object with this name.
+    /// At least one pixel of the image shows the object with this name.
     Seen(String),
     /// No pixel of the image shows the object with this name.
     Hidden(String),
@@ -71,10 +72,10 @@ pub struct Range {
     pub most: Option<f64>,
 }
 
-/// The state in which a condition holds or not.
+/// The state in which a condition may hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
-    /// The figure as the student has left it.
+    /// The figure as the student left it.
     pub figure: &'a Figure,
     /// The validated camera of the figure.
     pub camera: &'a Camera,
@@ -82,17 +83,17 @@ pub struct Subject<'a> {
     pub scene: &'a Scene,
 }
 
-/// Counts what is seen. Keeps its buffers.
+/// Counts visible pixels. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Seen(Counter);
 
 impl Goal {
-    /// True if all conditions hold. An object that is not in the scene is not seen.
+    /// True if all conditions hold. An object that isn't in the scene isn't visible.
     pub fn is_reached(&self, subject: Subject<'_>, seen: &mut Seen) -> bool {
         self.until.iter().all(|condition| condition.holds(subject, seen))
     }
 
-    /// The figure after the way that the lesson knows.
+    /// The figure after the lesson's own way to the goal.
     ///
     /// # Errors
     /// [`VariationError`] names the impossible value.
@@ -106,7 +107,7 @@ impl Goal {
 }
 
 impl Condition {
-    /// Whether no figure can meet both conditions: an object seen and hidden, two values of a key, or ranges of the
+    /// True if no figure can meet both conditions: an object visible and hidden, two values of a key, or ranges of the
     /// same number that have none in common.
     pub fn excludes(&self, other: &Self) -> bool {
         match (self, other) {
@@ -123,7 +124,7 @@ impl Condition {
         }
     }
 
-    /// The name of the object that it is about.
+    /// The name of the object that it's about.
     pub fn object(&self) -> Option<&str> {
         match self {
             Self::Seen(name) | Self::Hidden(name) => Some(name),
@@ -150,7 +151,7 @@ impl Condition {
 }
 
 impl Range {
-    /// True if it is every number.
+    /// True if it contains every number.
     pub fn is_everything(self) -> bool {
         self == Self::default()
     }
@@ -160,7 +161,7 @@ impl Range {
         self.least.zip(self.most).is_some_and(|(least, most)| least > most)
     }
 
-    /// The numbers that are in both.
+    /// The numbers in both ranges.
     fn and(self, other: Self) -> Self {
         let least = self.least.into_iter().chain(other.least).reduce(f64::max);
         let most = self.most.into_iter().chain(other.most).reduce(f64::min);
@@ -172,7 +173,7 @@ impl Range {
     }
 }
 
-/// The angle between two vectors in degrees, 0 … 180; `None` if one of them is no vector.
+/// The angle between two vectors in degrees, 0 … 180; `None` if one of them isn't a vector.
 pub(super) fn angle(between: [QuantityPath; 2], report: &Report) -> Option<f64> {
     let vector = |path: QuantityPath| match path.numbers(report)?.entries[..] {
         [x, y, z] => DVec3::new(x, y, z).try_normalize(),
@@ -180,12 +181,12 @@ pub(super) fn angle(between: [QuantityPath; 2], report: &Report) -> Option<f64> 
     };
     let [a, b] = between.map(vector);
     let (a, b) = (a?, b?);
-    // Near 0 and 180 degrees the cosine alone knows half of the digits.
+    // Near 0 and 180 degrees the cosine alone has only half of the digits.
     Some(a.cross(b).length().atan2(a.dot(b)).to_degrees())
 }
 
 impl Seen {
-    /// The pixels of a smaller image on which an object is seen, or the objects below it.
+    /// The number of pixels of a smaller image that show an object, or the objects below it.
     fn pixels(&mut self, subject: Subject<'_>, name: &str) -> u64 {
         let of: Vec<usize> = objects_named(subject.scene, name).collect();
         let ImageSize { width, height } = subject.figure.image;

@@ -1,4 +1,4 @@
-//! Changes of a lesson file as its author makes them in the window: texts, figures, and the order of steps.
+//! Changes that an author makes to a lesson file in the window: texts, figures, and the order of steps.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use super::read::parse;
 use super::task_text::TaskText;
 use crate::figure::{Bilingual, Difference, Figure, FigureError, difference};
 
-/// The keys of a step that are not part of its figure.
+/// The keys of a step that don't belong to its figure.
 const WORDS: [&str; 7] = ["title", "text", "notes", "seconds", "ask", "try", "links"];
 
 /// A text of a step.
@@ -20,7 +20,7 @@ pub enum StepText {
     Title,
     /// Its text.
     Text,
-    /// The notes of the speaker. An empty text takes them away.
+    /// The notes of the speaker. An empty text removes them.
     Notes,
 }
 
@@ -29,27 +29,27 @@ pub enum StepText {
 pub enum LessonText {
     /// Its title, one line.
     Title,
-    /// The sentence to keep. An empty text takes it away.
+    /// The sentence to keep. An empty text removes it.
     Sentence,
-    /// The minutes that it takes, as they are typed, in the first language. An empty text takes them away.
+    /// The duration in minutes as the author types it, in the first language. An empty text removes it.
     Minutes,
 }
 
-/// Another text. Steps are counted from 0.
+/// A new text. Steps are counted from 0.
 #[derive(Clone, Debug)]
 pub enum Words {
-    /// Of the whole lesson.
+    /// For the whole lesson.
     OfLesson(LessonText, Bilingual),
-    /// Of a step.
+    /// For a step.
     OfStep(usize, StepText, Bilingual),
     /// The task of a step.
     Task(usize, Box<TaskText>),
 }
 
-/// The text of a lesson file with other words, and its lesson. Everything else stays as it is written.
+/// The text of a lesson file with new words, and its lesson. Everything else stays as it's written.
 ///
 /// # Errors
-/// [`FigureError`] if the text would be no lesson.
+/// [`FigureError`] if the text wouldn't be a lesson.
 pub fn reworded(text: &str, words: &[Words]) -> Result<(String, Lesson), FigureError> {
     let (head, steps) = parts(text);
     let mut parts: Vec<Cow<'_, str>> = std::iter::once(head).chain(steps).map(Cow::Borrowed).collect();
@@ -81,22 +81,22 @@ pub fn reworded(text: &str, words: &[Words]) -> Result<(String, Lesson), FigureE
 /// A change of the steps of a lesson. Steps are counted from 0.
 #[derive(Clone, Debug)]
 pub enum Edit {
-    /// Another figure of a step.
+    /// A new figure for a step.
     Show(usize, Box<Figure>),
-    /// A step in the place of another one. Those between move up or down.
+    /// Moves a step to the place of another one. Those between move up or down.
     Move(usize, usize),
-    /// A step less.
+    /// Removes a step.
     Remove(usize),
 }
 
-/// The text of a lesson file after a change, and its lesson. Comments, and the steps that the change does not concern,
-/// stay as they are written.
+/// The text of a lesson file after a change, and its lesson. Comments, and steps that the change doesn't concern, stay
+/// as they're written.
 ///
 /// # Guarantees
-/// The figure of a step is the same wherever the step comes to stand.
+/// The figure of a step stays the same wherever the step ends up.
 ///
 /// # Errors
-/// [`FigureError`] if the text is no lesson, or would be none after the change.
+/// [`FigureError`] if the text isn't a lesson, or wouldn't be one after the change.
 pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> {
     let lesson = parse(text)?;
     let figures: Vec<&Figure> = lesson.steps.iter().map(|step| &*step.figure).collect();
@@ -124,7 +124,7 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
     let mut before: Option<&Part<'_>> = None;
     let mut out = head.to_owned();
     for part in &steps {
-        // It says only what changes, and so depends on the step before it.
+        // A step states only its changes, so it depends on the step before it.
         let places = [Some(part.place), before.map(|before| before.place)];
         let is_after_the_same = part.place.checked_sub(1) == places[1];
         let stays = is_after_the_same && (shown_anew.is_none() || !places.contains(&shown_anew));
@@ -143,7 +143,7 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
 /// A step in the text of a file.
 struct Part<'a> {
     text: &'a str,
-    /// The place where it is written.
+    /// Its original place in the file.
     place: usize,
     figure: &'a Figure,
 }
@@ -155,7 +155,7 @@ fn separate(out: &mut String) {
     out.push_str(if kept > 0 { "\n\n" } else { "" });
 }
 
-/// The text before the first step, and that of each step with the comments above it.
+/// The text before the first step, and the text of each step with the comments above it.
 fn parts(text: &str) -> (&str, Vec<&str>) {
     let starts: Vec<usize> = Document::parse(text)
         .ok()
@@ -174,7 +174,7 @@ pub fn text_of_step(text: &str, step: usize) -> Option<&str> {
     parts(text).1.get(step).copied()
 }
 
-/// The begin of the comments directly above the line at `start`.
+/// The beginning of the comments directly above the line at `start`.
 fn with_comments(text: &str, start: usize) -> usize {
     let mut begin = text[..start].rfind('\n').map_or(0, |end| end + 1);
     while let Some(above) = begin.checked_sub(1) {
@@ -194,7 +194,7 @@ fn changed_step(text: &str, change: impl FnOnce(&mut Table)) -> Option<String> {
     Some(document.to_string())
 }
 
-/// The text of a step with other words.
+/// The text of a step with new words.
 fn respoken(text: &str, which: StepText, told: &Bilingual) -> Option<String> {
     changed_step(text, |step| match which {
         StepText::Title => put(step, "title", told_item(told)),
@@ -203,7 +203,7 @@ fn respoken(text: &str, which: StepText, told: &Bilingual) -> Option<String> {
     })
 }
 
-/// The text of a step with another figure.
+/// The text of a step with a new figure.
 fn redrawn(text: &str, figure: &Difference) -> Option<String> {
     changed_step(text, |step| {
         let of_figure: Vec<String> =
@@ -213,7 +213,7 @@ fn redrawn(text: &str, figure: &Difference) -> Option<String> {
     })
 }
 
-/// The text before the first step with another text of the lesson.
+/// The text before the first step with a new text of the lesson.
 fn retold(head: &str, which: LessonText, told: &Bilingual) -> Option<String> {
     let mut document: DocumentMut = head.parse().ok()?;
     match which {
@@ -234,7 +234,7 @@ pub(super) fn put_figure(step: &mut Table, Difference { changed, without }: &Dif
     }
 }
 
-/// Another value in the place of a key's own.
+/// Replaces the value of a key.
 fn put(step: &mut Table, key: &str, item: Item) {
     match step.get_mut(key) {
         Some(old) => *old = item,
@@ -242,7 +242,7 @@ fn put(step: &mut Table, key: &str, item: Item) {
     }
 }
 
-/// Another value in the place of a key's own; without one the key goes.
+/// Replaces the value of a key, or removes the key if there's no value.
 fn put_or_remove(table: &mut Table, key: &str, item: Option<Item>) {
     match item {
         Some(item) => put(table, key, item),
@@ -265,7 +265,7 @@ mod tests {
         lesson.steps.iter().map(|step| step.title.en.clone()).collect()
     }
 
-    /// Every lesson, each step moved to each place: the steps show what they showed, in the new order.
+    /// Every lesson, with each step moved to each place: the steps show the same as before, in the new order.
     #[test]
     fn a_step_that_moves_takes_its_figure_with_it() {
         for shipped in shipped() {
@@ -296,7 +296,7 @@ mod tests {
             rest.remove(step);
             assert!(figures(&lesson) == rest, "{step}");
         }
-        // A step without a task: a goal may not be reached from another figure.
+        // A step without a task, because a goal may be out of reach from another figure.
         let step = shipped.lesson.steps.iter().position(|step| step.task.is_none()).unwrap();
         let mut other = (*shipped.lesson.steps[step].figure).clone();
         other.camera.near *= 1.25;
@@ -337,18 +337,18 @@ mod tests {
         let (text, _) = say(&text, LessonText::Sentence, &in_one).unwrap();
         let (text, lesson) = say(&text, LessonText::Minutes, &minutes("7,5")).unwrap();
         assert_eq!(lesson.title, told);
-        // Written in one language, it is shown in both.
+        // A text in one language appears in both.
         assert_eq!(lesson.sentence.unwrap().en, "Uma frase");
         assert_eq!(lesson.minutes, Some(7.5));
         assert_eq!((lesson.id, lesson.aims), (shipped.lesson.id.clone(), shipped.lesson.aims.clone()));
         assert_eq!(parts(&text).1, parts(shipped.text).1, "to the letter");
         let comment = shipped.text.lines().next().unwrap();
         assert!(comment.starts_with('#') && text.starts_with(comment));
-        // An empty text takes away what may be missing.
+        // An empty text removes an optional key.
         let (text, _) = say(&text, LessonText::Sentence, &Bilingual::default()).unwrap();
         let (text, lesson) = say(&text, LessonText::Minutes, &minutes(" ")).unwrap();
         assert_eq!((lesson.sentence, lesson.minutes), (None, None));
-        // They are written where there were none.
+        // They're added if there were none.
         let (text, _) = say(&text, LessonText::Minutes, &minutes("9")).unwrap();
         let (text, lesson) = say(&text, LessonText::Sentence, &told).unwrap();
         assert_eq!((lesson.sentence, lesson.minutes), (Some(told), Some(9.0)));

@@ -1,10 +1,11 @@
-//! Values of keys as a lesson file has them, from texts as an author types them.
+//! Values of keys in a lesson file, from texts that an author types.
 
 use toml_edit::{InlineTable, Item, Value};
 
 use crate::figure::Bilingual;
 
-/// A number as it is typed, in the writing of either language; as a text where it is none, for the reader to judge.
+/// A number as the author types it, in the notation of either language. A text that isn't a number stays a text, for
+/// the reader to judge.
 pub(super) fn number_item(typed: &str) -> Option<Item> {
     let typed = typed.trim();
     let value = match (typed.parse::<i64>(), typed.replace(',', ".").parse::<f64>()) {
@@ -15,12 +16,12 @@ pub(super) fn number_item(typed: &str) -> Option<Item> {
     (!typed.is_empty()).then_some(Item::Value(value))
 }
 
-/// As [`told_item`]. Nothing for an empty text.
+/// Like [`told_item`], but `None` for an empty text.
 pub(super) fn told_if_any(text: &Bilingual) -> Option<Item> {
     (!text.en.is_empty() || !text.pt_br.is_empty()).then(|| told_item(text))
 }
 
-/// A text in both languages. Once where they are the same, or where it is written in one of them alone.
+/// A text in both languages. It's stored once if they're the same, or if only one language has a text.
 pub(super) fn told_item(text: &Bilingual) -> Item {
     if text.en == text.pt_br || text.pt_br.is_empty() {
         return Item::Value(text.en.as_str().into());

@@ -15,7 +15,7 @@ pub struct Way {
     pub step: usize,
 }
 
-/// The identifiers of the exercises of the program that a lesson leads to, each once. Those its steps ask, those they
+/// The identifiers of the exercises of the program that a lesson leads to, each once: exercises that its steps ask or
 /// link to, and the questions before and after it.
 pub fn exercises_of(lesson: &Lesson) -> Vec<&str> {
     let around = lesson.pretest.iter().chain(&lesson.posttest).map(|question| question.id.as_str());
@@ -36,8 +36,8 @@ pub fn families_of(lesson: &Lesson) -> Vec<&str> {
     exercises_of(lesson).into_iter().filter(is_family).collect()
 }
 
-/// The first lesson of the program that asks an exercise; if none does, the first that links to it, or has it among the
-/// questions around it. `None` for an exercise of a lecturer's own.
+/// The first lesson of the program that asks an exercise. If none does, the first that links to it, or has it among the
+/// questions around it. `None` for a lecturer's own exercise.
 pub fn lesson_of(exercise: &str) -> Option<Way> {
     let asks = |step: &Step| asked(step) == Some(exercise);
     let links = |step: &Step| linked(step).any(|id| id == exercise);
@@ -53,7 +53,7 @@ pub fn lesson_of(exercise: &str) -> Option<Way> {
     })
 }
 
-/// Exercises in the order in which the lessons of the program come to them. Those that none of them has come last.
+/// Exercises in the order in which the lessons of the program come to them. Exercises without a lesson come last.
 pub fn in_order_of_lessons<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Vec<&'a Entry> {
     let asked = shipped().iter().flat_map(|shipped| shipped.lesson.steps.iter().filter_map(asked));
     let named = shipped().iter().flat_map(|shipped| exercises_of(&shipped.lesson));

@@ -10,15 +10,15 @@ use crate::figure::{Bilingual, Figure};
 /// A lesson.
 #[derive(Clone, Debug, Default)]
 pub struct Lesson {
-    /// Its identifier: a name that is valid in a command line.
+    /// Its identifier: a name that's valid in a command line.
     pub id: String,
     /// One line in each language.
     pub title: Bilingual,
     /// The sentence to keep, in Markdown.
     pub sentence: Option<Bilingual>,
-    /// Minutes that it takes.
+    /// Duration in minutes.
     pub minutes: Option<f64>,
-    /// The things that one knows afterwards, in Markdown.
+    /// The learning goals, in Markdown.
     pub aims: Vec<Bilingual>,
     /// The plan of a class of 50 minutes for its lecturer, in Markdown.
     pub plan: Option<Bilingual>,
@@ -41,7 +41,7 @@ pub struct Question {
     pub seed: u64,
 }
 
-/// A lesson that is played from a step on.
+/// A lesson that's played from a step on.
 #[derive(Clone, Debug)]
 pub struct OpenLesson {
     /// Parsed and checked.
@@ -71,30 +71,30 @@ pub struct Step {
     pub notes: Option<Bilingual>,
     /// The whole figure.
     pub figure: Arc<Figure>,
-    /// Seconds of the move from the step before; 0: at once.
+    /// Seconds of the move from the step before; 0 means at once.
     pub seconds: f64,
     /// Its task, to be done before the next step.
     pub task: Option<Task>,
-    /// The figure that shows what its question asks, once it's guessed.
+    /// The figure that shows the answer to its question, once it's guessed.
     pub see: See,
     /// Where to read or practise further.
     pub links: Vec<Link>,
 }
 
-/// The figure that shows what a question asks.
+/// The figure that shows the answer to a question.
 #[derive(Clone, Debug, Default)]
 pub enum See {
-    /// None: the reason comes at once.
+    /// None. The reason comes at once.
     #[default]
     Nothing,
-    /// The one of the next step.
+    /// The figure of the next step.
     Next,
-    /// The one of the step, changed.
+    /// The figure of the step, changed.
     Changed(Arc<Figure>),
 }
 
 impl Lesson {
-    /// The figure that shows what the question of a step asks, once it's guessed.
+    /// The figure that shows the answer to the question of a step, once it's guessed.
     pub fn seen_after(&self, step: usize) -> Option<&Arc<Figure>> {
         match &self.steps.get(step)?.see {
             See::Nothing => None,

@@ -1,4 +1,4 @@
-//! The numbers of a figure in the texts of a lesson, in place of the paths in braces.
+//! Puts the numbers of a figure into the texts of a lesson, in place of the paths in braces.
 
 use crate::camera::Convention;
 use crate::figure::{Figure, ShownProbe};
@@ -6,14 +6,14 @@ use crate::inspect::quantity::{Numbers, QuantityPath};
 use crate::inspect::{InspectError, Report};
 use crate::numbers::{DecimalMark, significant, without_rests};
 
-/// Decimals of a number where a text does not say how many.
+/// Decimals of a number if a text doesn't give them.
 const DECIMALS: usize = 3;
 /// The most decimals that a text may ask for.
 const MOST_DECIMALS: usize = 12;
 /// Numbers from here on, and those whose decimals would all be 0, have an exponent.
 const LARGE: f64 = 1e9;
 
-/// Every number of a figure. Its points are those of `[[points]]`, its pixel that of the probe.
+/// Every number of a figure. Its points are those of `[[points]]`, and its pixel is that of the probe.
 ///
 /// # Errors
 /// [`InspectError`] names the impossible quantity.
@@ -30,11 +30,12 @@ pub(super) fn pixels_of(figure: &Figure) -> Vec<[i64; 2]> {
     }
 }
 
-/// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`: a path of `inspect`.
-/// Between dollar signs braces are LaTeX where they hold no such path, or stand after a command, `^` or `_`.
+/// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`, where `quantity` is a path
+/// of `inspect`. Between dollar signs, braces are LaTeX if they don't hold such a path, or follow a command, `^` or
+/// `_`.
 ///
 /// # Errors
-/// The text between braces that leads to no numbers.
+/// The text between braces that doesn't lead to a number.
 pub fn filled(text: &str, report: &Report, mark: DecimalMark) -> Result<String, String> {
     let mut out = String::with_capacity(text.len());
     let (mut rest, mut in_formula) = (text, false);
@@ -51,7 +52,7 @@ pub fn filled(text: &str, report: &Report, mark: DecimalMark) -> Result<String, 
         } else if from.starts_with('{') && (!in_formula || inner.is_some_and(|(path, _)| is_path(path))) {
             return Err(inner.map_or_else(|| from.chars().take(20).collect(), |(path, _)| path.to_owned()));
         } else {
-            // What a backslash takes along, and a dollar sign, or two.
+            // The text consumed by a backslash, and a dollar sign, or two.
             let taken = match from.as_bytes() {
                 [b'\\', ..] => 1 + from[1..].chars().next().map_or(0, char::len_utf8),
                 [b'$', b'$', ..] => 2,
@@ -66,13 +67,13 @@ pub fn filled(text: &str, report: &Report, mark: DecimalMark) -> Result<String, 
     Ok(out)
 }
 
-/// True if a brace would be the argument of a command, or a sub- or superscript.
+/// True if a brace would open the argument of a command, or a sub- or superscript.
 fn follows_command(before: &str) -> bool {
     let word = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
     before.ends_with(['^', '_', '}', ']']) || word.len() < before.len() && word.ends_with('\\')
 }
 
-/// True if a text is a path, and no LaTeX.
+/// True if a text is a path, not LaTeX.
 fn is_path(text: &str) -> bool {
     let is_of_path = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | ':');
     text.contains('.') && text.starts_with(|c: char| c.is_ascii_lowercase()) && text.chars().all(is_of_path)
@@ -174,7 +175,7 @@ mod tests {
             assert_eq!(filled(text, &report(), DecimalMark::Point), Err(found.to_owned()));
         }
         assert!(filled("a matrix {view_matrix}", &report(), DecimalMark::Point).is_err());
-        // In a formula too, where it is plainly a path.
+        // In a formula too, if it's plainly a path.
         assert!(filled("$a = {basis.w}$", &report(), DecimalMark::Point).is_err());
     }
 }

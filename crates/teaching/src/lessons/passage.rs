@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::camera::{Camera, CameraPath};
 use crate::figure::{Figure, Observer, ShownStep};
 
-/// The way from one figure to another: cameras on arcs about what stays, observers likewise, and numbers that grow.
-/// What has nothing in between (a style, an object) is as in the second figure from the start.
+/// The way from one figure to another: cameras on arcs about fixed points, observers likewise, and numbers that grow.
+/// Anything without intermediate values (a style, an object) is as in the second figure from the start.
 #[derive(Clone, Debug)]
 pub struct Passage {
     from: Arc<Figure>,
@@ -15,7 +15,7 @@ pub struct Passage {
 }
 
 impl Passage {
-    /// The way between two figures. Where no camera lies between theirs, that of the second is there at once.
+    /// The way between two figures. If no camera lies between theirs, that of the second is there at once.
     pub fn new(from: Arc<Figure>, to: Arc<Figure>) -> Self {
         let cameras = [&from, &to].map(|figure| Camera::new(&figure.camera));
         let camera = match &cameras {
@@ -30,9 +30,9 @@ impl Passage {
         self.camera.is_none() && self.shown_at(0.0) == *self.to
     }
 
-    /// The figure after a share of the way, 0 … 1. Each can be drawn.
+    /// The figure after a share of the way, 0 … 1. Each of them can be drawn.
     ///
-    /// *Guarantees*: at 1 it is the second figure.
+    /// *Guarantees*: at 1 it's the second figure.
     pub fn at(&self, share: f64) -> Figure {
         if share >= 1.0 {
             return (*self.to).clone();
@@ -44,7 +44,7 @@ impl Passage {
         figure
     }
 
-    /// The second figure with what else moves.
+    /// The second figure with everything else that moves.
     fn shown_at(&self, share: f64) -> Figure {
         let (from, mut figure) = (&*self.from, (*self.to).clone());
         let observers = [
@@ -69,7 +69,7 @@ impl Passage {
     }
 }
 
-/// From one observer to another: round the target, and nearer by equal factors.
+/// From one observer to another: around the target, and nearer by equal factors.
 fn observer(from: &Observer, to: &Observer, t: f64) -> Observer {
     // The shorter way round.
     let turn = |a: f64, b: f64| a + t * ((b - a + 180.0).rem_euclid(360.0) - 180.0);

@@ -1,4 +1,4 @@
-//! The lines and keys of a lesson file at which its scenes and its folder show a fault.
+//! The lines and keys of a lesson file to which faults in its scenes or its folder refer.
 
 use crate::figure::read::{Section, line_of, parse_with};
 
@@ -21,7 +21,7 @@ pub enum Part {
     Way(usize),
 }
 
-/// The line of a part in the text of a lesson, from 1, and its key as it is written; `None` if it is not there.
+/// The line of a part in the text of a lesson, from 1, and its key as written; `None` if it isn't there.
 pub fn place(text: &str, part: Part) -> Option<(usize, String)> {
     let found = parse_with(text, |root, _| within(root, part)).ok().flatten();
     found.map(|(at, key)| (line_of(text, at), key))

@@ -17,13 +17,13 @@ use crate::inspect::quantity::QuantityPath;
 use crate::limits::{MAX_CONDITIONS, MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
 use crate::numbers::DecimalMark;
 
-/// Seconds of the move to a step where a lesson does not say them.
+/// Seconds of the move to a step if a lesson doesn't give them.
 const SECONDS: f64 = 1.5;
 /// The longest move.
 const MOST_SECONDS: f64 = 20.0;
 /// The longest lesson in minutes.
 const MOST_MINUTES: f64 = 600.0;
-/// The most questions before a lesson, and after it: more of them fill more than a page.
+/// The most questions before a lesson, and after it. More of them need more than a page.
 const MOST_QUESTIONS: usize = 12;
 /// The decimal marks of English and Portuguese.
 const MARKS: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
@@ -82,7 +82,7 @@ fn questions(root: &mut Section<'_>, key: &'static str, faults: &mut Vec<Fault>)
     sections.into_iter().filter_map(|section| section.finished(faults, question)).collect()
 }
 
-/// A text of one line, which has to be there.
+/// A required text of one line.
 fn line(section: &mut Section<'_>, key: &'static str) -> Bilingual {
     let text = told(section, key);
     let is_line = |text: &String| text.chars().count() <= MAX_TITLE && !text.contains('\n');
@@ -92,7 +92,7 @@ fn line(section: &mut Section<'_>, key: &'static str) -> Bilingual {
     text
 }
 
-/// A text that may be missing.
+/// An optional text.
 fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
     let texts = section.told(key)?;
     harmless(section, key, texts)
@@ -111,7 +111,7 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
     let figure = stacked.figure(&section, faults);
     let is_good = faults[before..].iter().all(Fault::is_unknown_key);
     let figure = Figure { title: Some(title.clone()).filter(|title| !title.en.is_empty()), ..figure };
-    // The numbers of a faulty figure are not asked for.
+    // A faulty figure has no numbers to check.
     let report = numbers_of(&figure).ok().filter(|_| is_good);
     let text = with_numbers(&mut section, "text", report.as_ref());
     let notes = section.is_present("notes").then(|| with_numbers(&mut section, "notes", report.as_ref()));
@@ -162,7 +162,7 @@ fn way(text: &str) -> Option<(String, String)> {
     Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
-/// A text with the numbers of a figure, which has to be there; without a report they are not checked.
+/// A required text with the numbers of a figure. Without a report they aren't checked.
 fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Report>) -> Bilingual {
     section.require(key, Allowed::Bilingual);
     let Some(texts) = section.told(key) else { return Bilingual::default() };
@@ -195,7 +195,7 @@ fn task(
     }
     let at = section.at;
     let figure = subject.figure.clone();
-    // A place is asked for in the figure that is shown after it.
+    // A place refers to the figure that comes after the question.
     let subject = match see {
         See::Changed(after) if section.is_present("place") => Subject { figure: Figure::clone(after), ..subject },
         _ => subject,
@@ -213,8 +213,8 @@ fn task(
     Some(Task::Question(Arc::new(entry)))
 }
 
-/// The identifier of a question, from its content: answers are stored under it, and belong to the question wherever it
-/// stands, in whichever lesson. A changed question is another one.
+/// The identifier of a question, from its content. Answers are stored under it, so they belong to the question in any
+/// place of any lesson. A changed question is another one.
 fn question_id(entry: &Entry, figure: &Figure) -> String {
     let exercise = entry.exercise(0, &Default::default());
     // The question doesn't depend on the step's title.
@@ -223,14 +223,14 @@ fn question_id(entry: &Entry, figure: &Figure) -> String {
     exercise.asks.iter().flat_map(|ask| ask.own_choices.values()).for_each(&mut add);
     exercise.texts.iter().flat_map(|texts| texts.asks.values()).for_each(add);
     for ask in &exercise.asks {
-        // An answer is stored by the fields that it has, and a choice by its name.
+        // An answer is stored by its fields, and a choice by its name.
         let [rows, columns] = ask.shape();
         content.push(format!("{rows} {columns}"));
         if let Kind::Choice(choices) = &ask.kind {
             content.extend(choices.iter().cloned());
         }
     }
-    // FNV-1a: it has to give the same in every version of the program.
+    // FNV-1a, because it has to give the same in every version of the program.
     let byte = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     let hash = content.join("\0").bytes().fold(0xcbf2_9ce4_8422_2325, byte);
     format!("question-{hash:016x}")
@@ -313,7 +313,7 @@ fn condition(section: &mut Section<'_>, figure: &Figure, report: &Report) -> Opt
     }
 }
 
-/// `least` and `most`, of which one is there at least.
+/// `least` and `most`, at least one of which is there.
 fn range(section: &mut Section<'_>, is_angle: bool) -> Option<Range> {
     let [least, most] = ["least", "most"].map(|key| {
         section.is_present(key).then(|| if is_angle { section.angle(key, 0.0) } else { section.number(key, 0.0) })
@@ -343,13 +343,13 @@ fn of_key(section: &mut Section<'_>, key: String, figure: &Figure) -> Option<Con
         section.missing("is", Allowed::Either("is", "least and most"));
         return None;
     };
-    // A key is known, and a value possible, where the figure of the step can have it.
+    // A key is known, and a value possible, if the figure of the step can have it.
     match varied(figure, &key, &written) {
         Err(FigureError { problem: Problem::UnknownKey { near, known }, .. }) => {
             section.fault("key", Problem::Value { found: key, allowed: Allowed::Word { words: known, near } });
             return None;
         }
-        // The value, and no other key without it; a camera may be possible on the way.
+        // Only this value is judged, not the keys that need it. A camera may become possible on the way.
         Err(FigureError { problem, key: found, .. })
             if !matches!(problem, Problem::Camera(_))
                 && key.rsplit('.').next().is_some_and(|last| found.ends_with(last)) =>

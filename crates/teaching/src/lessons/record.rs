@@ -1,4 +1,4 @@
-//! A step of a lesson from what is on the screen. Only the difference from the step before is written.
+//! Makes a step of a lesson from the current figure. Only the difference from the step before is written.
 
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table};
 
@@ -9,10 +9,10 @@ use super::read::parse;
 use crate::figure::{Bilingual, Figure, FigureError, difference};
 use crate::limits::MAX_EXERCISE_NAME;
 
-/// The texts of a new step, to be written by its author.
+/// The texts of a new step, for its author to write.
 #[derive(Clone, Debug)]
 pub struct Draft {
-    /// The title of a lesson that has none yet.
+    /// The title of a lesson that doesn't have one yet.
     pub lesson: Bilingual,
     /// The title of the step.
     pub title: Bilingual,
@@ -20,14 +20,14 @@ pub struct Draft {
     pub text: Bilingual,
 }
 
-/// The text of a lesson file with one step more, which shows `now`. An empty text becomes a lesson with the identifier
-/// `id`. What is written already stays as it is.
+/// The text of a lesson file with one more step, which shows `now`. An empty text becomes a lesson with the identifier
+/// `id`. The existing text stays as it is.
 ///
 /// # Guarantees
 /// Reading the text gives the lesson with that figure in its last step.
 ///
 /// # Errors
-/// [`FigureError`] if the text is no lesson, or has as many steps as one may have.
+/// [`FigureError`] if the text isn't a lesson, or already has the greatest number of steps.
 pub fn with_step(text: &str, id: &str, draft: &Draft, now: &Figure) -> Result<(String, Lesson), FigureError> {
     let (mut out, last) = if text.trim().is_empty() {
         let mut head = DocumentMut::new();
@@ -55,7 +55,7 @@ pub fn with_step(text: &str, id: &str, draft: &Draft, now: &Figure) -> Result<(S
     Ok((out, lesson))
 }
 
-/// The letters of a name that an identifier may have.
+/// The letters of a name that are allowed in an identifier.
 fn identifier(name: &str) -> String {
     let is_of_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     let id: String = name.chars().map(|c| if is_of_name(c) { c } else { '-' }).take(MAX_EXERCISE_NAME).collect();
@@ -75,7 +75,7 @@ mod tests {
         Draft { lesson: text("Lesson"), title: text("Step"), text: text("Text") }
     }
 
-    /// Steps of all lessons one after the other, each recorded after the one before: whatever changes, and back.
+    /// Steps of all lessons one after the other, each recorded after the one before: any changes, and back.
     #[test]
     fn recorded_steps_are_the_figures_that_were_shown() {
         for shipped in shipped() {

@@ -1,11 +1,11 @@
-//! The lessons that are part of the program. They are there wherever it is, installed or not.
+//! The lessons built into the program. They're always there, even if it isn't installed.
 
 use std::sync::{Arc, LazyLock};
 
 use super::lesson::Lesson;
 use super::read::parse;
 
-/// A lesson that is part of the program.
+/// A lesson built into the program.
 #[derive(Clone, Debug)]
 pub struct ShippedLesson {
     /// Parsed and checked.
@@ -20,7 +20,7 @@ macro_rules! lessons {
     };
 }
 
-/// Their files, in the order in which they are taken.
+/// Their files, in the order of the course.
 const TEXTS: [&str; 18] = lessons![
     "01-camera",
     "02-basis",
@@ -42,9 +42,9 @@ const TEXTS: [&str; 18] = lessons![
     "18-sheet"
 ];
 
-/// All of them, in the order in which they are taken.
+/// All of them, in the order of the course.
 pub fn shipped() -> &'static [ShippedLesson] {
-    // Read when the first is asked for; a test reads every one.
+    // Read on the first request. A test reads every one.
     static LESSONS: LazyLock<Vec<ShippedLesson>> = LazyLock::new(|| {
         let lesson = |text: &'static str| Some(ShippedLesson { lesson: Arc::new(parse(text).ok()?), text });
         TEXTS.into_iter().filter_map(lesson).collect()

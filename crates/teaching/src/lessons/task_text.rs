@@ -6,7 +6,7 @@ use super::items::{number_item, told_item};
 use crate::figure::Bilingual;
 use crate::inspect::quantity::QuantityPath;
 
-/// Choices that a new question has.
+/// Number of choices in a new question.
 const CHOICES: usize = 2;
 
 /// A kind of task.
@@ -36,15 +36,15 @@ pub struct TaskText {
     pub text: Bilingual,
     /// The choices in their order.
     pub choices: Vec<ChoiceText>,
-    /// The place of the right choice.
+    /// The index of the right choice.
     pub right: usize,
     /// The right number, a list of numbers, a formula, or the path of a quantity in the output of `inspect`.
     pub number: String,
-    /// The greatest error of a number. Empty for that of the program.
+    /// The greatest error of a number. Empty for the program's default.
     pub tolerance: String,
     /// Wrong numbers, each with its sentence.
     pub mistakes: Vec<(String, Bilingual)>,
-    /// Keys of a question that have no field, `see` and `place`, with their values as the file has them.
+    /// Keys of a question that have no field, `see` and `place`, with their values from the file.
     pub kept: Vec<(String, String)>,
     /// The conditions of a goal.
     pub conditions: Vec<ConditionText>,
@@ -61,9 +61,9 @@ pub struct TaskText {
 pub struct ChoiceText {
     /// The name under which answers are stored.
     pub name: String,
-    /// The choice as it is shown.
+    /// The text of the choice.
     pub text: Bilingual,
-    /// The sentence shown to those who choose it. Unused for the right one.
+    /// The sentence shown to students who choose it. Unused for the right one.
     pub message: Bilingual,
 }
 
@@ -93,7 +93,7 @@ pub struct ConditionText {
 }
 
 impl TaskText {
-    /// True while its author has still to fill in the question, a choice or the number.
+    /// True while its author still has to fill in the question, a choice or the number.
     pub fn is_unfinished(&self) -> bool {
         let is_blank = |text: &Bilingual| text.en.trim().is_empty() && text.pt_br.trim().is_empty();
         match self.kind {
@@ -104,7 +104,7 @@ impl TaskText {
         }
     }
 
-    /// The task in the text of a step, as the file has it.
+    /// The task in the text of a step, as in the file.
     pub fn of_step(step: &str) -> Self {
         let Ok(document) = step.parse::<DocumentMut>() else { return Self::default() };
         let step = document.get("step").and_then(Item::as_array_of_tables).and_then(|steps| steps.get(0));
@@ -118,7 +118,7 @@ impl TaskText {
         read.unwrap_or(Self { kind: TaskKind::InFile, ..Self::default() })
     }
 
-    /// The same as the text of a step that has nothing but this task.
+    /// The text of a step that has only this task.
     pub fn to_toml(&self) -> String {
         let mut step = Table::new();
         self.put(&mut step);
@@ -129,7 +129,7 @@ impl TaskText {
         document.to_string()
     }
 
-    /// The same with another kind, and with as many empty fields as that begins with.
+    /// The same task with another kind, and with the empty fields that this kind starts with.
     pub fn with_kind(mut self, kind: TaskKind) -> Self {
         self.kind = kind;
         while kind == TaskKind::Choices && self.choices.len() < CHOICES {
@@ -160,7 +160,7 @@ impl TaskText {
         }
     }
 
-    /// Writes the task into the table of a step, in place of the one that is there.
+    /// Writes the task into the table of a step, replacing the one that's there.
     pub(super) fn put(&self, step: &mut Table) {
         if self.kind == TaskKind::InFile {
             return;
@@ -214,7 +214,7 @@ impl TaskText {
             self.mistakes.iter().for_each(|(answer, message)| add(numbers_item(answer), message));
         }
         for (key, written) in &self.kept {
-            // A number that is typed takes the place of a place.
+            // A typed number replaces a place.
             let is_replaced = key == PLACE && (self.kind == TaskKind::Choices || !self.number.trim().is_empty());
             if let Some(value) = written.parse::<Value>().ok().filter(|_| !is_replaced) {
                 table.insert(key, Item::Value(value));
@@ -252,7 +252,7 @@ impl TaskText {
     }
 }
 
-/// A number, or a list of numbers. Nothing for an empty text.
+/// A number, or a list of numbers. `None` for an empty text.
 fn numbers_item(typed: &str) -> Option<Item> {
     let is_list = typed.trim().starts_with('[');
     let list = is_list.then(|| typed.trim().parse::<Value>().ok()).flatten();
@@ -334,7 +334,7 @@ fn read_goal(goal: &dyn TableLike) -> Option<TaskText> {
     Some(TaskText { kind: TaskKind::Goal, text, conditions, way: way.join("; "), ..TaskText::default() })
 }
 
-/// Nothing if the table has a key that isn't one of these.
+/// `None` if the table has a key that isn't one of these.
 fn only(table: &dyn TableLike, keys: &[&str]) -> Option<()> {
     table.iter().all(|(key, _)| keys.contains(&key)).then_some(())
 }

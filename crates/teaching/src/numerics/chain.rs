@@ -13,7 +13,7 @@ use crate::camera::{Parameters, Projection};
 pub struct Vector<R>(pub [R; 3]);
 
 impl<R: Real> Vector<R> {
-    /// From `f64`s, rounded.
+    /// Rounds `f64`s.
     pub fn of(v: DVec3) -> Self {
         Self(v.to_array().map(R::of))
     }
@@ -63,7 +63,7 @@ impl<R: Real> Vector<R> {
     }
 }
 
-/// **u**, **v**, **n**: `[0]` Eq. (5.3) as it is printed.
+/// **u**, **v**, **n** from `[0]` Eq. (5.3) as printed.
 pub fn basis<R: Real>(position: DVec3, focal_point: DVec3, view_up: DVec3) -> [Vector<R>; 3] {
     let n = Vector::<R>::of(position).minus(&Vector::of(focal_point)).unit();
     let u = Vector::of(view_up).cross(&n).unit();
@@ -71,7 +71,7 @@ pub fn basis<R: Real>(position: DVec3, focal_point: DVec3, view_up: DVec3) -> [V
     [u, v, n]
 }
 
-/// The numbers of [`basis`], computed with more care: vectors are scaled before they are normalised.
+/// The numbers of [`basis`], computed with more care, because vectors are scaled before they're normalised.
 pub fn scaled_basis<R: Real>(position: DVec3, focal_point: DVec3, view_up: DVec3) -> [Vector<R>; 3] {
     let scaled = |v: Vector<R>| {
         let greatest = v.to_f64().abs().max_element();
@@ -111,7 +111,7 @@ impl<R: Real> Matrix<R> {
     }
 }
 
-/// M_v, `[0]` Eq. (5.7): the basis in its rows, −u·C, −v·C, −n·C in its last column.
+/// M_v, `[0]` Eq. (5.7), with the basis in its rows and −u·C, −v·C, −n·C in its last column.
 pub fn view_matrix<R: Real>(basis: &[Vector<R>; 3], position: DVec3) -> Matrix<R> {
     let c = Vector::of(position);
     let row = |axis: &Vector<R>| {
@@ -122,7 +122,7 @@ pub fn view_matrix<R: Real>(basis: &[Vector<R>; 3], position: DVec3) -> Matrix<R
     Matrix([row(u), row(v), row(n), [R::zero(), R::zero(), R::zero(), R::one()]])
 }
 
-/// l, r, b, t: as given, or `[0]` Eq. (5.5).
+/// l, r, b, t as given, or from `[0]` Eq. (5.5).
 pub fn window<R: Real>(p: &Parameters) -> [R; 4] {
     if let Some(w) = p.window {
         return [w.left, w.right, w.bottom, w.top].map(R::of);
@@ -183,7 +183,7 @@ mod tests {
         m.transpose().to_cols_array_2d()
     }
 
-    /// The entries, rounded. The rest of an exact zero after 512 bits is zero.
+    /// The entries, rounded. The remainder of an exact zero after 512 bits is zero.
     fn rounded(matrix: &Matrix<Reference>) -> [[f64; 4]; 4] {
         matrix.rounded::<f64>().0.map(|row| row.map(|x| if x.abs() < 1e-140 { 0.0 } else { x }))
     }

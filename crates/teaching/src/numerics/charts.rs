@@ -1,5 +1,5 @@
-//! The charts of a study: for each case the error over the parameter, and the error over the time where the inputs are
-//! stiffest, with the Pareto front.
+//! The charts of a study. For each case they show the error over the parameter, and the error over the time for the
+//! stiffest inputs, with the Pareto front.
 
 use super::{Findings, OWN, Row};
 use crate::chart::{Chart, Look, Series};
@@ -12,7 +12,7 @@ pub struct Words<'a> {
     pub error: &'a dyn Fn(&Row) -> String,
     /// The time of one item.
     pub time: &'a str,
-    /// The line through the methods that none other beats.
+    /// The line through the methods that no other beats.
     pub front: &'a str,
     /// The title of the chart of errors over times, at this parameter.
     pub at: &'a dyn Fn(f64) -> String,
@@ -22,14 +22,14 @@ pub struct Words<'a> {
     pub method: &'a dyn Fn(&str) -> String,
 }
 
-/// A pair of charts, and the rows that they show.
+/// A pair of charts, and their rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
     /// Error over parameter.
     pub by_parameter: Chart,
     /// Error over time at the stiffest parameter. The others are shadows.
     pub by_time: Chart,
-    /// The error that is drawn for an error of 0.
+    /// The error drawn for an error of 0.
     pub floor: f64,
 }
 
@@ -49,12 +49,12 @@ impl Findings {
         unique(self.rows.iter().map(|row| row.case.as_str()))
     }
 
-    /// The methods, in their order. The place of each is its colour.
+    /// The methods, in their order. The index of each is its colour.
     pub fn methods(&self) -> Vec<&'static str> {
         unique(self.rows.iter().map(|row| row.method))
     }
 
-    /// The charts of one case. An error of 0 is drawn a decade below the least that is not.
+    /// The charts of one case. An error of 0 is drawn a decade below the least that isn't 0.
     pub fn charts(&self, case: &str, words: &Words) -> Pair {
         let rows: Vec<&Row> = self.rows.iter().filter(|row| row.case == case).collect();
         let least = rows.iter().map(|row| row.error).filter(|&e| e > 0.0).fold(f64::INFINITY, f64::min);

@@ -13,19 +13,19 @@ pub(in crate::numerics) struct Range {
 }
 
 impl Range {
-    /// In a convention that has z_n from 0 at F to 1 at B.
+    /// The range in a convention that has z_n from 0 at F to 1 at B.
     pub(in crate::numerics) fn from_0_to_1(projection: Projection, far: f64) -> Self {
         Self { projection, far, ndc: Ndc { api: Api::Direct3d, ..Ndc::default() } }
     }
 
-    /// The range of a clip space, with F for a unit.
+    /// The range of a clip space, with F as the unit.
     fn of(space: &ClipSpace<'_>) -> Self {
         let camera = space.camera();
         Self { projection: camera.projection(), far: camera.far() / camera.near(), ndc: space.ndc() }
     }
 
     /// The range of a clip space, the unit of its depths, and a depth in it. In parallel projection F may be 0 or less,
-    /// and no unit. Only differences count there, so the volume is moved to 1 … 2.
+    /// so it can't be a unit. Only differences count there, so the volume is moved to 1 … 2.
     fn with_unit(space: &ClipSpace<'_>, depth: f64) -> (Self, f64, f64) {
         let camera = space.camera();
         let (near, far) = (camera.near(), camera.far());
@@ -36,14 +36,14 @@ impl Range {
         (Self { projection: camera.projection(), far: 2.0, ndc: space.ndc() }, unit, (depth - near) / unit + 1.0)
     }
 
-    /// The value of a depth, 0 … 1, before it is put into a format; `reversed`: 1 at F, 0 at B. The transformation is
-    /// done in single precision, as graphics cards do: z_n = (z_c entries of M_p) / w, and (z_n + 1)/2 where z_n goes
-    /// from −1 to 1.
+    /// The value of a depth, 0 … 1, before the conversion to a format. If `reversed`, it's 1 at F and 0 at B. The
+    /// transformation is done in single precision, as graphics cards do it, with z_n = (z_c entries of M_p) / w, and
+    /// (z_n + 1)/2 if z_n goes from −1 to 1.
     fn stored(&self, z: f64, reversed: bool) -> f32 {
         #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
         let (depth, far) = (z as f32, if self.ndc.infinite { f32::INFINITY } else { self.far as f32 });
         let span = far - 1.0;
-        // B/(B − F), which is 1 where there is no far plane.
+        // B/(B − F), which is 1 if there's no far plane.
         let ratio = if far.is_finite() { far / span } else { 1.0 };
         let perspective = self.projection == Projection::Perspective;
         match (perspective, reversed, self.ndc.depths()) {
@@ -56,7 +56,7 @@ impl Range {
         }
     }
 
-    /// The growth of depth with the stored value, and the stored value at a depth, 1 at F and 0 at B.
+    /// The growth of depth with the stored value, and the stored value at a depth, which is 1 at F and 0 at B.
     fn slope_and_reversed(&self, z: f64) -> (f64, f64) {
         let (far, span) = (self.far, self.far - 1.0);
         match self.projection {
@@ -97,7 +97,7 @@ impl Format {
         }
     }
 
-    /// The value that is stored for a depth, as a whole number that grows with it.
+    /// The stored value of a depth, as a whole number that grows with the depth.
     pub(in crate::numerics) fn value(self, range: &Range, z: f64) -> i64 {
         let reversed = range.ndc.reversed;
         let normal = || range.stored(z, reversed);
@@ -141,7 +141,7 @@ impl Format {
             Self::Fixed16 => slope * 2f64.powi(-16),
             Self::Fixed24 => slope * 2f64.powi(-24),
             Self::Float if range.ndc.reversed => slope * ulp(reversed),
-            // Of z_n in −1 … 1 only its own last place is resolved, half of which counts.
+            // z_n in −1 … 1 resolves only its own last place, half of which counts.
             Self::Float if range.ndc.depths()[0] < 0.0 => {
                 slope * ulp(1.0 - reversed).max(0.5 * ulp((1.0 - 2.0 * reversed).abs()))
             }
@@ -149,12 +149,12 @@ impl Format {
             Self::FloatReversed | Self::Own => slope * ulp(reversed),
             Self::Logarithmic => z * range.far.ln() * 2f64.powi(-24),
         };
-        // Of a depth in single precision only its own last place is resolved.
+        // A depth in single precision resolves only its own last place.
         step.max(ulp(z)).min(2.0 * range.far)
     }
 }
 
-/// From one f32 to the next.
+/// The distance from one f32 to the next.
 fn ulp(x: f64) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
     let exponent = x.max(f64::MIN_POSITIVE).log2().floor() as i32;
@@ -168,14 +168,14 @@ pub enum Seen {
     Ground,
     /// The nearer plane.
     Nearer,
-    /// The farther plane, where nothing is before it.
+    /// The farther plane, with nothing in front of it.
     Farther,
-    /// The farther plane, although the nearer one is before it.
+    /// The farther plane, although the nearer one is in front of it.
     Through,
 }
 
-/// Two planes as a depth buffer shows them, one before the other, a gap apart: parallel, and tilted, so that they go
-/// through many depths.
+/// Two planes in a depth buffer, one in front of the other at a distance of a gap. They're parallel, and tilted so that
+/// they pass through many depths.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TwoPlanes {
     /// Rows from the top, each of [`WIDTH`](Self::WIDTH).
@@ -187,12 +187,12 @@ impl TwoPlanes {
     pub const WIDTH: u32 = 150;
     /// Pixels down.
     pub const HEIGHT: u32 = 24;
-    /// Depth of the picture in gaps: where a step is longer than the gap, there are stripes.
+    /// Depth of the picture in gaps. If a step is longer than the gap, there are stripes.
     const GAPS: f64 = 10.0;
 
     /// `depth` is that of the nearest corner, in units of F, F … B. Planes that would reach beyond B begin nearer to
-    /// the eye. The farther plane is drawn last, and is seen where its value is not greater: that it is nearer cannot
-    /// be known.
+    /// the eye. The farther plane is drawn last, and appears if its value isn't greater, because then the buffer can't
+    /// tell which plane is nearer.
     fn drawn(format: Format, range: &Range, depth: f64, gap: f64) -> Self {
         let deep = (Self::GAPS * gap).min(0.5 * depth);
         let nearest = depth.min(range.far - deep - gap).max(1.0);
@@ -201,7 +201,7 @@ impl TwoPlanes {
         let seen = pixels.map(|(i, j)| {
             let (x, y) = (f64::from(i) / f64::from(Self::WIDTH), f64::from(j) / f64::from(Self::HEIGHT));
             let border = (0.1..0.9).contains(&y);
-            // Slanting stripes are seen better than upright ones.
+            // The eye notices slanting stripes more easily than upright ones.
             let z = nearest + deep * (0.8 * x + 0.2 * y);
             match (border && nearer.contains(&x), border && farther.contains(&x)) {
                 (true, true) if format.value(range, z + gap) <= format.value(range, z) => Seen::Through,
@@ -213,7 +213,7 @@ impl TwoPlanes {
         Self { seen: seen.collect() }
     }
 
-    /// The share, of the area that both planes cover, in which the farther one is seen.
+    /// The share of the area covered by both planes in which the farther one appears.
     pub fn share_through(&self) -> f64 {
         let (mut both, mut through) = (0_u32, 0_u32);
         let columns = (0..Self::WIDTH).cycle();
@@ -238,7 +238,7 @@ pub struct Resolution {
 }
 
 /// Each format of graphics cards in a convention, at a depth from the eye, F … B, and its picture of two planes that
-/// are `gap` apart there. The reversed ones are included even where the convention is not reversed.
+/// are `gap` apart there. The reversed formats are included even if the convention isn't reversed.
 pub fn resolutions(space: &ClipSpace<'_>, depth: f64, gap: f64) -> Vec<Resolution> {
     let (range, unit, z) = Range::with_unit(space, depth);
     let gap = gap / unit;
@@ -247,7 +247,7 @@ pub fn resolutions(space: &ClipSpace<'_>, depth: f64, gap: f64) -> Vec<Resolutio
         step: format.step_in_range(&range, z) * unit,
         planes: TwoPlanes::drawn(format, &range, z, gap),
     };
-    // In a reversed convention every float is.
+    // In a reversed convention, every float is reversed.
     let is_another = |format: &Format| *format != Format::Own && !(range.ndc.reversed && *format == Format::Float);
     FORMATS.into_iter().filter(is_another).map(of).collect()
 }

@@ -1,5 +1,5 @@
-//! The health of a camera: six quantities, each judged by thresholds that are given here with their reasons. A quantity
-//! with a [`Warning`] is not good.
+//! The health of a camera in six quantities, each judged by thresholds that are given here with their reasons. A
+//! quantity with a [`Warning`] isn't good.
 
 use glam::DVec3;
 
@@ -17,7 +17,7 @@ crate::worded! {
         Good = "good",
         /// Worth a look.
         Fair = "fair",
-        /// The trouble shows, or will.
+        /// The trouble is visible, or will be.
         Poor = "poor",
     }
     /// Its name in JSON.
@@ -25,15 +25,16 @@ crate::worded! {
 }
 
 crate::listed! {
-    /// A quantity that is judged.
+    /// A judged quantity.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum HealthQuantity {
         /// The angle between VUP and the line of DOP in degrees, 0 … 90.
         VupAngle = "vup-angle",
         /// B / F.
         FarNearRatio = "far-near-ratio",
-        /// The smallest difference of depth at B that the figure's depth format keeps, in scene units: of whole numbers
-        /// as the figure has them, otherwise of 24 bits, which a graphics card has unless a program asks for more.
+        /// The smallest difference of depth at B that the figure's depth format keeps, in scene units. For whole
+        /// numbers it's that of the figure's own format, otherwise that of 24 bits, which a graphics card has unless a
+        /// program asks for more.
         DepthResolution = "depth-resolution",
         /// Decimal digits left for the view of the camera, of the 16 that an `f64` has.
         PositionDigits = "position-digits",
@@ -61,48 +62,48 @@ impl HealthQuantity {
 
 /// VUP and DOP closer than this cost **u** two of its digits.
 const SMALL_VUP_DEGREES: f64 = 1.0;
-/// From here on, less than one step in ten thousand is left for the back half of the volume: with 16 bits, less than
-/// seven.
+/// From here on, less than one step in ten thousand is left for the back half of the volume. With 16 bits, that's less
+/// than seven.
 const LARGE_RATIO: f64 = 1e4;
-/// A step of the depth buffer of this share of its scale (B in perspective, H in parallel projection) may be seen where
-/// surfaces nearly touch; [`COARSE_DEPTH`] of it is seen everywhere.
+/// A step of the depth buffer of this share of its scale (B in perspective, H in parallel projection) may be visible
+/// where surfaces nearly touch. A step of [`COARSE_DEPTH`] of it is visible everywhere.
 const VISIBLE_STEP: f64 = 6e-4;
-/// From here on, single precision (7 digits), in which graphics cards compute, has three digits left: one pixel in a
+/// From here on, single precision (7 digits), in which graphics cards compute, has three digits left, one pixel in a
 /// thousand.
 const RATHER_FAR: f64 = 1e4;
-/// A volume this much longer than wide is seen in the pictures of it as a needle or as a sheet.
+/// A volume this much longer than wide looks like a needle or a sheet in pictures.
 const SLENDER: f64 = 100.0;
-/// And here as a line or as nothing.
+/// From here on it looks like a line or like nothing.
 const DEGENERATE: f64 = 1e4;
 /// From here on, things at the border are drawn 33 times as large as in the middle.
 const EXTREME_DEGREES: f64 = 160.0;
 /// Below this a perspective can hardly be distinguished from a parallel projection.
 const NARROW_DEGREES: f64 = 1.0;
-/// Below this the window is a ten-thousandth of the distance: a hair's turn of the camera loses its target.
+/// Below this the window is a ten-thousandth of the distance, so a hair's turn of the camera loses its target.
 const NEEDLE_DEGREES: f64 = 0.01;
 
 /// One quantity of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Health {
-    /// The number that is rated.
+    /// The rated number.
     pub quantity: HealthQuantity,
     /// Good, fair or poor.
     pub level: Level,
-    /// In the unit that [`HealthQuantity`] says.
+    /// In the unit of its [`HealthQuantity`].
     pub value: f64,
-    /// The warnings that say more of it.
+    /// The warnings with more details.
     pub warnings: Vec<Warning>,
-    /// A camera that sees the same scene and is better in this; `None` if it is good, or nothing helps.
+    /// A camera that sees the same scene and is better in this; `None` if it's good, or nothing helps.
     pub repair: Option<Parameters>,
 }
 
-/// Judges a camera. `format`: the figure's format of depths; `bounds`: the box around the scene it looks at.
+/// Judges a camera. `format` is the figure's depth format, and `bounds` the box around the visible scene.
 pub fn health(camera: &Camera, format: DepthFormat, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
     let warnings: Vec<Warning> = camera.warnings().into_iter().chain(camera.aspect_warning(image)).collect();
     let line = |quantity| {
         let warnings: Vec<Warning> = warnings.iter().filter(|w| HealthQuantity::of(w) == quantity).cloned().collect();
         let (value, level) = judged(quantity, camera, format);
-        // JSON has no infinity; the greatest number says as much.
+        // JSON has no infinity, but the greatest number says as much.
         let value = value.min(f64::MAX);
         let level = if warnings.is_empty() { level } else { level.max(Level::Fair) };
         let repair =
@@ -112,7 +113,7 @@ pub fn health(camera: &Camera, format: DepthFormat, image: ImageSize, bounds: Op
     HealthQuantity::ALL.into_iter().map(line).collect()
 }
 
-/// The value of a quantity, and how good it is.
+/// The value of a quantity, and its level.
 fn judged(quantity: HealthQuantity, camera: &Camera, format: DepthFormat) -> (f64, Level) {
     let perspective = camera.projection() == Projection::Perspective;
     match quantity {
@@ -155,7 +156,7 @@ fn judged(quantity: HealthQuantity, camera: &Camera, format: DepthFormat) -> (f6
     }
 }
 
-/// How many times as long a step of a depth format is as one of 24 bits.
+/// The ratio of a step of a depth format to one of 24 bits.
 pub fn coarseness(format: DepthFormat) -> f64 {
     match format {
         DepthFormat::Fixed16 => 256.0,
@@ -192,7 +193,7 @@ pub fn volume_sides(camera: &Camera) -> [f64; 3] {
     [camera.window_width() * scale, camera.window_height() * scale, far - near].map(|side: f64| side.min(f64::MAX))
 }
 
-/// F and B that hold a scene closely; where it reaches behind the eye, F is a thousandth of B.
+/// F and B that hold a scene closely. If it reaches behind the eye, F is a thousandth of B.
 pub fn suggested_planes(camera: &Camera, bounds: Aabb) -> Option<[f64; 2]> {
     let depths = bounds.corners().map(|corner| -camera.view_point(corner).z);
     let (least, most) = (depths.into_iter().fold(f64::INFINITY, f64::min), depths.into_iter().fold(0.0, f64::max));
@@ -201,7 +202,7 @@ pub fn suggested_planes(camera: &Camera, bounds: Aabb) -> Option<[f64; 2]> {
     (near < far).then_some([near, far])
 }
 
-/// The parameters with other planes. A window that is given keeps its angles.
+/// The parameters with other planes. A given window keeps its angles.
 pub fn with_planes(p: &Parameters, [near, far]: [f64; 2]) -> Parameters {
     let scale = if p.projection == Projection::Perspective { near / p.near } else { 1.0 };
     Parameters { near, far, window: p.window.map(|window| window.map(|x| x * scale)), ..*p }
@@ -240,7 +241,7 @@ fn repaired(
     }
 }
 
-/// θ = 45°, from where the plane of PF fills the window as before.
+/// θ = 45°, from a position where the plane of PF fills the window as before.
 fn ordinary_angle(camera: &Camera) -> Parameters {
     const DEGREES: f64 = 45.0;
     let p = *camera.parameters();

@@ -17,14 +17,14 @@ pub(super) struct Off {
     pub(super) bits: f64,
 }
 
-/// log₂ of one more than the number of `f64`s between two numbers: 0 where they are equal, 64 where one of them is not
-/// a number. The measure of P. Panchekha et al., *Automatically improving accuracy for floating point expressions*
+/// log₂ of one more than the number of `f64`s between two numbers: 0 if they're equal, 64 if one of them isn't a
+/// number. The measure of P. Panchekha et al., *Automatically improving accuracy for floating point expressions*
 /// (2015).
 pub(super) fn bits_off(computed: f64, exact: f64) -> f64 {
     if computed.is_nan() || exact.is_nan() {
         return 64.0;
     }
-    // The order of the numbers is that of these integers; both zeros are 0.
+    // The numbers are ordered like these integers. Both zeros are 0.
     let place = |x: f64| {
         let magnitude = i128::from(x.to_bits() & !(1 << 63));
         if x.is_sign_negative() { -magnitude } else { magnitude }
@@ -39,22 +39,22 @@ pub(super) fn mean_bits(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     if count > 0.0 { sum / count } else { 0.0 }
 }
 
-/// The clock of a study, and whether it is still wanted.
+/// The clock of a study, and its cancellation.
 #[derive(Clone, Debug)]
 pub(super) struct Watch {
     /// Time for repeating one method on the inputs of one case.
     pub(super) slice: Duration,
-    /// The shortest time that the clock tells apart.
+    /// The shortest time that the clock distinguishes.
     pub(super) tick: Duration,
     pub(super) progress: Progress,
 }
 
-/// Passes over the inputs that are timed at least, where time is taken at all, after one that warms up.
+/// The least number of timed passes over the inputs, if time is taken at all, after one that warms up.
 const LEAST_PASSES: usize = 3;
-/// A run shorter than this number of ticks of the clock is repeated until it is long enough. The error is a tenth at
+/// A run shorter than this number of ticks of the clock is repeated until it's long enough. The error is a tenth at
 /// most.
 const TICKS: u32 = 10;
-/// More passes tell nothing new.
+/// More passes add nothing new.
 const MOST_PASSES: usize = 2000;
 
 /// The results of one method on the inputs of one case.
@@ -65,12 +65,12 @@ pub(super) struct Trial {
     count: f64,
     worst: f64,
     worst_input: usize,
-    /// Nanoseconds of one item, of each pass.
+    /// Nanoseconds per item, for each pass.
     nanos: Vec<f64>,
 }
 
 impl Trial {
-    /// Records one result; `input` names its input.
+    /// Records one result. `input` is the index of its input.
     pub(super) fn note(&mut self, input: usize, off: Off) {
         self.squares += off.error * off.error;
         self.bits += off.bits;
@@ -80,7 +80,7 @@ impl Trial {
         }
     }
 
-    /// Times `f` on all `items`: see [`time_whole`](Self::time_whole). The results come back.
+    /// Times `f` on all `items`, as in [`time_whole`](Self::time_whole), and returns the results.
     pub(super) fn time<I, O>(&mut self, watch: &Watch, items: &[I], f: impl Fn(&I) -> O) -> Vec<O> {
         let mut results = Vec::with_capacity(items.len());
         self.time_whole(watch, items.len(), || {
@@ -91,8 +91,8 @@ impl Trial {
         results
     }
 
-    /// Times `pass`, which does `items` things: once to warm up, then as often as the watch allows; the median of the
-    /// passes counts, or of batches of them where the clock is too coarse for one.
+    /// Times `pass`, which does `items` things, once to warm up, then as often as the watch allows. The median of the
+    /// passes counts, or of batches of them if the clock is too coarse for one.
     pub(super) fn time_whole(&mut self, watch: &Watch, items: usize, mut pass: impl FnMut()) {
         let mut timed = |passes: u32| {
             let start = clock::now();
@@ -102,7 +102,7 @@ impl Trial {
         let shortest = TICKS * watch.tick;
         let count = items as f64;
         let warm_up = timed(1);
-        // A run longer than its slice is timed once.
+        // A run longer than its slice is timed only once.
         if warm_up >= watch.slice.max(shortest) {
             return self.took(warm_up, count);
         }
@@ -123,7 +123,8 @@ impl Trial {
         }
     }
 
-    /// Times `work`, which processes `items` items and is so long that it pauses: once, without the time of the pauses.
+    /// Times `work`, which processes `items` items and is so long that it pauses. It runs once, and the pauses don't
+    /// count.
     pub(super) async fn time_slices<T>(&mut self, items: usize, work: impl Future<Output = T>) -> T {
         let (mut work, mut time) = (pin!(work), Duration::ZERO);
         let outcome = poll_fn(|context| {
@@ -190,7 +191,7 @@ mod tests {
         // From −0 to 2, across zero: 2^62 numbers.
         assert_eq!(bits_off(-0.0, 2.0), 62.0);
         assert!((bits_off(-2.0, 2.0) - 63.0).abs() < 1e-9);
-        // One single-precision rounding: 29 bits of 53 are lost, half of an ulp is off at most.
+        // One rounding to single precision: 29 bits of 53 are lost, and it's off by half an ulp at most.
         assert!(bits_off(f64::from(0.1f32), 0.1) < 28.1);
     }
 
@@ -222,7 +223,7 @@ mod tests {
             let mut timed = pin!(trial.time_slices(4, work));
             let mut context = std::task::Context::from_waker(std::task::Waker::noop());
             assert!(timed.as_mut().poll(&mut context).is_pending());
-            // So long that a slow machine does not take it for the naps.
+            // So long that a slow machine doesn't take it for the naps.
             std::thread::sleep(Duration::from_secs(1));
             assert_eq!(timed.as_mut().poll(&mut context), std::task::Poll::Ready(7));
         }
@@ -231,7 +232,7 @@ mod tests {
 
     #[test]
     fn what_a_coarse_clock_cannot_tell_is_timed_in_batches() {
-        // Ten milliseconds of anything have a time.
+        // Ten milliseconds of any work take a measurable time.
         let watch = Watch { slice: Duration::ZERO, tick: Duration::from_millis(1), progress: Progress::default() };
         let (mut trial, mut passes) = (Trial::default(), 0_u32);
         let start = clock::now();

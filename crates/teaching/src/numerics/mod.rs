@@ -1,9 +1,9 @@
-//! Error against run time. Each [`Study`] takes a place where a graphics programmer has a choice, runs all methods on
-//! the same seeded inputs, and measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits,
+//! Error against run time. Each [`Study`] takes a place where a graphics programmer has a choice, and runs all methods
+//! on the same seeded inputs. It measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits,
 //! and how long it takes.
 //!
 //! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own
-//! code is not made generic. It is one of the methods, [`OWN`], called as the program calls it.
+//! code isn't generic. It's one of the methods, [`OWN`], called as the program calls it.
 
 pub mod chain;
 pub mod charts;
@@ -25,7 +25,7 @@ use crate::progress::{Activity, Progress};
 pub use depth_format::{Resolution, Seen, TwoPlanes, resolutions};
 use measure::{Trial, Watch};
 
-/// The name of the method that is the program's own.
+/// The name of the program's own method.
 pub const OWN: &str = "camera-lab";
 
 crate::listed! {
@@ -34,7 +34,7 @@ crate::listed! {
     pub enum Study {
         /// World points to view space, in worlds far from the origin.
         VertexTransform = "vertex-transform",
-        /// **u** **v** **n** where VUP is almost along DOP, and of vectors of every size.
+        /// **u** **v** **n** with VUP almost along DOP, and for vectors of every size.
         Basis = "basis",
         /// Many small rotations, one after the other.
         RepeatedOperations = "repeated-operations",
@@ -52,7 +52,7 @@ crate::listed! {
         TextureFilter = "texture-filter",
         /// Shadow maps: their size, bias and soft edge.
         Shadows = "shadows",
-        /// The camera of a photograph from lines that are a pixel off.
+        /// The camera of a photograph, from lines that are a pixel off.
         Photograph = "photograph",
     }
     /// Its name on the command line and in JSON.
@@ -75,11 +75,11 @@ crate::worded! {
         Radians = "radians",
         /// A share of the quantity itself.
         Relative = "relative",
-        /// A share of the depths, or of the pixels, that were tried.
+        /// A share of the depths, or of the pixels, under test.
         Share = "share",
         /// A share of the whole range of a colour's channels, or of a pixel's area.
         Color = "color",
-        /// Of normalised device coordinates, 2 from side to side.
+        /// In normalised device coordinates, 2 from side to side.
         Ndc = "ndc",
     }
     /// Its name in JSON.
@@ -114,10 +114,10 @@ pub struct Row {
     /// No other method of the same case and parameter is at least as fast and at least as right, and better in one of
     /// the two.
     pub pareto: bool,
-    /// The theoretical prediction of `error`, where there is one.
+    /// The theoretical prediction of `error`, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub predicted: Option<f64>,
-    /// The figure file of the worst input, where the input is a camera.
+    /// The figure file of the worst input, if the input is a camera.
     pub figure: Option<String>,
 }
 
@@ -128,7 +128,7 @@ pub struct Findings {
     pub study: Study,
     /// The reference of the errors.
     pub reference: &'static str,
-    /// Bytes of the inputs of one pass. They must stay in a cache for the times to be those of the arithmetic.
+    /// Bytes of the inputs of one pass. They must stay in a cache, or the times wouldn't be those of the arithmetic.
     pub working_set: usize,
     /// Each (case, parameter) with all methods.
     pub rows: Vec<Row>,
@@ -137,15 +137,15 @@ pub struct Findings {
 /// The effort of a run: inputs and time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// The seed: the same one gives the same inputs, and so the same errors.
+    /// The seed. The same one gives the same inputs, and so the same errors.
     pub seed: u64,
     /// Approximate time for measuring the methods of one study.
     pub seconds: f64,
-    /// The inputs that a user gets, or a few of them, for tests.
+    /// True for the inputs that a user gets; false for a few of them, for tests.
     pub thorough: bool,
 }
 
-/// Runs one study. Cancelled, it ends early, with the results so far. It pauses after each method of each series of
+/// Runs one study. If cancelled, it ends early, with the results so far. It pauses after each method of each series of
 /// inputs.
 pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings {
     let lab = Lab { effort: *effort, progress: progress.clone() };
@@ -203,7 +203,7 @@ impl Lab {
     }
 }
 
-/// The methods of one case and parameter, before it is known which of them are on the front.
+/// The methods of one case and parameter, before the front is known.
 struct Group {
     case: String,
     parameter: f64,

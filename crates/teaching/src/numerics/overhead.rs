@@ -21,7 +21,7 @@ use crate::scene::{Preset, build, no_files};
 /// Median times of one thing, in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cost {
-    /// As the program does it, in double-double.
+    /// The program's own way, in double-double.
     pub camera_lab: f64,
     /// The textbook's formulas in plain `f64`.
     pub f64: f64,
@@ -37,8 +37,7 @@ pub struct Price {
     pub frame: Cost,
 }
 
-/// Measures for about the number of seconds of the effort. `None` if it was cancelled, or no such scene could be
-/// built.
+/// Measures for about the number of seconds of the effort. `None` if it was cancelled, or no such scene could be built.
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
     let lab = Lab { effort: *effort, progress: progress.clone() };
     let watch = lab.watch(2);
@@ -108,7 +107,7 @@ fn own_numbers(p: &Parameters) -> Option<Numbers> {
     Some((matrices, camera.volume_corners()))
 }
 
-/// The same by the formulas as printed, with the inverses of a library.
+/// The same with the printed formulas and the inverses of a library.
 fn textbook_numbers(p: &Parameters) -> Numbers {
     let axes = basis::<f64>(p.position, p.focal_point, p.view_up);
     let (view, projection) = (view_matrix(&axes, p.position), projection_matrix::<f64>(p));

@@ -1,11 +1,11 @@
-//! The numbers that the textbook chain is computed in.
+//! The kinds of numbers for the textbook chain.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::geometry::Angle;
 use crate::geometry::double_double::{Dd, sin_cos_degrees};
 
-/// The operations that the textbook chain needs of a number: single, double, twice double, or the reference.
+/// The operations that the textbook chain needs from a number: single, double, twice double, or the reference.
 pub trait Real:
     Clone
     + PartialOrd
@@ -15,13 +15,13 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The number of this kind that is nearest to `x`.
+    /// The number of this kind that's nearest to `x`.
     fn of(x: f64) -> Self;
 
     /// The `f64` nearest to it.
     fn to_f64(&self) -> f64;
 
-    /// The square root of a number that is not negative.
+    /// The square root of a number that isn't negative.
     fn sqrt(self) -> Self;
 
     /// Sine and cosine of an angle in degrees.

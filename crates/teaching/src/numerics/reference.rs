@@ -7,7 +7,7 @@ use dashu_float::round::mode::HalfEven;
 
 use super::real::Real;
 
-/// Bits of the significand: at least 200 of them are left where VUP and DOP are 1e-15 apart and a world 1e12 away.
+/// Bits of the significand. At least 200 of them are left if VUP and DOP are 1e-15 apart and a world 1e12 away.
 pub const PRECISION: usize = 512;
 
 type Number = FBig<HalfEven, 2>;
@@ -29,7 +29,7 @@ impl Reference {
 }
 
 impl Real for Reference {
-    /// Exactly `x`; 0 for non-finite numbers, which a reference does not have.
+    /// Exactly `x`; 0 for non-finite numbers, which a reference doesn't have.
     fn of(x: f64) -> Self {
         Self::wide(Number::try_from(x).unwrap_or(Number::ZERO))
     }
@@ -73,7 +73,7 @@ impl Mul for Reference {
     }
 }
 
-/// Division by zero gives 0: a reference never needs it.
+/// Division by zero gives 0, because a reference never needs it.
 impl Div for Reference {
     type Output = Self;
 
@@ -94,7 +94,7 @@ impl Neg for Reference {
 mod tests {
     use super::*;
 
-    /// √2, sin 18° = (√5 − 1)/4 and 1/3 to more digits than 200 bits have, from identities that are exact.
+    /// √2, sin 18° = (√5 − 1)/4 and 1/3 to more digits than 200 bits have, from exact identities.
     #[test]
     fn the_reference_has_more_than_two_hundred_bits() {
         let tiny = Reference::of(2f64.powi(-500));
@@ -106,7 +106,7 @@ mod tests {
         assert!(below(sine.clone() - golden));
         assert!(below(sine.clone() * sine + cosine.clone() * cosine - Reference::one()));
         assert!(below(Reference::one() / Reference::of(3.0) * Reference::of(3.0) - Reference::one()));
-        // A difference that 53 bits, and 106, do not see; and a size that f64 does not have.
+        // A difference that's lost in 53 bits, and in 106, and a size that f64 doesn't have.
         let large = Reference::of(1e40);
         assert_eq!((large.clone() + Reference::of(1e-40) - large).to_f64(), 1e-40);
         let square = Reference::of(1e300) * Reference::of(1e300);

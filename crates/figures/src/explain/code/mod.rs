@@ -55,7 +55,7 @@ crate::listed! {
     }
 }
 
-/// A fact about a library that is needed to use its camera.
+/// A fact about a library that's needed to use its camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CodeConvention {
     /// Column vectors, right-handed view space, z_n in −1 … 1.
@@ -66,9 +66,9 @@ pub enum CodeConvention {
     Radians,
     /// Angles are in degrees.
     Degrees,
-    /// Only a centred window: an asymmetric one is set by the matrix, or by window centre.
+    /// Only a centred window. An asymmetric one is set by the matrix, or by window centre.
     WindowCentre,
-    /// The matrix is set by hand. The library has no call for this window.
+    /// The matrix is set by hand, because the library has no call for this window.
     ByMatrix,
     /// The camera and the world have these axes.
     Axes(Axes),
@@ -107,7 +107,7 @@ impl CodeTarget {
         }
     }
 
-    /// The reason for which it can't express a camera.
+    /// The reason why it can't express a camera.
     pub fn limitation(self, camera: &Camera) -> Option<Limitation> {
         let parallel = camera.projection() == Projection::Parallel;
         let symmetric = camera.has_symmetric_window();
@@ -144,8 +144,8 @@ impl CodeTarget {
         said
     }
 
-    /// The code, behind lines of comment. Of a camera that it can't express, see [`Self::limitation`], it's that of
-    /// another one.
+    /// The code, after lines of comment. For a camera that it can't express (see [`Self::limitation`]), it's the code
+    /// of another one.
     pub fn code(self, setting: &Setting<'_>, comments: &[String]) -> String {
         let mut text = String::new();
         if let Some(mark) = self.comment() {
@@ -194,7 +194,7 @@ fn pose(camera: &Camera) -> [String; 3] {
     [camera.position(), camera.focal_point(), camera.view_up()].map(|v| list(v.to_array()))
 }
 
-/// θ in radians, A, F, B: those of a symmetric perspective.
+/// θ in radians, A, F and B of a symmetric perspective.
 fn perspective(camera: &Camera, angle: f64) -> String {
     list([angle, camera.window_aspect(), camera.near(), camera.far()])
 }

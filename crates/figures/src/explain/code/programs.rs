@@ -153,7 +153,7 @@ pub(super) fn blender(camera: &Camera, image: ImageSize) -> String {
     };
     let (near, far) = (exact(camera.near()), exact(camera.far()));
     let ImageSize { width, height } = image;
-    // Writing to a String cannot fail.
+    // Writing to a String can't fail.
     let _ = writeln!(
         text,
         "camera.data.shift_x, camera.data.shift_y = {x}, {y}\ncamera.data.clip_start, camera.data.clip_end = {near}, {far}\nscene.render.resolution_x, scene.render.resolution_y = {width}, {height}"

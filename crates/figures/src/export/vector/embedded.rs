@@ -1,12 +1,12 @@
-//! The figure file in a page, and finding it there.
+//! Embeds the figure file in a page, and finds it there.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use xmlwriter::XmlWriter;
 
-/// The element of an SVG file that holds a figure file, in Base64: editors of drawings keep it as it is.
+/// The element of an SVG file that holds a figure file, in Base64. Drawing programs keep it as it is.
 const ELEMENT: &str = "camera-lab:figure";
-/// The space of names of that element.
+/// The namespace of that element.
 const NAMESPACE: &str = "urn:camera-lab:figure";
 /// The kind of an attached figure file, as PDF writes it.
 const SUBTYPE: &[u8] = b"application#2Ftoml";
@@ -22,14 +22,15 @@ pub(super) fn write_in_svg(xml: &mut XmlWriter, figure: &str) {
     xml.end_element();
 }
 
-/// True for what begins as an SVG file does.
+/// True for bytes that begin like an SVG file.
 fn is_svg(bytes: &[u8]) -> bool {
     let start = bytes.trim_ascii_start();
     start.starts_with(b"<svg")
         || (start.starts_with(b"<?xml") && find(&start[..start.len().min(4096)], b"<svg").is_some())
 }
 
-/// The figure file in an SVG file or a PDF, where the bytes are one of these; `Some(None)`: none that can be read.
+/// The figure file in an SVG file or a PDF, if the bytes are one of these; `Some(None)` if it has none that can be
+/// read.
 pub fn figure_in(bytes: &[u8]) -> Option<Option<Vec<u8>>> {
     if bytes.starts_with(b"%PDF-") { Some(figure_in_pdf(bytes)) } else { is_svg(bytes).then(|| figure_in_svg(bytes)) }
 }
@@ -43,7 +44,7 @@ fn figure_in_svg(bytes: &[u8]) -> Option<Vec<u8>> {
     STANDARD.decode(packed).ok()
 }
 
-/// The figure file that is attached to a PDF of this program; `None` if there is none that can be read.
+/// The figure file attached to a PDF of this program; `None` if there is none that can be read.
 fn figure_in_pdf(bytes: &[u8]) -> Option<Vec<u8>> {
     let at = find(bytes, SUBTYPE)?;
     let start = rfind(&bytes[..at], b" obj")?;

@@ -15,9 +15,9 @@ const SYSTEM: SystemInfo<'static> = SystemInfo { registry: Str(b"Adobe"), orderi
 
 /// The data of a font.
 struct Description {
-    /// With six capital letters before the name of a subset, as PDF asks for.
+    /// With six capital letters before the name of a subset, as PDF requires.
     name: Name<'static>,
-    /// Heights that the font's file names, in thousandths of an em.
+    /// Heights from the font's file, in thousandths of an em.
     ascent: f32,
     descent: f32,
     capitals: f32,
@@ -47,7 +47,7 @@ impl Description {
     }
 }
 
-/// The glyphs that are used, with the characters that they stand for.
+/// The used glyphs, with their characters.
 #[derive(Default)]
 pub(super) struct Glyphs {
     face: Face,
@@ -56,12 +56,12 @@ pub(super) struct Glyphs {
 }
 
 impl Glyphs {
-    /// None yet.
+    /// Starts with none.
     pub(super) fn of(face: Face) -> Self {
         Self { face, ..Self::default() }
     }
 
-    /// The bytes that show a text.
+    /// Adds a text, and returns the bytes that show it.
     pub(super) fn show(&mut self, text: &str) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(2 * text.len());
         for c in text.chars().filter(|c| !c.is_control()) {
@@ -72,12 +72,12 @@ impl Glyphs {
         bytes
     }
 
-    /// Takes in a text.
+    /// Adds a text.
     pub(super) fn take(&mut self, text: &str) {
         self.show(text);
     }
 
-    /// The characters that are shown, in their order.
+    /// The used characters, in their order.
     pub(super) fn characters(&self) -> impl Iterator<Item = char> {
         self.characters.values().copied().collect::<BTreeSet<char>>().into_iter()
     }
@@ -88,7 +88,7 @@ impl Glyphs {
         web_font(self.face.bytes(), &subset(self.face.bytes(), 0, &self.numbers).ok()?, &characters)
     }
 
-    /// True if no text is shown.
+    /// True if there's no text.
     pub(super) fn is_empty(&self) -> bool {
         self.characters.is_empty()
     }

@@ -1,5 +1,5 @@
-//! Pages of vectors: the list of the things on one, and its writers. What a picture looks like is decided before. The
-//! writers only say it in their format.
+//! Pages of vectors: the list of the things on one, and its writers. The look of a picture is decided before. The
+//! writers only express it in their format.
 
 mod embedded;
 mod font;
@@ -21,7 +21,7 @@ pub use embedded::figure_in;
 pub use pdf::pdf_of;
 pub use pixels::pixels;
 
-/// A page. Its unit is the pixel of the picture; (0, 0) is the upper left corner, y points down.
+/// A page. Its unit is the pixel of the picture. (0, 0) is the upper left corner, and y points down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
     /// Width and height in units.
@@ -30,7 +30,7 @@ pub struct Page {
     pub points: f32,
     /// The title of the figure.
     pub title: String,
-    /// A sentence for those who do not see it.
+    /// A sentence for readers who can't see it.
     pub description: String,
     /// The language of both, as a tag: `en`, `pt-BR`.
     pub language: &'static str,
@@ -41,7 +41,7 @@ pub struct Page {
 /// A thing on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// Others, in another scale, moved to a corner, and cut to a rectangle at it.
+    /// Other items in another scale, moved to a corner, and clipped to a rectangle there.
     Group {
         /// The upper left corner, which is (0, 0) in the group.
         corner: [f32; 2],
@@ -71,7 +71,7 @@ pub enum Item {
         dashes: Vec<f32>,
         /// The length along the path at which the dashes begin, backwards.
         phase: f32,
-        /// Ends and corners are round. Otherwise ends are flat and corners sharp.
+        /// True if ends and corners are round. Otherwise ends are flat and corners sharp.
         round: bool,
     },
     /// A text.
@@ -87,14 +87,14 @@ pub enum Item {
     },
 }
 
-/// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`].
+/// A text, in which `_c` and `_{abc}` are subscripts, as in [`text`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct PageText {
     /// The left end of its baseline.
     pub at: [f32; 2],
     /// On one line.
     pub text: String,
-    /// In the letters of mathematics, where these have them.
+    /// Uses mathematical letters, if there are any.
     pub mathematical: bool,
     /// Height of the em.
     pub size: f32,
@@ -102,9 +102,9 @@ pub struct PageText {
     pub color: Rgba,
     /// The colour of the halo around them.
     pub halo: Rgba,
-    /// The width of the halo's stroke, of which half is outside of the letters.
+    /// The width of the halo's stroke, half of which is outside the letters.
     pub halo_width: f32,
-    /// The end of it that stays where another font is wider or narrower.
+    /// The end that stays in place if another font is wider or narrower.
     pub anchor: Anchor,
 }
 
@@ -115,7 +115,7 @@ impl PageText {
 }
 
 impl Item {
-    /// Others in the scale of the page.
+    /// Items in the scale of the page.
     pub fn group(corner: [f32; 2], clip: [f32; 4], items: Vec<Self>) -> Self {
         Self::Group { corner, scale: 1.0, clip, items }
     }
@@ -125,7 +125,7 @@ impl Item {
         Self::Stroke { path, color, width, dashes: Vec::new(), phase: 0.0, round }
     }
 
-    /// A text without a halo, whose anchor is at a place.
+    /// A text without a halo, with its anchor at a place.
     pub fn text(text: String, [x, y]: [f32; 2], size: f32, color: Rgba, anchor: Anchor) -> Self {
         let left = match anchor {
             Anchor::Left => 0.0,
@@ -146,7 +146,7 @@ impl Item {
     }
 }
 
-/// A second file, which the first one names.
+/// A second file, which the first one refers to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Beside {
     /// Its name, in the folder of the first.
@@ -155,7 +155,7 @@ pub struct Beside {
     pub bytes: Vec<u8>,
 }
 
-/// A page as a file of vectors, with a figure file in it, and the file beside it. `stem`: of its name, see [`stem`].
+/// A page as a file of vectors, with a figure file in it, and the file beside it. `stem` is its name, see [`stem`].
 /// `None` if the font can't be cut, or the format is one of pixels.
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
@@ -179,28 +179,29 @@ pub fn file(
     }
 }
 
-/// The name of a file without its ending, as LaTeX can name the file beside it: other signs have meanings there.
+/// The name of a file without its extension, in a form in which LaTeX can name the file beside it, because other
+/// characters have meanings there.
 pub fn stem(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' }).collect()
 }
 
-/// The name, without its ending, of the PDF beside a LaTeX file.
+/// The name, without its extension, of the PDF beside a LaTeX file.
 pub fn art_of(stem: &str) -> String {
     format!("{stem}-art")
 }
 
-/// How letters are written.
+/// The form of letters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Letters {
-    /// As text, which can be selected, searched and edited. The letters that it needs of the fonts go with it.
+    /// As text, which users can select, search and edit. The letters that it needs from the fonts go with it.
     #[default]
     Text,
-    /// As the outlines of the font: the same everywhere.
+    /// As outlines of the font, which look the same everywhere.
     Outlines,
 }
 
-/// Straight pixels of a picture: colours (three bytes each), and opacities, where any is not full.
+/// Straight pixels of a picture: colours (three bytes each), and opacities if any isn't full.
 fn straight(pixels: &Pixmap) -> (Vec<u8>, Option<Vec<u8>>) {
     let mut colors = Vec::with_capacity(3 * pixels.pixels().len());
     let mut opacities = Vec::with_capacity(pixels.pixels().len());
@@ -213,7 +214,7 @@ fn straight(pixels: &Pixmap) -> (Vec<u8>, Option<Vec<u8>>) {
     (colors, (!is_opaque).then_some(opacities))
 }
 
-/// A number as short as it can be, to a thousandth of a unit.
+/// A number in its shortest form, to a thousandth of a unit.
 fn number(value: f32) -> String {
     let text = format!("{value:.3}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

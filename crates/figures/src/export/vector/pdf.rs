@@ -9,7 +9,7 @@ use super::{Item, Letters, Page, PageText, straight};
 use crate::appearance::Rgba;
 use crate::text::{self, Element, Face};
 
-/// The objects whose references are known beforehand.
+/// The objects with fixed references.
 const CATALOG: Ref = Ref::new(1);
 const PAGES: Ref = Ref::new(2);
 const PAGE: Ref = Ref::new(3);
@@ -25,8 +25,8 @@ const FONTS: i32 = 11;
 /// The first of the pictures. Each has two.
 const PICTURES: i32 = FONTS + 5 * 4;
 
-/// Pages as a PDF file, each tagged as a figure with its description, and with a figure file attached. An empty one is
-/// none. The file has title and language of the first page. `None` if the font can't be cut.
+/// Pages as a PDF file, each tagged as a figure with its description, and with a figure file attached. An empty
+/// `figure` isn't attached. The file has the title and language of the first page. `None` if the font can't be cut.
 ///
 /// *Guarantees*: the same pages and figure give the same bytes.
 pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>> {
@@ -40,7 +40,7 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
     };
     let contents: Vec<Vec<u8>> = pages.iter().map(|page| writer.page(page)).collect();
     let Writer { glyphs, opacities, pictures, .. } = writer;
-    // Pages after the first come after all else.
+    // Pages after the first come after everything else.
     let refs = |k: usize| match k {
         0 => [PAGE, CONTENT, FIGURE, TREE],
         _ => {
@@ -136,7 +136,7 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
         attached.path(Str(b"figure.toml")).unic_file(TextStr("figure.toml"));
         attached.association_kind(AssociationKind::Source).embedded_file(ATTACHMENT);
         attached.finish();
-        // As it is, so that it is found again without reading all of the file.
+        // Uncompressed, so that it can be found without reading the whole file.
         pdf.embedded_file(ATTACHMENT, figure.as_bytes()).subtype(Name(b"application/toml"));
     }
     Some(pdf.finish())
@@ -154,8 +154,8 @@ fn picture_name(k: usize) -> String {
     format!("P{k}")
 }
 
-/// The references of a picture and of its opacities.
-/// A font, its descendant, its description, its file, its characters.
+/// The references of a picture and its opacities; or of a font, its descendant, its description, its file, its
+/// characters.
 fn font_refs(k: usize) -> [Ref; 5] {
     let first = FONTS.saturating_add(i32::try_from(5 * k).unwrap_or(0));
     [0, 1, 2, 3, 4].map(|i| Ref::new(first + i))
@@ -192,18 +192,18 @@ struct Writer<'a> {
     letters: Letters,
     /// By [`Face`].
     glyphs: [Glyphs; 4],
-    /// Opacities that are used, each a graphics state.
+    /// The used opacities, each a graphics state.
     opacities: Vec<u8>,
     pictures: Vec<&'a Pixmap>,
 }
 
 impl<'a> Writer<'a> {
-    /// The operators of a page. Fonts and pictures are collected over all of them.
+    /// The operators of a page. Fonts and pictures are collected over all pages.
     fn page(&mut self, page: &'a Page) -> Vec<u8> {
         self.operators = Content::new();
         self.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
         self.operators.save_state();
-        // From here on y goes down, and the unit is that of the page.
+        // From here on y points down, and the unit is that of the page.
         let height = page.size[1] * page.points;
         self.operators.transform([page.points, 0.0, 0.0, -page.points, 0.0, height]);
         self.items(&page.items);
@@ -273,7 +273,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// One text of PDF for each: what is selected in a viewer is the whole name.
+    /// One PDF text for each, so that a selection in a viewer covers the whole name.
     fn text(&mut self, of: &PageText) {
         let [x, y] = of.at;
         self.operators.begin_text();

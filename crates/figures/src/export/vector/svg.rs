@@ -10,7 +10,7 @@ use super::{Item, Letters, Page, PageText, number, straight};
 use crate::appearance::Rgba;
 use crate::text::{self, Element, Face};
 
-/// The page as an SVG file, with a figure file in it. An empty one is none.
+/// The page as an SVG file, with a figure file in it. An empty `figure` is left out.
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
 pub(super) fn svg(page: &Page, letters: Letters, figure: &str) -> String {
@@ -94,7 +94,7 @@ impl Writer {
                 place(xml, [corner[0], corner[1], size[0], size[1]]);
                 xml.write_attribute("preserveAspectRatio", "none");
                 let href = format!("data:image/png;base64,{}", STANDARD.encode(png));
-                // The older name is the one that every program knows.
+                // The older name, because every program knows it.
                 xml.write_attribute("xlink:href", &href);
                 xml.end_element();
             }
@@ -137,8 +137,8 @@ impl Writer {
         }
     }
 
-    /// One element with its halo painted first, so that each text is there once. The halo of a part of it would cover
-    /// the letters of the part before: where there are several, it is that of the outlines, below the text.
+    /// One element with its halo painted first, so that each text is there once. If there are several parts, the halo
+    /// of one would cover the letters of the part before, so the halo is that of the outlines, below the text.
     fn text(&mut self, of: &PageText) {
         let PageText { at: [x, y], size, halo, .. } = *of;
         let runs = text::set_runs(&of.text, size, of.mathematical);
@@ -147,7 +147,7 @@ impl Writer {
         }
         self.xml.start_element("text");
         if runs.iter().skip(1).any(|run| run.text.starts_with(' ')) {
-            // Inkscape and librsvg take a space away where a run has a place of its own.
+            // Inkscape and librsvg drop a space if a run has its own position.
             self.xml.write_attribute("xml:space", "preserve");
         }
         self.xml.write_attribute("x", &number(x));
@@ -173,7 +173,7 @@ impl Writer {
         } else {
             for run in runs {
                 self.xml.start_element("tspan");
-                // The places of the font that is meant: another one's letters follow them.
+                // The positions of the intended font, which letters of another font follow.
                 self.xml.write_attribute("x", &number(x + run.at[0]));
                 self.xml.write_attribute("y", &number(y + run.at[1]));
                 self.font(run.face);
@@ -188,7 +188,7 @@ impl Writer {
         self.xml.set_preserve_whitespaces(false);
     }
 
-    /// The font of a run, where it is not that of the text.
+    /// The font of a run, if it isn't that of the text.
     fn font(&mut self, face: Face) {
         if face == Face::Plain {
             return;
@@ -200,13 +200,13 @@ impl Writer {
         }
     }
 
-    /// The letters of the texts as fonts: browsers take them, and other programs the fonts of the machine.
+    /// The letters of the texts as fonts. Browsers use them, while other programs use the fonts of the machine.
     fn fonts(&mut self) {
         let mut rules = String::new();
         for (face, glyphs) in Face::ALL.into_iter().zip(&self.glyphs) {
             let Some(font) = (!glyphs.is_empty()).then(|| glyphs.web_font()).flatten() else { continue };
             let look: String = look(face).iter().map(|(name, value)| format!("{name}:{value};")).collect();
-            // Other figures of a page have other letters of the same font.
+            // Other figures on a web page have other letters of the same font.
             let range: Vec<String> = glyphs.characters().map(|c| format!("U+{:X}", u32::from(c))).collect();
             let (family, range, font) = (family(face), range.join(","), STANDARD.encode(font));
             rules.push_str(&format!(
@@ -260,7 +260,7 @@ fn family(face: Face) -> &'static str {
     }
 }
 
-/// The properties by which a face is known among those of its font.
+/// The properties that distinguish a face among those of its font.
 fn look(face: Face) -> &'static [(&'static str, &'static str)] {
     match face {
         Face::Plain | Face::Roman => &[],
@@ -269,8 +269,8 @@ fn look(face: Face) -> &'static [(&'static str, &'static str)] {
     }
 }
 
-/// A text as XML can hold it, in elements and in attributes: the writer escapes quotes alone in these. `>` must not
-/// follow `]]`. Two characters that XML excludes become U+FFFD. The others that it excludes are controls.
+/// A text in a form that XML can hold, in elements and in attributes, where the writer only escapes quotes. `>` must
+/// not follow `]]`. Two characters that XML excludes become U+FFFD. The others that it excludes are controls.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars().filter(|c| !c.is_control()) {

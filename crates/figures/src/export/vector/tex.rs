@@ -1,4 +1,4 @@
-//! A page as a figure of a LaTeX document. Its letters are the document's, all else is a PDF beside it.
+//! A page as a figure of a LaTeX document. Its letters are the document's, and everything else is in a PDF beside it.
 
 use super::{Item, Page, PageText, number};
 use crate::appearance::Rgba;
@@ -6,14 +6,15 @@ use crate::drawing::Anchor;
 use crate::formula;
 use crate::text;
 
-/// The LaTeX of a page whose other things are in the PDF `art`, which is named without its ending: a `picture` for
-/// `\input`. The document needs the packages graphicx and color (or xcolor). Compiled alone, it is a document of one
+/// The LaTeX of a page, a `picture` for `\input`. Everything except texts is in the PDF `art`, a name without its
+/// extension. The document needs the packages graphicx and color (or xcolor). Compiled alone, it's a document of one
 /// page as large as the picture.
 ///
 /// Each label is set in the document's font, at the height that it has on the page. Its symbols are mathematics.
 pub(super) fn tex(page: &Page, art: &str) -> String {
     let [width, height] = page.size.map(|side| number(side * page.points));
-    // In the body of a document, LaTeX has no message left for what comes before it.
+    // LaTeX drops its error for text before the body once the body begins. That distinguishes a file inside a document
+    // from one compiled alone.
     let alone = format!(
         "\\expandafter\\ifx\\csname @nodocument\\endcsname\\relax\\let\\endofpage\\relax\\else\n  \
          \\documentclass{{article}}\\usepackage[utf8]{{inputenc}}\\usepackage{{graphicx,color}}%\n  \
@@ -86,7 +87,7 @@ fn label(text: &str) -> String {
             continue;
         }
         let below = runs.get(k + 1).filter(|next| next.lowered).map(|next| next.text);
-        // The symbol that the subscript belongs to is the last word.
+        // The symbol with the subscript is the last word.
         let letters = run.text.char_indices().rev().take_while(|(_, c)| c.is_alphabetic());
         let start = letters.last().map_or(run.text.len(), |(at, _)| at);
         let (before, symbol) = match below {
@@ -101,7 +102,7 @@ fn label(text: &str) -> String {
     latex
 }
 
-/// A word, with what ends it.
+/// A word, with the character that ends it.
 fn word(part: &str) -> String {
     let name = part.trim_end_matches(|c: char| !c.is_alphabetic());
     let rest = formula::words(&part[name.len()..]);

@@ -1,10 +1,10 @@
-//! The letters of a page as subsets of the fonts that browsers take: those of PDF, with the tables that these lack.
+//! The letters of a page as subsets of the fonts in a form that browsers accept: those for PDF, with the tables that
+//! these lack.
 
 /// The name of a table.
 type Tag = [u8; 4];
 
-/// A font with these glyphs of another one, renumbered, and their characters by number. `None` if either is no
-/// font.
+/// A font with these glyphs of another one, renumbered, and their characters by number. `None` if either isn't a font.
 ///
 /// *Guarantees*: the same glyphs give the same bytes.
 pub(super) fn web_font(original: &[u8], subset: &[u8], characters: &[(u16, char)]) -> Option<Vec<u8>> {
@@ -16,7 +16,7 @@ pub(super) fn web_font(original: &[u8], subset: &[u8], characters: &[(u16, char)
     file_of(&tables)
 }
 
-/// The tables of a font. `None` if it is none.
+/// The tables of a font. `None` if it isn't one.
 fn tables_of(font: &[u8]) -> Option<Vec<(Tag, Vec<u8>)>> {
     let number = |at: usize| Some(u32::from_be_bytes(*font.get(at..)?.first_chunk()?) as usize);
     let count = usize::from(u16::from_be_bytes(*font.get(4..)?.first_chunk()?));
@@ -97,7 +97,7 @@ mod tests {
                 assert!(tables.iter().any(|(of, table)| of == tag.as_bytes() && !table.is_empty()), "{face:?} {tag}");
             }
             assert!(tables.is_sorted_by_key(|(tag, _)| *tag), "{face:?}");
-            // In the order of the characters, whatever that of their glyphs.
+            // In the order of the characters, whatever the order of their glyphs.
             let of_characters = &tables.iter().find(|(tag, _)| tag == b"cmap").unwrap().1;
             let groups: Vec<u32> =
                 of_characters[28..].as_chunks().0.iter().map(|chunk| u32::from_be_bytes(*chunk)).collect();

@@ -1,4 +1,4 @@
-//! The difference of two figures, as a step of a lesson says it.
+//! The difference of two figures, as a step of a lesson states it.
 
 use toml_edit::{DocumentMut, Item, Table, TableLike};
 
@@ -12,11 +12,11 @@ use crate::figure::write::document;
 pub struct Difference {
     /// The sections with the keys that are new or have another value.
     pub changed: DocumentMut,
-    /// The keys of the other figure that this one does not have, `show.stage`.
+    /// The keys of the other figure that this one doesn't have, `show.stage`.
     pub without: Vec<String>,
 }
 
-/// The difference of `now` from `before`; `None` means all of it. Title and caption are no part of it.
+/// The difference of `now` from `before`; `None` means everything. Title and caption don't take part.
 ///
 /// *Guarantees*: sections of `before` without the keys in `without`, with those in `changed` put over them, are `now`.
 pub fn difference(before: Option<&Figure>, now: &Figure) -> Difference {
@@ -28,7 +28,7 @@ pub fn difference(before: Option<&Figure>, now: &Figure) -> Difference {
         match (item.as_table_like(), was.and_then(Item::as_table_like)) {
             (Some(now), Some(was)) => {
                 put(&mut difference.changed, section, changed(now, was));
-                // Another way to give θ takes the place of the one before.
+                // Another way to give θ replaces the previous one.
                 let replaced = |key: &&str| section == "camera" && is_way_of_the_angle(key);
                 let gone = was.iter().map(|(key, _)| key).filter(|key| !now.contains_key(key) && !replaced(key));
                 difference.without.extend(gone.map(|key| format!("{section}.{key}")));

@@ -13,8 +13,8 @@ pub use difference::{Difference, difference};
 pub(super) use vary::{NOTHING, value_of, varied_whole};
 pub use vary::{has, number_at, show_with, varied, varied_together};
 
-/// The figure file of `figure`, made from an earlier text by changing only the parts that differ: comments, order and
-/// the notation of numbers stay. A text that is not a figure file is replaced.
+/// The figure file of `figure`, made from an earlier text by changing only the parts that differ. Comments, order and
+/// the notation of numbers stay. A text that isn't a figure file is replaced.
 ///
 /// # Guarantees
 /// Reading the text gives `figure` back, as with [`to_toml`].
@@ -31,8 +31,8 @@ fn edit(text: &str, figure: &Figure) -> Option<String> {
     }
     let (text, bom) = text.strip_prefix('\u{feff}').map_or((text, ""), |rest| (rest, "\u{feff}"));
     let mut edited: DocumentMut = text.parse().ok()?;
-    // Some defaults depend on other keys (the preset on the objects, the viewport on the image): a second round writes
-    // down those that the first has moved.
+    // Some defaults depend on other keys (the preset on the objects, the viewport on the image), so a second round
+    // writes down those that the first has moved.
     for _ in 0..2 {
         merge(edited.as_table_mut(), old.as_table(), new.as_table());
         old = document(&read::parse(&edited.to_string()).ok()?);
@@ -44,7 +44,7 @@ fn edit(text: &str, figure: &Figure) -> Option<String> {
     if text.contains("\r\n") {
         edited = edited.replace("\r\n", "\n").replace('\n', "\r\n");
     }
-    // Where the user's way of writing is too unlike ours to be edited piece by piece, the numbers come first.
+    // If the author's formatting is too unlike ours to be edited piece by piece, the numbers come first.
     let reached = document(&read::parse(&edited).ok()?);
     same_table(reached.as_table(), new.as_table()).then(|| format!("{bom}{edited}"))
 }
@@ -62,7 +62,7 @@ fn merge(mine: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) {
     }
 }
 
-/// True if both are written alike.
+/// True if both have the same text.
 fn same(a: &Item, b: &Item) -> bool {
     match (a, b) {
         (Item::Value(a), Item::Value(b)) => a.to_string() == b.to_string(),
@@ -108,8 +108,8 @@ fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &It
     }
 }
 
-/// Brings the keys of a table into the order of `new`, where the order says something: the first key of a comparison
-/// names it.
+/// Brings the keys of a table into the order of `new` if the order matters, because the first key of a comparison names
+/// it.
 fn order_as(mine: &mut Item, new: &InlineTable) {
     let place = |key: &str| new.iter().position(|(other, _)| other == key);
     let is_ordered = |table: &dyn TableLike| table.iter().map(|(key, _)| place(key)).is_sorted();
@@ -124,7 +124,7 @@ fn order_as(mine: &mut Item, new: &InlineTable) {
     }
 }
 
-/// Takes over the components that have changed, so that the others stay as they are written.
+/// Updates the components that have changed, so that the others stay as written.
 fn merge_vector(mine: &mut Array, old: Option<&Array>, new: &Array) {
     for (i, component) in new.iter().enumerate() {
         let same = old.and_then(|old| old.get(i)).is_some_and(|was| was.to_string() == component.to_string());
@@ -136,7 +136,8 @@ fn merge_vector(mine: &mut Array, old: Option<&Array>, new: &Array) {
     }
 }
 
-/// Merges tables of one list. Those of the same name are the same table; of the others, those that have most in common.
+/// Merges tables of one list. Tables with the same name are the same table. The others are matched by what they have in
+/// common.
 fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &ArrayOfTables) {
     let old: Vec<&Table> = old.iter().flat_map(|list| list.iter()).collect();
     let mut rest: Vec<Option<Table>> = mine.iter().cloned().map(Some).collect();
@@ -159,11 +160,11 @@ fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &Array
     }
 }
 
-/// The old table that each new one comes from: the one of the same name; of the others one that is equal, at the same
-/// place where there are several; after those, the pair with the most equal keys first. An object that was renamed is
-/// found again although another was deleted or added.
+/// The old table that each new one comes from. The first choice is the one with the same name. The next is an equal
+/// one, at the same place if there are several. After those comes the pair with the most equal keys. So a renamed
+/// object is recognized although another was deleted or added.
 ///
-/// Where very many remain, they are paired in their order: comparing all with all would take longer than anybody waits.
+/// If very many remain, they're paired in their order, because comparing all with all would take too long.
 fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
     const MOST_PAIRS: usize = 1 << 16;
     let new: Vec<&Table> = new.iter().collect();
@@ -190,14 +191,14 @@ fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
     found.of_new
 }
 
-/// The pairs of old and new tables that have been found.
+/// The pairs of old and new tables found so far.
 struct Sources {
     of_new: Vec<Option<usize>>,
     taken: Vec<bool>,
 }
 
 impl Sources {
-    /// Makes a pair, where both are free.
+    /// Makes a pair, if both are free.
     fn take(&mut self, i: usize, j: usize) {
         if self.of_new[i].is_none() && !self.taken[j] {
             self.of_new[i] = Some(j);

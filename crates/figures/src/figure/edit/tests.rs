@@ -562,13 +562,14 @@ fn one_of_very_many_objects_is_edited_in_the_time_of_reading_them() {
     let mut relit = lights.clone();
     relit.scene.lights.reverse();
     relit.scene.lights.iter_mut().for_each(|light| *light = Light::point(DVec3::Y));
-    // One moved; all renamed; all lights, which have no names, others.
+    // One moved, all renamed, or all lights, which have no names, replaced.
     for (text, figure) in [(&text, &moved), (&text, &named("thing ")), (&lit, &relit)] {
         let begin = std::time::Instant::now();
         let edited = update(text, figure);
         let editing = begin.elapsed();
         assert_eq!(read::parse(&edited).as_ref(), Ok(figure));
-        // All names against all: several hundred times as long as reading. The text is read three times in an edit.
+        // Comparing all names with all takes several hundred times as long as reading. The text is read three times in
+        // an edit.
         assert!(editing < 40 * reading, "{editing:?} to edit, {reading:?} to read");
     }
 }

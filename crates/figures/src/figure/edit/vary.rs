@@ -1,4 +1,4 @@
-//! One key of a figure, set from outside of its file.
+//! Sets one key of a figure from outside its file.
 
 use toml_edit::{DocumentMut, InlineTable, Item, TableLike, Value};
 
@@ -6,19 +6,19 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::write::document;
 use crate::figure::{Figure, FigureError, Show, read};
 
-/// A value that removes its key, in a file that has to write one.
+/// A value that removes its key, for a file that has to give one.
 pub(in crate::figure) const NOTHING: &str = "\"\"";
 
 /// The figure with one key set to a TOML value: `style.shading`, `"flat"`, or a part of one, `show.step.at`, `2.5`. A
-/// value that is a plain word may lack its quotes. An empty one removes the key.
+/// value that's a plain word may lack its quotes. An empty one removes the key.
 ///
 /// # Errors
-/// [`FigureError`] if the key is not known, or the value is not among the allowed ones; its line is meaningless.
+/// [`FigureError`] if the key isn't known, or the value isn't allowed. Its line is meaningless.
 pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureError> {
     varied_together(figure, &[(key, value)])
 }
 
-/// As [`varied`], of several keys together: near and far may both move past the other.
+/// Like [`varied`], for several keys together. For example, near and far may both move past the other.
 ///
 /// # Errors
 /// As for [`varied`].
@@ -30,24 +30,24 @@ pub fn varied_together(figure: &Figure, keys: &[(&str, &str)]) -> Result<Figure,
     Ok(if of_scene.is_some() { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
 }
 
-/// True if a key of the figure has a value, as [`varied`] takes it: where setting it changes nothing.
+/// True if a key of the figure has a value, in the form that [`varied`] takes, so that setting it changes nothing.
 pub fn has(figure: &Figure, key: &str, value: &str) -> bool {
     let own = without_other_scene(figure, key);
     varied_whole(&own, [(key, value)]).is_ok_and(|varied| varied == own)
 }
 
 /// The number of a key of the figure; `None` if there is none. A way of `show.step` without a place has gone to its
-/// end: ∞.
+/// end, ∞.
 pub fn number_at(figure: &Figure, key: &str) -> Option<f64> {
     let document = document(&without_other_scene(figure, key));
     let at_end = || (key == "show.step.at" && figure.show.step.is_some()).then_some(f64::INFINITY);
-    // A lens may stand for it in the file.
+    // The file may give a lens instead.
     let angle = || (key == "camera.view_angle").then_some(figure.camera.view_angle);
     let Some(value) = value_of(&document, key) else { return angle().or_else(at_end) };
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 
-/// The figure; without its scene, which can be large, where a key is elsewhere.
+/// The figure without its scene, which can be large, if a key is elsewhere.
 fn without_other_scene(figure: &Figure, key: &str) -> Figure {
     if is_of_scene(key) {
         return figure.clone();
@@ -60,7 +60,7 @@ fn is_of_scene(key: &str) -> bool {
     key.split('.').next().is_some_and(|section| section.trim() == "scene")
 }
 
-/// As [`varied_together`], for a figure with a small scene.
+/// Like [`varied_together`], for a figure with a small scene.
 pub(in crate::figure) fn varied_whole<'a>(
     figure: &Figure,
     keys: impl IntoIterator<Item = (&'a str, &'a str)>,
@@ -89,7 +89,7 @@ pub fn show_with(show: &Show, key: &str, value: &str) -> Result<Show, FigureErro
     Ok(varied_whole(&figure, [(&*format!("show.{key}"), value)])?.show)
 }
 
-/// The value of a key in the text of a figure; `None` if none is written there.
+/// The value of a key in the text of a figure; `None` if the text has none.
 pub(in crate::figure) fn value_of(document: &DocumentMut, key: &str) -> Option<Value> {
     let mut item = document.as_item();
     for name in key.split('.') {
@@ -113,7 +113,7 @@ fn parsed(key: &str, value: &str) -> Result<Option<Value>, FigureError> {
     }
 }
 
-/// Puts a value where a path leads, through tables that are made where they are missing.
+/// Puts a value at the end of a path, creating tables that don't exist.
 fn set(document: &mut DocumentMut, path: &[&str], value: Option<Value>) {
     let Some((last, tables)) = path.split_last() else { return };
     let mut table: &mut dyn TableLike = document.as_table_mut();

@@ -54,10 +54,10 @@ pub(super) fn comparison(
     (is_there && is_good && count > 0).then_some(Comparison { with, ops, camera, wiper, beside, differences })
 }
 
-/// A comparison of one key as it is typed, `camera.near = 0.5`. A value that is a plain word may lack its quotes.
+/// A comparison of one key as the user types it, `camera.near = 0.5`. A value that's a plain word may lack its quotes.
 ///
 /// # Errors
-/// As for a figure file with this comparison. The line is meaningless.
+/// The same as for a figure file with this comparison. The line is meaningless.
 pub fn typed_comparison(text: &str) -> Result<Comparison, FigureError> {
     let (key, value) = text.split_once('=').unwrap_or((text, ""));
     let (key, value) = (key.trim(), value.trim());
@@ -69,8 +69,8 @@ pub fn typed_comparison(text: &str) -> Result<Comparison, FigureError> {
     Ok(Comparison::of_key(key, &value))
 }
 
-/// Whether a key can be compared and has this value in some figure. Whether it is possible together with the values of
-/// this figure is another question. They change, and a file can still be read then.
+/// Checks that a key can be compared and has this value in some figure. If it's possible together with the values of
+/// this figure is another question, because those change, and it must still be possible to read a file then.
 fn checked(key: &str, value: &str, others: &[(String, String, usize)]) -> Result<(), Problem> {
     let section = key.split('.').next().unwrap_or_default().trim();
     let is_plain = key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-'));
@@ -81,12 +81,12 @@ fn checked(key: &str, value: &str, others: &[(String, String, usize)]) -> Result
         return Err(Problem::UnknownKey { near: near::word(section, &SECTIONS), known: SECTIONS.to_vec() });
     }
     if key == "style.theme" {
-        // Both sides are of one scene, whose colours are those of a theme.
+        // Both sides show one scene, whose colours come from a theme.
         let known = vec!["shading", "visibility", "hidden_lines", "antialias", "depth_format"];
         return Err(Problem::UnknownKey { near: None, known });
     }
     if key == "image.photograph" {
-        // Both sides are of one scene, and its photograph is read with it.
+        // Both sides show one scene, and its photograph is read with it.
         let known = vec!["width", "height", "undistorted", "photograph_opacity"];
         return Err(Problem::UnknownKey { near: None, known });
     }
@@ -96,7 +96,7 @@ fn checked(key: &str, value: &str, others: &[(String, String, usize)]) -> Result
     }
     let projection = others.iter().find(|(other, ..)| other == "camera.projection" && key != other);
     let projection = projection.map_or_else(String::new, |(key, value, _)| format!("{key} = {value}\n"));
-    // The sections are tables, and so `show.step.at` is a key of `[show]`.
+    // The sections are tables, so `show.step.at` is a key of `[show]`.
     match parse(&format!("{key} = {value}\n")) {
         Ok(_) => Ok(()),
         // These are impossible with the other values of any figure. In parallel projection F may be 0 or less.

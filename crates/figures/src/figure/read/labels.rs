@@ -36,7 +36,7 @@ pub(super) fn labels(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Label
     }
 }
 
-/// Reads each section of a list; of too many, none.
+/// Reads each section of a list, or none if there are too many.
 fn each<'a, T>(
     sections: Vec<Section<'a>>,
     key: &str,
@@ -51,7 +51,7 @@ fn each<'a, T>(
     sections.into_iter().filter_map(one).collect()
 }
 
-/// A line that must be there.
+/// A required line.
 fn needed(section: &mut Section<'_>, key: &'static str) -> Option<String> {
     section.require(key, Allowed::Line { limit: MAX_LABEL_TEXT });
     section.line(key, MAX_LABEL_TEXT)

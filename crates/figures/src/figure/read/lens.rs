@@ -7,7 +7,7 @@ use crate::camera::{LensForm, Sensor, SensorFit};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::words::SENSOR_FITS;
 
-/// The keys of `[camera]` of which each gives θ, so that a figure has one of them.
+/// The keys of `[camera]` that each give θ, so a figure may have only one of them.
 pub(in crate::figure) const WAYS_OF_THE_ANGLE: [&str; 3] = ["view_angle", "horizontal_angle", "lens"];
 
 /// True for a key of `[camera]` that gives θ.
@@ -15,7 +15,7 @@ pub(in crate::figure) fn is_way_of_the_angle(key: &str) -> bool {
     WAYS_OF_THE_ANGLE.contains(&key)
 }
 
-/// Takes the other ways to give θ out of `[camera]`, if `key` is one.
+/// Removes the other ways to give θ from `[camera]`, if `key` is one.
 pub(in crate::figure) fn remove_rivals(camera: &mut dyn TableLike, key: &str) {
     if is_way_of_the_angle(key) {
         WAYS_OF_THE_ANGLE.into_iter().filter(|way| *way != key).for_each(|way| drop(camera.remove(way)));

@@ -37,7 +37,7 @@ pub use scene::line_of_object;
 pub use section::{Fault, Section, at_most};
 pub use stacked::Stacked;
 
-/// Reads the bytes of a figure file, whatever they are.
+/// Reads the bytes of a figure file, or any other bytes.
 ///
 /// # Errors
 /// [`FigureError`] names the first faulty line.
@@ -48,7 +48,7 @@ pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
 /// The text of a file of at most `limit` bytes.
 ///
 /// # Errors
-/// [`FigureError`] if it is too large, or not UTF-8.
+/// [`FigureError`] if it's too large, or isn't UTF-8.
 pub fn text_of(bytes: &[u8], limit: usize) -> Result<&str, FigureError> {
     let fault = |line, problem| FigureError { line, key: String::new(), problem };
     if bytes.len() > limit {
@@ -70,7 +70,7 @@ pub fn parse_with<T>(text: &str, read: impl FnOnce(Section<'_>, &mut Vec<Fault>)
     Ok(found)
 }
 
-/// As [`parse_with`], but the faults that are `excused` are given back.
+/// Like [`parse_with`], but returns the `excused` faults.
 fn parse_but<T>(
     text: &str,
     read: impl FnOnce(Section<'_>, &mut Vec<Fault>) -> T,
@@ -98,8 +98,7 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
     parse_with(text, figure)
 }
 
-/// As [`parse`], but keys that are not known, which a later version may have written, are passed over. They are given
-/// back.
+/// Like [`parse`], but skips unknown keys, which a later version may have written. It returns them.
 ///
 /// # Errors
 /// As for [`parse`].
@@ -108,7 +107,7 @@ pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
     Ok((figure, unknown.into_iter().map(|fault| fault.key).collect()))
 }
 
-/// As [`parse`], but a camera that is impossible is no fault. Its error is given back with the figure.
+/// Like [`parse`], but an impossible camera isn't a fault. Its error comes with the figure.
 ///
 /// # Errors
 /// As for [`parse`], except for [`Problem::Camera`].
@@ -122,13 +121,13 @@ pub fn parse_with_any_camera(text: &str) -> Result<(Figure, Option<CameraError>)
     Ok((figure, error))
 }
 
-/// The figure whose sections are in a section: a file, or a part of one.
+/// The figure whose sections are in a section, which is a file or a part of one.
 pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let inside = |root: &Section<'_>, key: &str| match root.name_of("") {
         label if label.is_empty() => format!("[{key}]"),
         label => format!("[{}.{key}]", label.trim_matches(['[', ']', ' '])),
     };
-    // Asked for in the order of the documentation, in which a message lists them.
+    // In the order of the documentation, which is the order of the list in a message.
     let [title, caption] = screen::told(&mut root);
     let [camera_section, image_section, viewport_section, scene_section] =
         ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
@@ -215,7 +214,7 @@ fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindo
     section.good(Some(window), faults)
 }
 
-/// The size, whether the image is shown undistorted, and the photograph under it.
+/// The size, the switch for an undistorted image, and the photograph under it.
 fn image(section: &mut Section<'_>) -> (ImageSize, bool, Option<Photograph>) {
     let default = ImageSize::default();
     let size = ImageSize {

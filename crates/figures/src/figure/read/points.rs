@@ -7,7 +7,7 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::points::{NamedPoint, may_be_named};
 use crate::limits::MAX_NAMED_POINTS;
 
-/// Reads the points. Those that have no name or position are left out, with a fault.
+/// Reads the points. Points without a name or position are left out, with a fault.
 pub(super) fn points(sections: Vec<Section<'_>>, faults: &mut Vec<Fault>) -> Vec<NamedPoint> {
     let mut found = Vec::new();
     for section in at_most(sections, MAX_NAMED_POINTS, "[[points]]", faults) {

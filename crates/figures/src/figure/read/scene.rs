@@ -15,8 +15,8 @@ use crate::scene::{
     Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shadows, Shape, TextureSource, check, preset_objects,
 };
 
-/// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the
-/// scene.
+/// Reads `[scene]`. If no preset is named it's the default one, unless objects are listed, because then these alone are
+/// the scene.
 pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneSpec {
     let objects = section.sections("objects", "[[scene.objects]]");
     let alone = if objects.is_empty() { Preset::default() } else { Preset::Empty };
@@ -45,13 +45,13 @@ pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneS
 /// The positions of objects and lights in the text.
 #[derive(Default)]
 struct Places {
-    /// Of each object: its start, and where its keys are.
+    /// The start of each object, and the places of its keys.
     objects: Vec<(usize, Vec<(&'static str, usize)>)>,
     lights: Vec<usize>,
 }
 
 impl Places {
-    /// The violation of a rule of scenes, at its place in the text.
+    /// The violation of a rule for scenes, at its place in the text.
     fn fault(&self, spec: &SceneSpec, error: SceneError) -> Fault {
         let key = error.key();
         let named = |name: &str| {
@@ -78,7 +78,7 @@ impl Places {
     }
 }
 
-/// The object that was probably meant as a parent.
+/// The object that the author probably meant as a parent.
 fn near_parent(spec: &SceneSpec, error: &SceneError) -> Option<String> {
     let SceneError::UnknownParent { name, parent } = error else { return None };
     let of_preset = preset_objects(spec.preset, &SceneColors::of(Theme::Light));
@@ -160,7 +160,7 @@ fn read_light(section: &mut Section<'_>, places: &mut Places) -> Option<Light> {
     });
     if light.is_none() {
         read_shadows(section);
-        // The keys of this kind are not known; the kind is the fault to report.
+        // The keys of this kind aren't known, because the kind is the fault to report.
         for (_, kind) in LIGHTS {
             section.vector(kind.vector().0, DVec3::ZERO);
         }
@@ -179,8 +179,8 @@ fn read_shadows(section: &mut Section<'_>) -> Shadows {
     }
 }
 
-/// The line of a key of the object called `name` (of the object itself, where the key is missing), counted from 1;
-/// `None` if the text lists no such object.
+/// The line of a key of the object called `name` (of the object itself, if the key is missing), counted from 1; `None`
+/// if the text lists no such object.
 pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
     let document = Document::parse(text.strip_prefix('\u{feff}').unwrap_or(text)).ok()?;
     let mut root = Section::new(text, Some(document.as_table()), "", 0);

@@ -1,4 +1,4 @@
-//! One section of a figure file, whose keys are read one by one. The keys left over are unknown.
+//! One section of a figure file, whose keys are read one by one. The remaining keys are unknown.
 
 use glam::{DMat4, DVec2, DVec3};
 use toml_edit::{Item, TableLike, Value};
@@ -22,17 +22,17 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// True if nothing is wrong but that no key has this name.
+    /// True if an unknown key is the only fault.
     pub fn is_unknown_key(&self) -> bool {
         matches!(self.problem, Problem::UnknownKey { .. })
     }
 }
 
-/// A section that is there, or one of which every key has its default.
+/// A section that's there, or one of which every key has its default.
 pub struct Section<'a> {
-    /// The text of the file that it is in.
+    /// The text of the file that contains it.
     pub(super) text: &'a str,
-    /// The tables and values in it, as they are written.
+    /// The tables and values in it, as written.
     pub(super) table: Option<&'a dyn TableLike>,
     label: String,
     /// The start of the section.
@@ -43,12 +43,12 @@ pub struct Section<'a> {
 }
 
 impl<'a> Section<'a> {
-    /// The section of `table`; `label` is written before its keys in messages, `at` is where it starts.
+    /// The section of `table`. `label` precedes its keys in messages, and `at` is its start.
     pub fn new(text: &'a str, table: Option<&'a dyn TableLike>, label: &str, at: usize) -> Self {
         Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
     }
 
-    /// The place of `key`; `None` if it is missing.
+    /// The place of `key`; `None` if it's missing.
     pub fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
@@ -84,7 +84,7 @@ impl<'a> Section<'a> {
         self.table.is_none_or(|table| table.iter().next().is_none())
     }
 
-    /// The name of a key in messages: with the label of the section.
+    /// The name of a key in messages, with the label of the section.
     pub fn name_of(&self, key: &str) -> String {
         match self.label.as_str() {
             "" => key.to_owned(),
@@ -99,7 +99,7 @@ impl<'a> Section<'a> {
         self.faults.push(Fault { at, key: self.name_of(key), problem });
     }
 
-    /// Reports that the value of `key` is not allowed.
+    /// Reports that the value of `key` isn't allowed.
     pub fn refuse(&mut self, key: &str, allowed: Allowed) {
         let found = self.item(key).and_then(Item::span).map_or_else(String::new, |span| snippet(self.text, span));
         self.fault(key, Problem::Value { found, allowed });
@@ -128,7 +128,7 @@ impl<'a> Section<'a> {
         self.item(key)
     }
 
-    /// The value that `read` finds at `key`. The default, and a fault, where it finds none.
+    /// The value that `read` gives at `key`. If it gives none, the default, and a fault.
     fn read<T>(
         &mut self,
         key: &'static str,
@@ -143,7 +143,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// As [`Self::read`], for values with numbers in them.
+    /// Like [`Self::read`], for values with numbers in them.
     fn read_numbers<T>(
         &mut self,
         key: &'static str,
@@ -189,7 +189,7 @@ impl<'a> Section<'a> {
         self.quantity_in(key, Dimension::Number, least, most, default)
     }
 
-    /// As [`number_in`](Self::number_in), if the key is there; the default if it's wrong.
+    /// Like [`number_in`](Self::number_in), if the key is there; the default if it's wrong.
     pub fn optional_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> Option<f64> {
         let is_present = self.is_present(key);
         let number = self.number_in(key, least, most, default);
@@ -244,12 +244,12 @@ impl<'a> Section<'a> {
         self.switch_else(key, false)
     }
 
-    /// A switch that has this value where nothing is said.
+    /// A switch with this default.
     pub fn switch_else(&mut self, key: &'static str, default: bool) -> bool {
         self.read(key, default, Allowed::Switch, Value::as_bool)
     }
 
-    /// One of two values, or one of `words`. The first where there is nothing.
+    /// One of two values, or one of `words`. The first if the key is missing.
     pub fn switch_or<T: Copy>(&mut self, key: &'static str, [off, on]: [T; 2], words: Words<T>) -> T {
         self.read(key, off, Allowed::SwitchOr(words::names(words)), |value| match value.as_bool() {
             Some(switch) => Some(if switch { on } else { off }),
@@ -267,8 +267,8 @@ impl<'a> Section<'a> {
         self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Angle))
     }
 
-    /// Points, each of three numbers; [`Allowed::PointPairs`] asks for an even number. `None`, and a fault, if the key
-    /// is missing.
+    /// Points of three numbers each. [`Allowed::PointPairs`] asks for an even number of points. `None`, and a fault, if
+    /// the key is missing.
     pub fn points(&mut self, key: &'static str, allowed: Allowed) -> Option<Vec<DVec3>> {
         let pairs = allowed == Allowed::PointPairs;
         if self.ask(key).is_none() {
@@ -286,14 +286,14 @@ impl<'a> Section<'a> {
         self.read(key, None, Allowed::Color, |value| value.as_str()?.parse().ok().map(Some))
     }
 
-    /// A text that is not empty.
+    /// A text that isn't empty.
     pub fn text(&mut self, key: &'static str) -> Option<String> {
         self.read(key, None, Allowed::Text, |value| {
             value.as_str().filter(|text| !text.is_empty()).map(|text| Some(text.to_owned()))
         })
     }
 
-    /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in
+    /// A text that's the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`, in English and in
     /// Portuguese.
     pub fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
         let found = told_by(self.ask(key)?);
@@ -323,7 +323,7 @@ impl<'a> Section<'a> {
         self.read(key, Vec::new(), allowed, |value| value.as_array()?.iter().map(|text| read(text.as_str()?)).collect())
     }
 
-    /// A list of `words`. The first that is none of them is named.
+    /// A list of `words`. The message names the first one that isn't among them.
     pub fn words<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Vec<T> {
         let Some(item) = self.ask(key) else { return Vec::new() };
         let list: Option<Vec<&str>> = item.as_array().and_then(|list| list.iter().map(Value::as_str).collect());
@@ -347,7 +347,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// Two finite numbers between two, both included.
+    /// Two finite numbers between two others, both included.
     pub fn pair_in(&mut self, key: &'static str, least: f64, most: f64) -> Option<DVec2> {
         let before = self.faults.len();
         let pair = self.pair(key)?;
@@ -367,7 +367,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// How many values the list at `key` has; `None` if there is no list.
+    /// The number of values in the list at `key`; `None` if there's no list.
     pub fn list_length(&self, key: &str) -> Option<usize> {
         Some(self.item(key)?.as_array()?.len())
     }
@@ -398,7 +398,7 @@ impl<'a> Section<'a> {
         self.read(key, Vec::new(), Allowed::Pixels, |value| value.as_array()?.iter().map(whole_numbers).collect())
     }
 
-    /// Numbers in rows: a number is one row of one, a list is a row for each, a list of lists is itself.
+    /// Numbers in rows. A number is one row of one, a list is a row for each, and a list of lists is itself.
     pub fn rows(&mut self, key: &'static str, is_angle: bool) -> Option<Vec<Vec<f64>>> {
         let dimension = if is_angle { Dimension::Angle } else { Dimension::Number };
         self.read_numbers(key, None, Allowed::Numbers, |value| {
@@ -467,8 +467,8 @@ impl<'a> Section<'a> {
         tables.into_iter().map(|(t, at)| Self::new(self.text, Some(t), label, at.unwrap_or(here))).collect()
     }
 
-    /// The entries of a table in this section, each with its value as it is written and its place in the text; of
-    /// tables in it, their entries, by the path `table.key`.
+    /// The entries of a table in this section, each with its value as written and its place in the text. Entries of
+    /// tables in it have the path `table.key`.
     pub fn entries(&mut self, key: &'static str) -> Vec<(String, String, usize)> {
         let Some(item) = self.ask(key) else { return Vec::new() };
         let Some(table) = item.as_table_like() else {
@@ -487,19 +487,19 @@ impl<'a> Section<'a> {
         entries.collect()
     }
 
-    /// The value of a key as it is written in the text.
+    /// The value of a key as written in the text.
     pub fn written(&mut self, key: &'static str) -> Option<String> {
         let span = self.ask(key)?.as_value()?.span()?;
         Some(self.text.get(span)?.trim().to_owned())
     }
 
-    /// The result of a section in which nothing is wrong but unknown keys. Its faults join the others.
+    /// The result of a section whose only faults are unknown keys. Its faults join the others.
     pub fn good<T>(self, found: Option<T>, faults: &mut Vec<Fault>) -> Option<T> {
         let is_good = self.is_good(faults);
         found.filter(|_| is_good)
     }
 
-    /// Adds the section's faults to others. True if nothing is wrong with it but unknown keys.
+    /// Adds the section's faults to others. True if its only faults are unknown keys.
     pub fn is_good(self, faults: &mut Vec<Fault>) -> bool {
         let own = self.finish();
         let is_good = own.iter().all(Fault::is_unknown_key);
@@ -514,7 +514,7 @@ impl<'a> Section<'a> {
         found
     }
 
-    /// The faults of the section, those of unknown keys included.
+    /// The faults of the section, including those for unknown keys.
     pub fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self
             .table
@@ -533,7 +533,8 @@ impl<'a> Section<'a> {
     }
 }
 
-/// The sections of a list that may have `limit`; of more, none, and a fault. `label` names the list in the message.
+/// The sections of a list with at most `limit` of them. If there are more, none, and a fault. `label` names the list in
+/// the message.
 pub fn at_most<'a>(sections: Vec<Section<'a>>, limit: usize, label: &str, faults: &mut Vec<Fault>) -> Vec<Section<'a>> {
     let Some(beyond) = sections.get(limit) else { return sections };
     let problem = Problem::TooMany { count: sections.len(), limit };
@@ -541,11 +542,11 @@ pub fn at_most<'a>(sections: Vec<Section<'a>>, limit: usize, label: &str, faults
     Vec::new()
 }
 
-/// Why a value with numbers in it is refused.
+/// The reason why a value with numbers in it is refused.
 enum Refused {
-    /// The value is not allowed.
+    /// The value isn't allowed.
     Value,
-    /// A text in it cannot be read as a number.
+    /// A text in it can't be read as a number.
     Expression { text: String, error: ExpressionError },
 }
 
@@ -562,12 +563,12 @@ fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
     }
 }
 
-/// A number that is allowed.
+/// An allowed number.
 fn number_if(value: &Value, dimension: Dimension, is_allowed: impl Fn(f64) -> bool) -> Result<f64, Refused> {
     number(value, dimension).and_then(|x| is_allowed(x).then_some(x).ok_or(Refused::Value))
 }
 
-/// A list of as many numbers.
+/// A list of exactly this many numbers.
 fn numbers<const N: usize>(value: &Value, dimension: Dimension) -> Result<[f64; N], Refused> {
     let list = value.as_array().filter(|list| list.len() == N).ok_or(Refused::Value)?;
     let mut numbers = [0.0; N];
@@ -582,7 +583,7 @@ fn whole_numbers(value: &Value) -> Option<[i64; 2]> {
     Some([list.get(0)?.as_integer()?, list.get(1)?.as_integer()?])
 }
 
-/// A text for both languages: `text.en = "…"` is a table, `text = { en = "…" }` a value.
+/// A text for both languages. `text.en = "…"` is a table, `text = { en = "…" }` a value.
 fn told_by(item: &Item) -> Option<[String; 2]> {
     match item.as_table_like() {
         Some(table) => bilingual_in(table),
@@ -590,7 +591,7 @@ fn told_by(item: &Item) -> Option<[String; 2]> {
     }
 }
 
-/// A text for both languages. One that is missing is the other.
+/// A text for both languages. A missing one is the same as the other.
 fn told(value: &Value) -> Option<[String; 2]> {
     match value.as_inline_table() {
         Some(table) => bilingual_in(table),

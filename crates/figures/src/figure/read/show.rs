@@ -64,7 +64,7 @@ fn step(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> {
     let mut section = section.there()?;
     let way = section.choice("way", WAYS);
     section.require("way", Allowed::word_of(WAYS));
-    // In either projection: who changes it keeps a figure that can be read.
+    // In either projection, so that a figure can still be read after a change of it.
     let steps = way.unwrap_or_default().most_steps();
     let at = section.optional_in("at", 0.0, f64::from(steps), 0.0);
     section.good(way.map(|way| ShownStep { way, at }), faults)
@@ -131,7 +131,7 @@ fn axis(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Ray> {
     if direction == DVec3::ZERO {
         section.refuse("direction", Allowed::NonZeroVector);
     }
-    // As it was written, where it is a unit vector but for rounding.
+    // As written, if it's a unit vector except for rounding.
     let length = direction.length();
     let direction = if (length - 1.0).abs() < 1e-12 { direction } else { direction.normalize_or_zero() };
     section.good(Some(Ray { origin, direction }), faults)

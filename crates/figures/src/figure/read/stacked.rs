@@ -1,4 +1,4 @@
-//! Sections of figures put over one another. Each says only what changes.
+//! Stacks sections of figures. Each states only changes.
 
 use toml_edit::{Item, Table, TableLike};
 
@@ -25,14 +25,14 @@ const SECTIONS: [&str; 14] = [
     "labels",
 ];
 
-/// Sections put over one another, with their places in the text.
+/// Stacked sections, with their places in the text.
 #[derive(Debug, Default)]
 pub struct Stacked {
     table: Table,
 }
 
 impl Stacked {
-    /// Puts the sections of a figure in `over` on top: each key in them replaces the one that was there. Lists of
+    /// Puts the sections of a figure in `over` on top, where each key replaces the one that was there. Lists of
     /// sections are replaced whole.
     pub fn put(&mut self, over: &mut Section<'_>) {
         for name in SECTIONS {
@@ -53,7 +53,7 @@ impl Stacked {
         }
     }
 
-    /// Takes away a key, `show.stage`, or a whole section, `labels`. False if there is none.
+    /// Removes a key, `show.stage`, or a whole section, `labels`. False if there is none.
     pub fn remove(&mut self, path: &str) -> bool {
         match path.split_once('.') {
             None => SECTIONS.contains(&path) && self.table.remove(path).is_some(),
@@ -64,7 +64,7 @@ impl Stacked {
         }
     }
 
-    /// The figure of all of them; `within` is a section of the text that they come from.
+    /// The figure of all of them. `within` is a section of their text.
     pub fn figure(&self, within: &Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         let label = within.name_of("").trim_matches(['[', ']', ' ']).to_owned();
         figure(Section::new(within.text, Some(&self.table), &format!("[{label}]"), within.at), faults)

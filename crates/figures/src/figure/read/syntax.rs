@@ -1,4 +1,4 @@
-//! A text that is not TOML: which line, which key, and why.
+//! Explains a text that isn't TOML by its line, its key, and the reason.
 
 use toml_edit::TomlError;
 
@@ -14,7 +14,7 @@ pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
         Some(span) => (span.start.min(text.len()), span.end.min(text.len())),
         None => (0, 0),
     };
-    // A missing token is reported at the next one; it is missing at the end of the line before.
+    // A missing token is reported at the next one, but it's missing at the end of the line before.
     let at = if start == end { text[..floor(text, start)].trim_end().len() } else { start };
     if duplicate {
         let header = line_at(text, at).trim_start().starts_with('[');
@@ -45,7 +45,7 @@ pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
 fn unquoted(line: &str) -> Option<String> {
     let (_, value) = line.split_once('=')?;
     let value = value.split('#').next().unwrap_or_default().trim();
-    // Digits and points alone are a number that TOML writes otherwise.
+    // Digits and points alone are a number that TOML writes in another way.
     let is_number = value.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | ',' | '+' | '-' | 'e' | 'E'));
     expression::evaluate(value, expression::Dimension::Angle).ok().filter(|_| !is_number)?;
     Some(snippet(value, 0..value.len()))
@@ -74,7 +74,7 @@ fn lines_back(text: &str, at: usize) -> impl Iterator<Item = &str> {
     text[..end].lines().rev().map(str::trim)
 }
 
-/// The section header that holds at `at`.
+/// The header of the section at `at`.
 fn section_before(text: &str, at: usize) -> Option<String> {
     lines_back(text, at)
         .find(|line| line.starts_with('['))
@@ -83,8 +83,7 @@ fn section_before(text: &str, at: usize) -> Option<String> {
         .map(|header| snippet(&header, 0..header.len()))
 }
 
-/// The key whose value is being written at `at`: the one of an earlier line whose brackets are still open, or the one
-/// of this line.
+/// The key of the value at `at`: the key of an earlier line whose brackets are still open, or that of this line.
 fn key_before(text: &str, at: usize) -> Option<String> {
     let mut lines = lines_back(text, at);
     let here = key_of(lines.next()?);

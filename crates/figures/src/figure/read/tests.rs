@@ -505,7 +505,7 @@ fn a_bad_expression_is_named_with_its_place() {
         let message = error.to_string();
         assert!(message.contains(problem) && message.contains(at), "{message}");
     }
-    // Values read are checked against the limits as any number is.
+    // Values are checked against the limits like any number.
     let (_, key, problem) = error("[observers.world]\nelevation = \"100°\"");
     assert_eq!(key, "[observers.world] elevation");
     assert_eq!(problem, Problem::Value { found: "\"100°\"".to_owned(), allowed: Allowed::NumberIn(-90.0, 90.0) });
@@ -523,6 +523,6 @@ fn very_many_unknown_parents_take_the_time_of_reading_them() {
     let begin = std::time::Instant::now();
     let (line, key, _) = error(&figure(&|i| format!("parent = \"objekt {i}\"\n")));
     assert_eq!((line, key.as_str()), (3, "[[scene.objects]] parent"));
-    // Every unknown name compared with all that there are: hundreds of times as long.
+    // Comparing every unknown name with all known ones would take hundreds of times as long.
     assert!(begin.elapsed() < 20 * reading, "{:?}, {reading:?} without a fault", begin.elapsed());
 }

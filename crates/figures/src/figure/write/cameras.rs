@@ -6,7 +6,7 @@ use super::{camera, quoted, table};
 use crate::appearance::Rgba;
 use crate::figure::{CameraTag, Figure, NamedCamera};
 
-/// `[camera]`, with the name and the color that it may have.
+/// `[camera]`, with its optional name and color.
 pub(super) fn current(figure: &Figure) -> Table {
     let CameraTag { name, color } = &figure.tag;
     tagged(name.as_deref(), *color, camera(&figure.camera, figure.lens_in_force()))

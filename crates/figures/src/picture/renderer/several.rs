@@ -10,12 +10,12 @@ use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::views::{Request, SharedScene, View};
 
-/// Pictures that are made at the same time. More would need more memory, and a large one has several threads.
+/// Number of pictures made at the same time. More would need more memory, and a large one has several threads.
 const AT_ONCE: usize = View::COUNT;
 
 impl Renderer {
-    /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads,
-    /// without a pause: part of a picture is always made by one of them. `None` if one of the results is.
+    /// Several pictures, each as in [`pixels_into`](Self::pixels_into), at the same time if there are threads, but then
+    /// without a pause, because one of the threads is always making part of a picture. `None` if one of the results is.
     pub async fn all_into(&mut self, requests: &[Request], pictures: &mut [Pixels]) -> Option<Vec<RenderReport>> {
         let jobs = requests.iter().zip(pictures);
         if rayon::current_num_threads() < 2 {
@@ -39,8 +39,8 @@ impl Renderer {
         for (k, job) in jobs.zip(&mut reports).enumerate() {
             shares[k % count].push(job);
         }
-        // Threads of the pool: one that shares a part with others begins it at once, and need not be woken. While it
-        // waits for them it may make another picture, so what pictures share is found without the pool.
+        // Threads of the pool. One that shares a part with others begins it at once, and needn't be woken. While it
+        // waits for them it may make another picture, so the data that pictures share is prepared without the pool.
         rayon::scope(|scope| {
             for (renderer, share) in [&mut *self].into_iter().chain(&mut beside).zip(shares) {
                 scope.spawn(move |_| {
@@ -54,12 +54,12 @@ impl Renderer {
         reports.into_iter().collect()
     }
 
-    /// Paints the shadow maps of pictures that are made at the same time. Otherwise each would paint them.
+    /// Paints the shadow maps of pictures made at the same time. Otherwise each would paint them.
     async fn paint_shadows(&mut self, requests: &[Request]) {
         let mut painted: Option<&SharedScene> = None;
         let shaded = requests.iter().filter(|request| request.shot.look.style.shading != Shading::Wireframe);
         for Request { scene, .. } in shaded {
-            // Maps of one scene at a time are kept.
+            // Only the maps of one scene at a time are kept.
             if painted.get_or_insert(scene) == &scene {
                 for map in self.shadow_maps.of_scene((&**scene).into()) {
                     self.rasterizer.paint_shadows(&map).await;
@@ -68,8 +68,9 @@ impl Renderer {
         }
     }
 
-    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty background around it. And
-    /// the shortfall of any of them. `None` as for [`pixels`](Self::pixels), and without pictures.
+    /// The pictures of a sheet (if there's only one, the picture itself), and the shortfall of any of them. With
+    /// `crop`, each is without the empty background around it. `None` as for [`pixels`](Self::pixels), and without
+    /// pictures.
     pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
         let mut pictures = vec![Pixels::default(); sheet.requests.len()];
         let reports = self.all_into(&sheet.requests, &mut pictures).await?;
@@ -93,8 +94,8 @@ impl Renderer {
     }
 }
 
-/// The pictures of a sheet without the empty background around each, but for what makes the sheet as wide as it was
-/// asked to be.
+/// The pictures of a sheet without the empty background around each, except for the part that gives the sheet the
+/// requested width.
 fn cropped(pictures: Vec<Pixels>, sheet: &Composite) -> Option<Vec<Pixels>> {
     let pixmaps: Vec<Pixmap> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect::<Option<_>>()?;
     let parts = sheet.kept(pixmaps.iter().map(|pixmap| crop::part(pixmap, sheet.gap)).collect());
@@ -152,7 +153,7 @@ mod tests {
             .flat_map(|visibility| View::ALL.map(|view| request(view, visibility)))
             .collect();
         let mut renderer = Renderer::default();
-        // Whatever the machine has.
+        // On any machine.
         let threads = rayon::ThreadPoolBuilder::new().num_threads(4).build().unwrap();
         let all = |renderer: &mut Renderer, pictures: &mut [Pixels]| {
             threads.install(|| at_once(renderer.all_into(&requests, pictures)))

@@ -1,7 +1,7 @@
 //! The canonical volume of a convention of NDC, as placed in the picture.
 //!
-//! Everything is placed as the camera sees it, x to the right, up upwards and the front face in front, whatever the
-//! convention. The differences are the depth of the box, its origin, and the directions of y_n and z_n.
+//! Everything is placed as the camera sees it, x to the right, up upwards and the front face in front, in any
+//! convention. The conventions differ in the depth of the box, its origin, and the directions of y_n and z_n.
 
 use glam::{DMat4, DVec3};
 
@@ -15,7 +15,7 @@ use crate::views::{Request, View};
 /// A box in display space, from that of the notes: (x_n, y_n, −z_n) in \[−1, 1\]³.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::views) struct CanonicalBox {
-    /// The convention; without a far plane only where that is possible.
+    /// The convention, without a far plane only if that's possible.
     pub(in crate::views) ndc: Ndc,
     /// Display depth from that of the notes: `scale` · depth + `offset`.
     scale: f64,
@@ -33,7 +33,7 @@ impl CanonicalBox {
             return Self { ndc, scale: 1.0, offset: 0.0 };
         }
         let [at_near, at_far] = ndc.depths();
-        // Of a share that is 1 at F and 0 at B: the share that is 0 at infinity, F/d = share (1 − F/B) + F/B.
+        // From a share that's 1 at F and 0 at B to one that's 0 at infinity: F/d = share (1 − F/B) + F/B.
         let rest = match camera.projection() {
             Projection::Perspective if ndc.infinite => camera.near() / camera.far(),
             Projection::Perspective | Projection::Parallel => 0.0,
@@ -45,12 +45,12 @@ impl CanonicalBox {
         Self { ndc, scale, offset: side * at_far + range * rest + scale }
     }
 
-    /// Display depth for z_n = 1: into the screen, or out of it where depth is reversed.
+    /// Display depth for z_n = 1: into the screen, or out of it if depth is reversed.
     fn side(ndc: Ndc) -> f64 {
         if ndc.reversed { 1.0 } else { -1.0 }
     }
 
-    /// The whole volume; without a far plane up to infinity.
+    /// The whole volume, up to infinity without a far plane.
     pub(in crate::views) fn bounds(&self) -> Aabb {
         let [at_near, at_far] = self.ndc.depths().map(|depth| Self::side(self.ndc) * depth);
         Aabb { min: DVec3::new(-1.0, -1.0, at_far), max: DVec3::new(1.0, 1.0, at_near) }
@@ -98,8 +98,8 @@ impl CanonicalBox {
     }
 }
 
-/// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only those
-/// inside the view volume are.
+/// The place of a vertex (world) in the space of the picture. The canonical volume and the image only show those inside
+/// the view volume.
 pub(in crate::views) fn shown_at(request: &Request, p: DVec3) -> Option<DVec3> {
     let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
     match request.view {

@@ -36,14 +36,14 @@ use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 /// Length of the axes from the middle of the cube.
 const AXIS: f64 = 1.42;
-/// Size of the visible space around the cube where the outside is shown.
+/// Size of the visible space around the cube if the outside is shown.
 const BEYOND: f64 = 1.5;
 const ISO: Observer = on_side(32.0, 20.0, false);
 
-/// The camera's axes as the picture shows them.
+/// The camera's axes in the picture.
 const VRC: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
 
-/// The observer that a button gives. It looks from the viewpoint's side and has the cube in the picture.
+/// The observer for a button. It looks from the viewpoint's side and has the cube in the picture.
 pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     framing(request, viewpoint.direction(ISO, VRC))
 }
@@ -61,7 +61,7 @@ pub(super) fn framing(request: &Request, direction: Observer) -> Observer {
     enclosing(&points, direction, sides.first().unwrap_or(request).size)
 }
 
-/// Whether an observer has the box, and what is shown around it, in its picture; of a comparison, both boxes.
+/// True if an observer has the box, and everything shown around it, in its picture. For a comparison, both boxes.
 pub(super) fn holds(request: &Request, observer: &Observer) -> bool {
     request.each_side().iter().all(|side| super::observer::holds(observer, &points(side), side.size))
 }
@@ -79,7 +79,7 @@ fn points(request: &Request) -> Vec<DVec3> {
     bounds.corners().map(|p| middle + (p - middle) * beyond).into_iter().chain(tips).collect()
 }
 
-/// The observer's camera and its pixels; `None` for an observer that is not a camera.
+/// The observer's camera and its pixels; `None` for an observer that isn't a camera.
 pub(super) fn screen(request: &Request) -> Option<Screen> {
     let observer = observer_of(request);
     let bounds = Aabb { min: CUBE.min * 2.0, max: CUBE.max * 2.0 };
@@ -98,7 +98,7 @@ pub(super) fn observer_of(request: &Request) -> Observer {
     request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
-/// Draws the canonical volume. An observer that is not a camera sees nothing.
+/// Draws the canonical volume. An observer that isn't a camera sees nothing.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
@@ -125,7 +125,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
 }
 
-/// Where a point of the world is shown, or the nearest place of the volume.
+/// The displayed place of a point of the world, or the nearest place of the volume.
 pub(super) fn shown(request: &Request, canonical: &CanonicalBox, p: DVec3) -> Option<DVec3> {
     let ndc = displayed_ndc(&request.camera, p)?;
     Some(canonical.place(ndc.clamp(DVec3::NEG_ONE, DVec3::ONE)))
@@ -137,8 +137,8 @@ fn axes(builder: &mut AnnotationBuilder, canonical: &CanonicalBox, palette: Pale
     }
 }
 
-/// The box: its front face (z_n = −1 in the notes) is emphasised as the window is in the world, its back face has
-/// dashed edges as there.
+/// The box. Its front face (z_n = −1 in the notes) is emphasised like the window in the world, and its back face has
+/// dashed edges like there.
 fn cube(builder: &mut AnnotationBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
     let bounds = canonical.bounds();
     let [near, far] = canonical.faces();
@@ -172,7 +172,7 @@ pub(super) fn box_between(builder: &mut AnnotationBuilder, near: [DVec3; 4], far
     builder.closed(&near, palette.ink, 2.0, Dash::Solid);
 }
 
-/// Places the texts of a picture of the volume around its legend; `first`: the names of its axes.
+/// Places the texts of a picture of the volume around its legend. `first` lists the names of its axes.
 pub(super) fn settled(
     mut drawn: Frame,
     request: &Request,
@@ -204,8 +204,8 @@ fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
     }
 }
 
-/// The coordinates of the corners, in a small picture of two only. Two that coincide in the picture have one name, with
-/// ±.
+/// The coordinates of the corners, or in a small picture of two corners only. Two that coincide in the picture have one
+/// name, with ±.
 fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String)> {
     const SMALL: f64 = 320.0;
     let corners = canonical.bounds().corners();
@@ -228,7 +228,7 @@ fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String
     names
 }
 
-/// The name by which an author changes the coordinates of a corner of the box.
+/// The name with which an author changes the coordinates of a corner of the box.
 fn corner_name(p: DVec3) -> String {
     let side = |is_high, [low, high]: [&'static str; 2]| if is_high { high } else { low };
     let depth = side(p.z > 0.0, ["far", "near"]);

@@ -1,9 +1,9 @@
 //! The view volume on its way to the canonical one: the picture of the canonical volume, taken back by some of the
 //! steps.
 //!
-//! What is moved is the canonical picture's own scene, so that the last of the pictures is the canonical picture, by
-//! construction. z always points towards the viewer in the picture; where a step makes the space left-handed, it is the
-//! axis that turns around.
+//! The scene that moves is the canonical picture's own, so the last of the pictures is the canonical picture by
+//! construction. z always points towards the viewer in the picture. If a step makes the space left-handed, the axis
+//! turns around.
 
 use std::borrow::Cow;
 
@@ -27,12 +27,12 @@ use crate::views::world::gizmos;
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use crate::views::{Normalizing, Palette, Request, canonical};
 
-/// The steps of a camera, and where on them a picture is.
+/// The steps of a camera, and the position of a picture on them.
 struct Way {
     factors: Vec<Factor>,
-    /// The step that is under way.
+    /// The current step.
     step: usize,
-    /// The share of it that is done, below 1.
+    /// The completed share of it, below 1.
     share: f64,
 }
 
@@ -63,7 +63,7 @@ impl Way {
         self.factors[self.step].part(self.before(self.step), self.share)
     }
 
-    /// From the canonical display space back to where the way is.
+    /// From the canonical display space back to the current position of the way.
     fn back_from_canonical(&self) -> DMat4 {
         let undone = |matrix: DMat4, step: usize| matrix * self.whole(step).inverse();
         (self.step..self.factors.len()).fold(self.part(), undone)
@@ -74,12 +74,12 @@ impl Way {
         (0..steps).fold(DMat4::IDENTITY, |matrix, step| self.whole(step) * matrix)
     }
 
-    /// From the world to where the way is, as it is shown.
+    /// From the world to the current position of the way, as displayed.
     fn now(&self) -> DMat4 {
         self.part() * self.forward_from_world(self.step)
     }
 
-    /// The step that is under way, or the last whole one, and how the axes are oriented by then.
+    /// The legend with the current step, or the last whole one, and the present orientation of the axes.
     fn said(&self, request: &Request, palette: Palette) -> Vec<LegendRow> {
         let labels = request.labels;
         let shown = if self.share > 0.0 { Some(self.step) } else { self.step.checked_sub(1) };
@@ -98,7 +98,7 @@ impl Way {
         ]
     }
 
-    /// The z axis as it is shown, while it turns around: 1 towards the viewer, −1 away.
+    /// The displayed z axis, while it turns around: 1 towards the viewer, −1 away.
     fn z_axis(&self) -> f64 {
         let side = |left_handed: bool| if left_handed { -1.0 } else { 1.0 };
         let (before, after) = (side(self.before(self.step)), side(self.factors[self.step].left_handed));
@@ -117,8 +117,8 @@ const FARTHEST: f64 = 4.0;
 /// Length of the axes relative to the volume.
 const AXIS: f64 = 0.45;
 
-/// The required content of the picture after a number of whole steps: the volume, and the origin with its axes where
-/// that is near enough to be seen with it.
+/// The required content of the picture after a number of whole steps: the volume, and the origin with its axes if
+/// that's near enough to be visible with it.
 fn extent(way: &Way, camera: &Camera, steps: usize) -> Option<Aabb> {
     const FAR_AWAY: f64 = 8.0;
     let matrix = way.forward_from_world(steps);
@@ -134,7 +134,7 @@ fn radius(way: &Way, camera: &Camera, steps: usize) -> Option<f64> {
     Aabb::around(camera.volume_corners().into_iter().filter_map(|p| mapped(&matrix, p))).map(|volume| volume.radius())
 }
 
-/// The observer, which looks as that of the canonical picture does and goes evenly from one step's extent to the next
+/// The observer, which looks like that of the canonical picture and moves evenly from one step's extent to the next
 /// one's.
 fn observer(request: &Request, way: &Way) -> Option<Observer> {
     let end = canonical::observer_of(request);
@@ -145,11 +145,12 @@ fn observer(request: &Request, way: &Way) -> Option<Observer> {
     Some(between(around(before), after, way.share))
 }
 
-/// An observer between two that look in the same direction: distances grow by equal factors, places go along with them.
+/// An observer between two that look in the same direction. Distances grow by equal factors, and places go along with
+/// them.
 fn between(a: Observer, b: Observer, share: f64) -> Observer {
     let ratio = b.distance / a.distance;
     let distance = a.distance * ratio.powf(share);
-    // Along with the distance, so that points far from the focal point do not leave the picture.
+    // Along with the distance, so that points far from the focal point don't leave the picture.
     let along = if (ratio - 1.0).abs() < 1e-9 { share } else { (distance - a.distance) / (b.distance - a.distance) };
     Observer { distance, target: a.target.lerp(b.target, along), ..b }
 }
@@ -160,7 +161,7 @@ pub(in crate::views) fn frame_of(request: &Request, pipeline: &mut TimedPipeline
     on_the_way.unwrap_or_else(|| canonical::frame_of(request, pipeline))
 }
 
-/// The picture where the way is not at its end.
+/// The picture before the end of the way.
 fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<Frame> {
     let palette = Palette::of(request.shot.look.style.theme);
     let target = request.size.target(palette.paper);
@@ -181,7 +182,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;
     let after = if last { the_box.bounds().radius() } else { radius(way, &request.camera, way.step + 1)? };
-    // Sizes grow by equal factors, as the distance of the observer does.
+    // Sizes grow by equal factors, like the distance of the observer.
     let reach = AXIS * before * (after / before).powf(way.share);
     axes(&mut builder, way, reach, palette);
     canonical::box_between(&mut builder, near, far, palette);
@@ -207,7 +208,7 @@ fn axes(builder: &mut AnnotationBuilder, way: &Way, reach: f64, palette: Palette
     }
 }
 
-/// C, until it has gone too far: a division sends it to infinity.
+/// C, until it's too far away, because a division sends it to infinity.
 fn eye(builder: &mut AnnotationBuilder, request: &Request, way: &Way, bounds: Aabb, palette: Palette) {
     let Some(p) = mapped(&way.now(), request.camera.position()) else { return };
     if p.distance(bounds.center()) <= FARTHEST * bounds.radius() {

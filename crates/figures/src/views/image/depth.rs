@@ -22,18 +22,18 @@ pub struct DepthReading {
     pub z: f64,
     /// z_n, in the convention of the request.
     pub ndc_z: f64,
-    /// The distance from the eye along DOP, −z_c, in scene units: between F and B.
+    /// The distance from the eye along DOP, −z_c, in scene units, between F and B.
     pub distance: f64,
 }
 
-/// The content of the depth buffer on the ray through a point (x_p, y_p) of the view window; `None` if no opaque
-/// face is drawn.
+/// The content of the depth buffer on the ray through a point (x_p, y_p) of the view window; `None` if no opaque face
+/// is drawn there.
 pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let camera = &request.camera;
     let ray = camera.ray_through_window(point);
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-    // Faces divided first have no depth where they are wrong: they are drawn as glass.
+    // Faces divided first have no depth where they're wrong, because they're drawn as glass.
     let right = request.shot.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
     let hit = hits::first_opaque(right.as_ref().unwrap_or(&request.scene), from, to)?;
     let space = camera.possible_clip_space(request.shot.ndc);
@@ -54,12 +54,13 @@ pub struct DepthTest {
 }
 
 impl DepthTest {
-    /// Of a triangle (object of the scene, index in its mesh) in the image; `None` if its object is not drawn.
+    /// The inputs for a triangle (object of the scene, index in its mesh) in the image; `None` if its object isn't
+    /// drawn.
     pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let plain = request.clone().with_shot(|shot| shot.look.reveal.depth = Depth::Stored);
         let mut scene = Scene::clone(&request.scene);
         only(&mut scene);
-        // As it is stored, not resolved over the depths in view.
+        // As it's stored, not resolved over the visible depths.
         let options = Options { followed: Some((object, triangle)), depth_of_volume: true, ..Options::default() };
         let image = request.shot.look.image;
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
@@ -97,12 +98,12 @@ impl DepthTest {
     }
 }
 
-/// The style in which faces leave their depth: a depth buffer needs faces, and a depth buffer, but no colours.
+/// The style in which faces leave their depth. It needs faces and a depth buffer, but no colours.
 pub(in crate::views) fn style(style: &Style) -> Style {
     Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, ..*style }
 }
 
-/// Removes from a scene all but its faces, and their light.
+/// Removes everything from a scene except for its faces, and also removes their light.
 pub(in crate::views) fn only(scene: &mut Scene) {
     scene.lights.clear();
     scene.lines.clear();
@@ -114,7 +115,7 @@ pub(in crate::views) fn only(scene: &mut Scene) {
 /// Depths, as grey levels of 0 … 1.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::views) struct Greys {
-    /// F / B; 1 in parallel projection, where all is affine.
+    /// F / B; 1 in parallel projection, where everything is affine.
     near_over_far: f64,
     /// The meaning of a depth of 1 at F and 0 at B.
     volume: DepthScale,
@@ -149,8 +150,8 @@ impl Greys {
         }
     }
 
-    /// Paints the faces of an image with their depths, takes everything else away, and says so of the stages that had
-    /// to do with it.
+    /// Paints the faces of an image with their depths, removes everything else, and corrects the report on the stages
+    /// involved.
     pub(in crate::views) fn paint(self, drawing: &mut Drawing, scale: DepthScale) {
         drawing.surfaces.retain(|surface| !surface.translucent);
         for surface in &mut drawing.surfaces {
@@ -167,12 +168,13 @@ impl Greys {
         drawing.labels.clear();
     }
 
-    /// Says in the report of a picture what depths change; `marks`. It has any, a stage's not counted.
+    /// Corrects the report of a picture of depths. `marks` is true if the picture has any, not counting those of a
+    /// stage.
     pub(in crate::views) fn report(frame: &mut Frame, marks: bool) {
         let painted = !frame.drawing.surfaces.is_empty();
         for report in &mut frame.report {
             match report.stage {
-                // [`only`] took lights and lines away.
+                // [`only`] removed lights and lines.
                 Stage::Normals | Stage::Light if !report.ran => report.reason = Reason::DepthsShown,
                 Stage::Lines if !marks => (report.ran, report.reason) = (false, Reason::DepthsShown),
                 Stage::Interpolate if painted => (report.ran, report.reason) = (true, Reason::DepthsShown),
@@ -187,7 +189,7 @@ impl Greys {
         (self.near_over_far + depth * (1.0 - self.near_over_far)) as f32
     }
 
-    /// The levels from F to B with their numbers, and the background; `linear`: the heading of distances.
+    /// The levels from F to B with their numbers, and the background. `linear` is the heading of distances.
     pub(in crate::views) fn legend(self, request: &Request, linear: &str, palette: Palette) -> Vec<LegendRow> {
         const STEPS: u32 = 40;
         let (camera, labels) = (&request.camera, request.labels);
@@ -195,7 +197,7 @@ impl Greys {
         let ends = self.range.unwrap_or([0.0, 1.0]);
         let level = |share: f64| ends[0] + (ends[1] - ends[0]) * share;
         let levels = (0..=STEPS).map(|i| grey(level(f64::from(i) / f64::from(STEPS)))).collect();
-        // The distance that has the level in the middle of the scale.
+        // The distance of the level in the middle of the scale.
         let middle = match (self.range, camera.projection()) {
             (Some(_), Projection::Perspective) => 2.0 / (1.0 / f + 1.0 / b),
             (None, _) | (Some(_), Projection::Parallel) => f + (b - f) / 2.0,

@@ -1,4 +1,4 @@
-//! The view of a light: its picture in the image, its volume in the world, and the depths that are compared at a point.
+//! The view of a light: its picture in the image, its volume in the world, and the depths to compare at a point.
 
 use std::borrow::Cow;
 
@@ -17,7 +17,7 @@ use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::gizmos::AnnotationBuilder;
 use crate::views::{Palette, Request, ShadowTruth};
 
-/// The image as the first light that casts shadows sees it, where the figure reveals that; `None` otherwise.
+/// The image as the first light that casts shadows sees it, if the figure reveals that; `None` otherwise.
 pub(in crate::views) fn of_light(request: &Request) -> Option<Request> {
     if request.shot.look.reveal.shadows != Some(ShadowReveal::Map) {
         return None;
@@ -34,7 +34,7 @@ pub(in crate::views) fn of_light(request: &Request) -> Option<Request> {
     Some(Request { camera, ..seen })
 }
 
-/// The lights of a scene as the figure reveals their shadows: without bias.
+/// The lights of a scene as the figure reveals their shadows, without bias.
 pub(in crate::views) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'a, [Light]> {
     let mut lights = Cow::Borrowed(scene.lights.as_slice());
     if request.shot.look.reveal.shadows == Some(ShadowReveal::Acne) {
@@ -43,8 +43,8 @@ pub(in crate::views) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'
     lights
 }
 
-/// Projected things in the shadows of the world. Nothing is lit where it is shown, so that without shadows they need no
-/// lights. `lights`: those of the world as the figure reveals them.
+/// Projected things in the shadows of the world. They're displayed without light, so they need no lights unless there
+/// are shadows. `lights` are those of the world as the figure reveals them.
 pub(in crate::views) fn shadowed<'a>(scenes: Scenes<'a>, request: &'a Request, lights: &'a [Light]) -> Scenes<'a> {
     if lights.iter().any(|light| light.shadows.cast) {
         scenes.in_shadows_of(&request.scene).lit_by(lights)
@@ -53,7 +53,7 @@ pub(in crate::views) fn shadowed<'a>(scenes: Scenes<'a>, request: &'a Request, l
     }
 }
 
-/// The legend of shadows without bias, and of those held against rays.
+/// The legend of shadows without bias, and of shadows compared with rays.
 pub(in crate::views) fn rows(request: &Request, palette: Palette) -> Option<LegendRow> {
     let labels = request.labels;
     match (request.shot.look.reveal.shadows?, request.shadow_truth.as_deref()) {
@@ -113,7 +113,7 @@ fn first(scene: &Scene) -> Option<&Light> {
     scene.lights.iter().find(|light| light.shadows.cast)
 }
 
-/// The camera of a light; of the six around a lamp, the one that looks towards the middle of the scene.
+/// The camera of a light. If it's a lamp with six, the one that looks towards the middle of the scene.
 fn main_camera(scene: &Scene, light: &Light) -> Option<Camera> {
     let cameras = light_cameras(scene, light)?;
     let middle = scene.bounds()?.center() - light.vector;
@@ -124,20 +124,20 @@ fn main_camera(scene: &Scene, light: &Light) -> Option<Camera> {
     }
 }
 
-/// The depths that are compared for the shadow at a point.
+/// The depths to compare for the shadow at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShadowAt {
     /// The light's place among those of the figure.
     pub light: usize,
     /// The distance of the point from the light's plane of projection, in scene units.
     pub own: f64,
-    /// That of the nearest thing in the middle of the texel; `None` means there is nothing.
+    /// The distance of the nearest thing in the middle of the texel; `None` if there's nothing.
     pub nearest: Option<f64>,
     /// The texel: column and row, from the top left.
     pub texel: [u32; 2],
     /// The side of the map in texels.
     pub size: u32,
-    /// How much deeper than the map a point may be and still be lit, in scene units.
+    /// The distance by which a point may be deeper than the map and still be lit, in scene units.
     pub allowed: f64,
 }
 
@@ -184,7 +184,7 @@ fn at(scene: &Scene, index: usize, light: &Light, p: DVec3) -> Option<ShadowAt> 
         let length = window.width() / size / scale;
         #[expect(clippy::cast_possible_truncation, reason = "within the map")]
         let texel = [texel.x as u32, texel.y as u32];
-        // A face that is seen at 45° sinks by a texel's length within a texel.
+        // A face seen at 45° sinks by a texel's length within a texel.
         let allowed = 1.5 * shadows.bias * length;
         Some(ShadowAt { light: index, own, nearest, texel, size: shadows.map, allowed })
     })

@@ -1,4 +1,4 @@
-//! The image: the scene as the figure's camera sees it, m × n pixels of (5.22), which are not square where A ≠ m / n.
+//! The image: the scene as the figure's camera sees it, m × n pixels of (5.22), which aren't square if A ≠ m / n.
 
 pub mod depth;
 pub(super) mod light_view;
@@ -37,7 +37,7 @@ pub(super) fn screen(request: &Request) -> Screen {
 }
 
 pub(super) fn frame(request: &Request) -> PixelRect {
-    /// Room for half a mark, in units of stroke width.
+    /// Space for half a mark, in units of stroke width.
     const MARGIN: f32 = 6.0;
     let Size { width, height, scale } = request.size;
     let aspect = request.shot.look.image_aspect(&request.camera);
@@ -62,7 +62,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     }
 }
 
-/// Draws the image of a request; `linear`: the heading of distances.
+/// Draws the image of a request. `linear` is the heading of distances.
 fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
@@ -103,7 +103,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
         drawing.depth_format = style.depth_format;
     }
-    // Where nothing is behind the eye, dividing first makes no difference, and clipping worked as ever.
+    // If nothing is behind the eye, dividing first makes no difference, and clipping worked as usual.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
@@ -136,10 +136,10 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     if request.shot.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }
-    // It does not cover the border.
+    // It doesn't cover the border.
     let part = if request.finish.framed { rect } else { PixelRect::whole(request.size) };
     let legend = revealed_scene::legend(request, rows, part, whole.scale, palette);
-    // The legend lies in the whole picture, of which the image may be the middle.
+    // The legend lies in the whole picture, while the image may only be its middle.
     let reserved = revealed_scene::room(legend.as_ref())
         .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
     let corner = DVec2::new(f64::from(rect.x), f64::from(rect.y));
@@ -197,7 +197,7 @@ fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) ->
     Drawing { width: size.width, height: size.height, background: palette.surround, ..image }
 }
 
-/// A place in the image, in the whole picture.
+/// A place in the image, in the coordinates of the whole picture.
 fn shifted([x, y, z]: [f32; 3], rect: PixelRect) -> [f32; 3] {
     [x + rect.x as f32, y + rect.y as f32, z]
 }

@@ -1,4 +1,4 @@
-//! Points that are beside the image, or behind the eye. An arrow at the border of the image says where each of them is.
+//! Points beside the image, or behind the eye. An arrow at the border of the image shows the direction to each of them.
 
 use glam::{DVec2, DVec3};
 
@@ -15,14 +15,14 @@ use crate::views::{Palette, Request};
 const LENGTH: f64 = 22.0;
 const MARGIN: f64 = 3.0;
 
-/// The direction (pixels, y down) from the middle of a picture of this size to a point that is not in it, and whether
-/// it is behind the eye. There it is the direction in which the camera would have to turn. `None` for a point in the
-/// picture, also one cut off by F or B.
+/// The direction (pixels, y down) from the middle of a picture of this size to a point outside it, and true if it's
+/// behind the eye. In that case it's the direction in which the camera would have to turn. `None` for a point in the
+/// picture, even if it's cut off by F or B.
 fn direction(camera: &Camera, size: DVec2, p: DVec3) -> Option<(DVec2, bool)> {
     let (view, clip) = (camera.view_point(p), camera.clip_point(p));
     if camera.projection() == Projection::Perspective && view.z >= 0.0 {
         let aside = DVec2::new(view.x, -view.y);
-        // Straight behind the eye one way is as good as another.
+        // Straight behind the eye, any direction is as good as another.
         let seen = aside.length() > 1e-9 * view.z;
         return Some((if seen { aside } else { DVec2::Y }, true));
     }
@@ -36,14 +36,14 @@ fn unit(direction: DVec2) -> DVec2 {
     (direction / direction.abs().max_element()).normalize_or(DVec2::Y)
 }
 
-/// The point where the way from the middle of a picture in a direction leaves it, `MARGIN` before.
+/// The point where the line from the middle of a picture in a direction leaves it, `MARGIN` before.
 fn border(size: DVec2, direction: DVec2, scale: f64) -> DVec2 {
     let half = size / 2.0 - MARGIN * scale;
     let unit = unit(direction);
     size / 2.0 + unit * (half / unit.abs().max(DVec2::splat(1e-12))).min_element()
 }
 
-/// Adds the arrows and the names. Those behind the eye are dashed, and marked as such.
+/// Adds the arrows and the names. Arrows to points behind the eye are dashed, and marked as such.
 pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) {
     let size = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
     let scale = f64::from(request.size.scale);
@@ -97,7 +97,7 @@ mod tests {
             (DVec3::ZERO, None),
             (DVec3::new(50.0, 0.0, 0.0), Some((DVec2::X, false))),
             (DVec3::new(0.0, 50.0, 0.0), Some((DVec2::NEG_Y, false))),
-            // Behind the eye, to the left, the division would have it to the right.
+            // Behind the eye, to the left. The division would place it to the right.
             (DVec3::new(-3.0, 0.0, 8.0), Some((DVec2::NEG_X, true))),
             (DVec3::new(0.0, 0.0, 8.0), Some((DVec2::Y, true))),
         ] {

@@ -1,9 +1,9 @@
-//! A picture that is begun. Only the first of its triangles are painted, in the order in which they are painted.
+//! An unfinished picture. Only the first of its triangles are painted, in the order of painting.
 
 use crate::drawing::Drawing;
 
 /// Keeps the first share (0 … 1) of the triangles, and returns their number, and that of all. Strokes and marks are
-/// left out: the faces that hide them may not be there yet.
+/// left out, because the faces that hide them may be missing.
 pub(in crate::views) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
     let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
     #[expect(clippy::cast_possible_truncation, reason = "a share of a count")]

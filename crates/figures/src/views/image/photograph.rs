@@ -1,4 +1,4 @@
-//! The photograph under the scene: it fills the image.
+//! The photograph under the scene, which fills the image.
 
 use std::sync::Arc;
 
@@ -6,8 +6,8 @@ use crate::appearance::{Filter, Rgba, Sampler};
 use crate::drawing::{Base, Drawing, Surface};
 use crate::views::Request;
 
-/// Puts the photograph of the figure behind all else of drawings of its image, as far as its opacity goes. Images of
-/// other cameras are without it. It was taken by the figure's own.
+/// Puts the photograph of the figure behind everything else in drawings of its image, with its opacity. Images of other
+/// cameras don't have it, because the figure's own camera took it.
 pub(super) fn under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) {
     let share = request.shot.look.photograph_opacity;
     #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
@@ -17,7 +17,7 @@ pub(super) fn under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request
     };
     for drawing in drawings {
         let [w, h] = [drawing.width, drawing.height].map(|side| side as f32);
-        // On the back plane, the farthest that anything is.
+        // On the back plane, the farthest place of all.
         let corners = vec![[0.0, 0.0, 0.0], [w, 0.0, 0.0], [w, h, 0.0], [0.0, h, 0.0]];
         let base = Base::Texture {
             image: Arc::clone(image),
@@ -27,7 +27,7 @@ pub(super) fn under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request
         };
         let translucent = opacity < 255 || !image.is_opaque();
         if translucent && !drawing.painted_in_order {
-            // What is translucent comes after what is opaque, and only depths keep it behind.
+            // Translucent surfaces come after opaque ones, and only depths keep the photograph behind.
             drawing.surfaces.iter_mut().filter(|s| !s.translucent).for_each(|s| s.depth_test = true);
         }
         let triangles = vec![[0, 1, 2], [0, 2, 3]];

@@ -1,5 +1,5 @@
-//! The image of a pipeline in single precision (`[reveal] single_precision`): the numbers of `f32` where a program for
-//! graphics cards has them, up to view space. What comes after loses little more.
+//! The image of a pipeline in single precision (`[reveal] single_precision`), with numbers in `f32` where a program for
+//! graphics cards has them, up to view space. The later stages lose little more.
 
 use std::sync::Arc;
 
@@ -39,7 +39,7 @@ fn round(object: &mut Object, camera: &Camera) {
     object.mesh = Arc::new(Mesh { positions, ..Mesh::clone(&object.mesh) });
 }
 
-/// The point of the world that is in exact numbers where `point` is after a view matrix in single precision.
+/// The point of the world whose exact place is that of `point` after a view matrix in single precision.
 fn seen(point: DVec3, camera: &Camera) -> DVec3 {
     let view = camera.view_from_world().as_mat4().transform_point3(point.as_vec3());
     let basis = camera.basis();

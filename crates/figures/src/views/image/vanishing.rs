@@ -1,8 +1,8 @@
-//! Vanishing points of the scene's three directions, with their construction: `[4]`, ideal points under a projective
+//! Vanishing points of the scene's three directions, with their construction, `[4]`, ideal points under a projective
 //! map.
 //!
-//! The lines of a direction **d** meet in the image of its ideal point, M (d, 0): where w ≠ 0 that is the point in
-//! which the parallel to **d** through C meets the view plane. In parallel projection w = 0: ideal points stay ideal,
+//! The lines of a direction **d** meet in the image of its ideal point, M (d, 0). If w ≠ 0, that's the point in which
+//! the parallel to **d** through C meets the view plane. In parallel projection w = 0, so ideal points stay ideal, and
 //! parallels stay parallel.
 
 use glam::{DVec2, DVec3};
@@ -17,11 +17,11 @@ use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, stroke};
 use crate::views::{Palette, Request};
 
-/// The directions, and how their vanishing points are called.
+/// The directions, and the names of their vanishing points.
 const DIRECTIONS: [(DVec3, &str); 3] = [(DVec3::X, "V_x"), (DVec3::Y, "V_y"), (DVec3::Z, "V_z")];
 
-/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` if that is ideal
-/// itself: in parallel projection, and for directions parallel to the view plane up to rounding.
+/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` if that's ideal
+/// itself. This happens in parallel projection, and for directions parallel to the view plane up to rounding.
 pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2> {
     let basis = camera.basis();
     let along = direction.dot(basis.n);
@@ -31,7 +31,7 @@ pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Op
         .filter(|p| p.is_finite())
 }
 
-/// In the world: the parallels through C, each up to the view plane.
+/// Draws the parallels through C in the world, each up to the view plane.
 pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     /// Farthest vanishing point to include, in windows from the middle of the window. A farther one would pull the eye
     /// away from the scene.
@@ -51,7 +51,7 @@ pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Requ
     }
 }
 
-/// In the image: the edges of the box around the scene, prolonged to where they meet, and the horizon.
+/// Draws the edges of the box around the scene in the image, extended to their intersection, and the horizon.
 pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let camera = &request.camera;
     let labels = request.labels;
@@ -94,7 +94,7 @@ fn horizon(drawing: &mut Drawing, picture: &WindowPicture<'_>, request: &Request
     let basis = request.camera.basis();
     let (a, b, c) = (basis.u.y, basis.v.y, -request.camera.near() * basis.n.y);
     let across = DVec2::new(a, b);
-    // Looking straight up or down, no horizontal direction has a vanishing point in reach.
+    // When the camera looks straight up or down, no horizontal direction has a vanishing point in reach.
     if across.length() < 1e-9 {
         return;
     }
@@ -112,8 +112,8 @@ fn horizon(drawing: &mut Drawing, picture: &WindowPicture<'_>, request: &Request
     }
 }
 
-/// Of each edge of a box along a direction, the window point of the end from which it runs to the vanishing point: the
-/// one nearer to the eye, in front of it.
+/// For each edge of a box along a direction, the window point of the end from which it runs to the vanishing point.
+/// It's the end nearer to the eye, in front of it.
 fn nearest_ends(camera: &Camera, bounds: Aabb, direction: DVec3) -> Vec<DVec2> {
     let view = |p: DVec3| camera.view_point(p);
     let corners = bounds.corners();
@@ -135,7 +135,7 @@ struct WindowPicture<'a> {
 }
 
 impl WindowPicture<'_> {
-    /// The place in pixels of a window point. Also far outside.
+    /// The place in pixels of a window point, also far outside.
     fn place(&self, point: DVec2) -> DVec2 {
         let w = self.camera.window();
         self.size * DVec2::new((point.x - w.left) / w.width(), (w.top - point.y) / w.height())
@@ -145,7 +145,8 @@ impl WindowPicture<'_> {
         px.cmpge(DVec2::ZERO).all() && px.cmple(self.size).all()
     }
 
-    /// Draws the part of a line in the picture (in `f64`: a vanishing point may be a billion pixels away).
+    /// Draws the part of a line in the picture. It computes in `f64`, because a vanishing point may be a billion pixels
+    /// away.
     fn line(&self, drawing: &mut Drawing, [a, b]: [DVec2; 2], style: LineStyle) -> Option<[DVec2; 2]> {
         let whole = Box2 { center: self.size / 2.0, half: self.size / 2.0 };
         let ends = whole.part_inside(a, b)?.map(|share| a.lerp(b, share));
@@ -171,7 +172,7 @@ mod tests {
     use super::*;
     use crate::camera::{ImageSize, Parameters, Viewport};
 
-    /// Points of a line, farther and farther away, come to the vanishing point.
+    /// Points of a line, farther and farther away, approach the vanishing point.
     #[test]
     fn lines_run_to_the_vanishing_point_of_their_direction() {
         let camera = Camera::new(&Parameters::default()).unwrap();

@@ -8,7 +8,7 @@ use crate::views::{OtherCamera, Request};
 
 /// The camera of the list whose body is at `pointer` (pixels), or within `reach` pixels of it.
 pub fn camera_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> {
-    /// Half the height of a body, and where it is along **n**, in its units.
+    /// Half the height of a body, and its position along **n**, in its units.
     const HALF: f64 = 0.5;
     const ALONG: [f64; 4] = [0.0, 0.6, 1.2, 1.8];
     if request.shot.cameras.is_empty() || request.shot.look.world.section {

@@ -20,7 +20,7 @@ pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
     on_screen(request, &screen, &volume).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
 }
 
-/// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place the one that comes first in
+/// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place, it's the one that comes first in
 /// [`Handle`].
 pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle> {
     handles(request)
@@ -31,7 +31,7 @@ pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle
         .map(|(handle, _)| handle)
 }
 
-/// The places of the handles in the world. A part that is left out has none.
+/// The places of the handles in the world. A hidden part has none.
 pub(in crate::views) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
     let parts = request.shot.look.world.parts;
@@ -49,8 +49,8 @@ pub(in crate::views) fn on_screen(request: &Request, screen: &Screen, volume: &D
 }
 
 /// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C,
-/// where a small F would hide its handle. None where the axis is seen end-on. That of a broken volume's far plane is
-/// where it is drawn.
+/// because a small F would hide its handle there. Empty if the axis is seen end-on. The handle of a broken volume's far
+/// plane is where the plane is drawn.
 pub(in crate::views) fn on_axis(
     request: &Request,
     screen: &Screen,
@@ -71,16 +71,16 @@ pub(in crate::views) fn on_axis(
     [(Handle::Near, volume.start), (Handle::Far, volume.end)].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 
-/// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of
-/// `request`, which must be the one at the time of taking.
+/// The camera parameters after `handle` was grabbed at `from` and is now at `to` (pixels), beginning with the camera of
+/// `request`, which must be the one at the time of grabbing.
 ///
-/// C and PF move on the plane y = their own height, or vertically; where that plane is seen from the edge they move in
-/// the plane of the picture. Near and far move along the axis of projection and stop at each other. The far plane of a
-/// volume that is drawn broken moves in proportion: drawn half as far away, B is half as great. The tip of VUP moves in
-/// the plane of the picture; VUP keeps its length.
+/// C and PF move on the plane y = their own height, or vertically. If that plane is seen edge-on, they move in the
+/// plane of the picture. Near and far move along the axis of projection and stop at each other. The far plane of a
+/// volume that's drawn broken moves in proportion, so if it's drawn half as far away, B is half as great. The tip of
+/// VUP moves in the plane of the picture, and VUP keeps its length.
 ///
 /// # Guarantees
-/// A drag that cannot be read (an axis seen end-on, an observer that is not a camera) changes nothing.
+/// A drag that can't be interpreted (an axis seen end-on, an observer that isn't a camera) changes nothing.
 pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical: bool) -> Parameters {
     let mut parameters = *request.camera.parameters();
     let Some(screen) = world_framing::screen(request) else { return parameters };
@@ -111,7 +111,7 @@ pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical:
     parameters
 }
 
-/// The pointer's ray when it took something, and its ray now.
+/// The pointer's ray at the time of grabbing, and its ray now.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::views) struct Grip<'a> {
     pub(in crate::views) observer: &'a Observer,
@@ -125,7 +125,7 @@ impl Grip<'_> {
         /// Below this elevation a step of the pointer would throw a point on the ground too far.
         const EDGE_ON: f64 = 8.0;
         if vertical {
-            // Seen from above, a vertical has no length on the screen.
+            // Seen from above, a vertical line has no length on the screen.
             return self.along(p, DVec3::Y).map_or(DVec3::ZERO, |t| DVec3::Y * t);
         }
         if self.observer.elevation.abs() < EDGE_ON {
@@ -135,7 +135,7 @@ impl Grip<'_> {
         hit(self.to) - hit(self.from)
     }
 
-    /// The displacement of a point with the pointer in the plane through it that is parallel to the picture.
+    /// The displacement of a point with the pointer in the plane through it that's parallel to the picture.
     fn in_picture(&self, p: DVec3) -> DVec3 {
         let [_, _, back] = self.observer.axes();
         let hit = |ray: Ray| {
@@ -161,7 +161,7 @@ impl Grip<'_> {
 }
 
 /// The point where a ray meets the plane y = `height`. A ray at or over the horizon is bent down (or up) to it, so that
-/// a point dragged there goes far, but neither to infinity nor behind the eye.
+/// a point dragged there goes far, but not to infinity or behind the eye.
 fn on_horizontal(ray: Ray, height: f64, observer: &Observer) -> DVec3 {
     const LEAST_SLOPE: f64 = 0.03;
     let side = observer.elevation.signum();

@@ -12,7 +12,7 @@ pub(in crate::views) fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Opti
     Some(from + (to - from) * t)
 }
 
-/// The objects whose faces can be seen: what is wholly transparent neither hides anything nor is picked.
+/// The objects with visible faces. Wholly transparent ones don't hide anything and can't be picked.
 pub(in crate::views) fn faced(scene: &Scene) -> impl Iterator<Item = (usize, &Object)> {
     let is_invisible = |object: &Object| match &object.paint {
         ObjectPaint::Solid(color) => color.a == 0,
@@ -22,16 +22,16 @@ pub(in crate::views) fn faced(scene: &Scene) -> impl Iterator<Item = (usize, &Ob
     scene.objects.iter().enumerate().filter(move |(_, object)| object.faces && !is_invisible(object))
 }
 
-/// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the
-/// fronts.
+/// Like [`first_hit`], for the faces that leave a depth in the image: opaque ones, and only the fronts of open
+/// one-sided objects.
 pub(in crate::views) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
     let opaque = scene.objects.iter().filter(|o| o.faces && !o.paint.is_translucent());
     let t = opaque.filter_map(|o| crossing(o, from, to, fronts_only(o))).min_by(f64::total_cmp)?;
     Some(from + (to - from) * t)
 }
 
-/// True if only the fronts of an object's faces are seen. A closed solid shows its inside where a plane cuts it
-/// open, and a segment that begins outside of a whole one meets a front first.
+/// True if only the fronts of an object's faces are visible. A closed solid shows its inside where a plane cuts it
+/// open, and a segment that begins outside a whole one meets a front first.
 pub(in crate::views) fn fronts_only(object: &Object) -> bool {
     !object.two_sided && !object.mesh.closed
 }
@@ -41,7 +41,7 @@ pub(in crate::views) fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) ->
     faced(scene).filter_map(|(_, o)| crossing(o, from, to, false)).min_by(f64::total_cmp)
 }
 
-/// Whether no face hides a point behind a camera's front plane.
+/// True if no face hides a point behind a camera's front plane.
 pub(in crate::views) fn can_be_seen(p: DVec3, faces: &Scene, camera: &Camera) -> bool {
     let depth = -camera.view_point(p).z;
     let to_eye = match camera.projection() {
@@ -49,16 +49,16 @@ pub(in crate::views) fn can_be_seen(p: DVec3, faces: &Scene, camera: &Camera) ->
         Projection::Parallel => camera.basis().n,
     };
     let eye = p + to_eye * (depth - camera.near());
-    // The faces that meet in the point end there and do not hide it.
+    // The faces that meet in the point end there and don't hide it.
     first_crossing(faces, eye, p).is_none_or(|t| t > 1.0 - 1e-6)
 }
 
-/// As [`first_crossing`], of one object.
+/// Like [`first_crossing`], for one object.
 pub(in crate::views) fn crossing(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<f64> {
     triangle_hit(object, from, to, fronts_only).map(|(t, _)| t)
 }
 
-/// As [`crossing`], with the index of the triangle.
+/// Like [`crossing`], with the index of the triangle.
 pub(in crate::views) fn triangle_hit(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<(f64, u32)> {
     let object_from_world = object.world_from_object.inverse();
     if !object_from_world.is_finite() {

@@ -1,4 +1,4 @@
-//! The hover: its target, its preview, and its handles, made by the pointer alone. No file holds it.
+//! The hover: its target, its preview, and its handles, which depend on the pointer alone. No file contains it.
 
 use glam::{DMat4, DVec2, DVec3};
 
@@ -7,12 +7,12 @@ use crate::figure::{Measured, ShownProbe, TriangleStep};
 use crate::scene::transform::Trs;
 use crate::views::View;
 
-/// The part of the pictures of a frame made by the pointer alone.
+/// The part of the pictures of a frame that depends on the pointer alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hover {
-    /// The target under the pointer, marked in all three pictures where nothing is pinned.
+    /// The target under the pointer, marked in all three pictures if nothing is pinned.
     pub probe: Option<Probe>,
-    /// The operation that is being tried, shown in the world.
+    /// The operation that the user is trying, shown in the world.
     pub ghost: Option<Ghost>,
     /// The handle under the pointer, drawn stronger, in the world.
     pub hovered: Option<Handle>,
@@ -20,7 +20,7 @@ pub struct Hover {
     pub gizmo: Option<TransformGizmo>,
     /// The target in a panel. These lengths, angles and coordinates are shown in the world.
     pub measured: Vec<Measured>,
-    /// The object of which parts are pointed at.
+    /// The object whose parts the pointer is on.
     pub object: Option<ObjectTransform>,
 }
 
@@ -44,31 +44,31 @@ pub struct ObjectTransform {
     pub trs: Trs,
 }
 
-/// A triangle that is followed step by step, as the pictures show it. Points are of the world.
+/// A triangle followed step by step, as the pictures show it. Points are in world space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriangleOverlay {
     /// The highlighted step.
     pub step: TriangleStep,
     /// Its corners, a, b, c.
     pub corners: [DVec3; 3],
-    /// Those of them that are outside of a plane.
+    /// True for corners outside a plane.
     pub outside: [bool; 3],
     /// The rest of it after clipping, with the names of its corners.
     pub left: Vec<(char, DVec3)>,
     /// Rows of pixels of the image, m × n, that it covers: j, the first i and the one after the last.
     pub rows: Vec<[u32; 3]>,
-    /// The pixel of which the depth is tested.
+    /// The pixel whose depth is tested.
     pub pixel: Option<[u32; 2]>,
 }
 
-/// Where the shadow maps of an image are wrong.
+/// The places where the shadow maps of an image are wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShadowTruth {
-    /// Held against rays.
+    /// Compared with rays.
     Found {
         /// Runs of wrong pixels of the image, m × n: row, the first column, and the one after the last.
         rows: Vec<[u32; 3]>,
-        /// Number of pixels that were held against rays: those of faces turned to a light that casts shadows.
+        /// Number of pixels compared with rays, on faces turned to a light that casts shadows.
         of: usize,
     },
     /// The image has too many pixels for that, or the scene too many triangles.
@@ -90,7 +90,7 @@ impl ShadowTruth {
 pub struct Projector {
     /// Its ends (world): its origin, and the one in the back plane or beyond the point.
     pub ends: [DVec3; 2],
-    /// The point that is marked on it.
+    /// The marked point on it.
     pub point: Option<DVec3>,
 }
 
@@ -130,7 +130,7 @@ pub struct Ghost {
 
 impl Ghost {
     /// The operations that led to a camera, in order, each with the camera before it and the one after it. The signs
-    /// are those of the notes. None from the first on that no camera can come before.
+    /// are those of the notes. The list starts after the last operation before which no camera is possible.
     pub fn leading_to(camera: &Camera, operations: &[Operation]) -> Vec<(Self, Camera)> {
         let convention = Convention::RightHand;
         let mut after = camera.clone();
@@ -144,7 +144,7 @@ impl Ghost {
     }
 }
 
-/// Something that can be dragged in the world.
+/// A handle for dragging in the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle {
     /// C
@@ -178,13 +178,13 @@ pub struct TransformGizmo {
     pub does: Transforming,
     /// Its middle (world).
     pub origin: DVec3,
-    /// Its axes (world), unit vectors. They need not be at right angles.
+    /// Its axes (world), unit vectors, which may not be at right angles.
     pub axes: [DVec3; 3],
     /// The part under the pointer, drawn stronger.
     pub hovered: Option<GizmoPart>,
 }
 
-/// A part of a [`TransformGizmo`] that can be dragged.
+/// A part of a [`TransformGizmo`] for dragging.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GizmoPart {
     /// The part of an axis: 0 is x.

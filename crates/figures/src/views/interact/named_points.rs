@@ -1,4 +1,4 @@
-//! The figure's points under the pointer: which one is there, and where it goes when it is dragged.
+//! The figure's points under the pointer: the one at a place, and its new place after a drag.
 
 use glam::{DVec2, DVec3};
 
@@ -21,11 +21,11 @@ pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
     distances.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
 }
 
-/// The new place of a point of the world that is dragged from one place to another (pixels): in the plane through it
-/// that is parallel to the view window, so that its distance from the eye stays. In the world, where this plane is seen
-/// from its edge, in the plane of the picture. `None` if there is no such point.
+/// The new place of a point of the world dragged from one place to another (pixels). It moves in the plane through it
+/// that's parallel to the view window, so its distance from the eye stays. If the world shows this plane edge-on, it
+/// moves in the plane of the picture. `None` if there's no such point.
 pub fn dragged(request: &Request, p: DVec3, from: DVec2, to: DVec2) -> Option<DVec3> {
-    /// The sine of the angle at which a plane is seen from its edge.
+    /// The sine of the angle below which a plane counts as seen edge-on.
     const EDGE: f64 = 0.2;
     let camera = &request.camera;
     let basis = camera.basis();

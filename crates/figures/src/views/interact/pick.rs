@@ -15,15 +15,15 @@ use crate::views::world::world_framing;
 use crate::views::{Probe, Request, View, canonical, image};
 
 /// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is
-/// taken only where no other is within reach; in the canonical volume and in the image only vertices inside the view
+/// picked only if no other is within reach. In the canonical volume and in the image, only vertices inside the view
 /// volume are.
 pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     let points = vertices(&request.scene).filter_map(|p| Some((shown_at(request, p)?, p)));
     nearest(points, &faces(request), &screen(request)?, pointer, reach)
 }
 
-/// The name of the figure's object whose face is at a place (pixels) of a picture; `None` if there is none, and in
-/// the canonical volume, where faces have been clipped and projected.
+/// The name of the figure's object whose face is at a place (pixels) of a picture; `None` if there is none, and in the
+/// canonical volume, where faces have been clipped and projected.
 pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
     match request.view {
         View::World => object_in_world(request, pointer),
@@ -55,8 +55,8 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
     Some([part(x, m), part(y, n)])
 }
 
-/// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one
-/// nearest to the middle. Only vertices that can be seen. `None` if there is none.
+/// The next vertex (world) from `from` in a direction (pixels, y down) of a picture. Without `from`, it's the one
+/// nearest to the middle. Only visible vertices count. `None` if there is none.
 pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
     let (screen, faces) = (screen(request)?, faces(request));
     let of_shown = |p: DVec3| screen.place_inside(shown_at(request, p)?);
@@ -64,7 +64,7 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
         Some(p) => of_shown(p)?,
         None => screen.middle(),
     };
-    // Straight on counts more than near: half the way to the side is as far as the way on.
+    // Direction counts more than distance. Half the way to the side is as far as the way ahead.
     let far = |way: DVec2| if from.is_some() { way.length_squared() / way.dot(toward) } else { way.length() };
     let mut next: Vec<(f64, DVec3)> = vertices(&request.scene)
         .filter_map(|p| {
@@ -79,8 +79,7 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
     next.into_iter().map(|(_, p)| p).find(seen)
 }
 
-/// The point (world) that a probe is at: the point itself, or of a ray its first point of the scene, else that of the
-/// window.
+/// The point (world) of a probe: the point itself, or for a ray its first point of the scene, else that of the window.
 pub fn point_of(request: &Request, probe: Probe) -> DVec3 {
     match probe {
         Probe::Point(p) => p,
@@ -96,14 +95,14 @@ pub fn hit_of(request: &Request, point: DVec2) -> Option<DVec3> {
     Pixel::new(request, point).hit
 }
 
-/// Where a picture shows points of the world (pixels), or that it does not; `None` for an observer that is not a
-/// camera. Nothing of the scene is looked at.
+/// The places (pixels) where a picture shows points of the world, if it does; `None` for an observer that isn't a
+/// camera. It doesn't look at the scene.
 pub fn places(request: &Request) -> Option<impl Fn(DVec3) -> Option<DVec2>> {
     let screen = screen(request)?;
     Some(move |p_world| screen.place_inside(shown_at(request, p_world)?))
 }
 
-/// The screen of a picture; `None` for an observer that is not a camera.
+/// The screen of a picture; `None` for an observer that isn't a camera.
 fn screen(request: &Request) -> Option<Screen> {
     match request.view {
         View::World => world_framing::screen(request),
@@ -134,15 +133,14 @@ fn object_in_world(request: &Request, pointer: DVec2) -> Option<String> {
     hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, object)| object.owner().to_owned())
 }
 
-/// Every point that can be caught: vertices, ends of lines, marks.
+/// Every point that can be picked: vertices, ends of lines, marks.
 fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
     let lines = scene.lines.iter().flat_map(|l| l.points.iter().copied());
     let marks = scene.marks.iter().map(|m| m.position);
     scene.vertices().map(|v| v.p_world).chain(lines).chain(marks)
 }
 
-/// Of points (as drawn, with their meaning) the one nearest to a place. One that faces hide loses to any that can be
-/// seen.
+/// The point (as drawn, with its meaning) nearest to a place. A point hidden by faces loses to any visible one.
 fn nearest(
     points: impl Iterator<Item = (DVec3, DVec3)>,
     faces: &Scene,
@@ -150,7 +148,7 @@ fn nearest(
     pointer: DVec2,
     reach: f64,
 ) -> Option<DVec3> {
-    /// Number of the nearest that are tested for visibility; where more are within reach, no one can distinguish them.
+    /// Number of the nearest points tested for visibility. If more are within reach, they're indistinguishable.
     const MOST: usize = 8;
     let mut close: Vec<(f64, DVec3, DVec3)> = points
         .filter_map(|(shown, stands_for)| Some((screen.place_inside(shown)?.distance(pointer), shown, stands_for)))
@@ -163,7 +161,7 @@ fn nearest(
     visible.or(close.first()).map(|(_, _, stands_for)| *stands_for)
 }
 
-/// Whether no face hides a point (world) behind the camera's front plane.
+/// True if no face hides a point (world) behind the camera's front plane.
 pub fn can_be_seen_by(camera: &Camera, faces: &Scene, p: DVec3) -> bool {
     can_be_seen(p, faces, camera)
 }
@@ -202,7 +200,7 @@ mod tests {
         request.seen_by(observer)
     }
 
-    /// The front plane cuts the front away. The inside of the back is seen.
+    /// The front plane cuts the front away, so the inside of the back is visible.
     #[test]
     fn the_inside_of_a_solid_that_is_cut_open_is_the_solid() {
         let position = DVec3::new(0.0, 0.0, 5.0);

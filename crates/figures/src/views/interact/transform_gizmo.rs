@@ -1,4 +1,5 @@
-//! The gizmo that moves, turns and scales the selected objects in the world: three arrows, three rings, or three bars.
+//! The gizmo that moves, rotates and scales the selected objects in the world: three arrows, three rings, or three
+//! bars.
 
 use glam::{DVec2, DVec3};
 
@@ -41,7 +42,7 @@ pub enum Pull {
     },
 }
 
-/// The length of arrows and bars, and the radius of the rings (world). It is fixed on the screen.
+/// The length of arrows and bars, and the radius of the rings (world). It's fixed on the screen.
 fn length(gizmo: &TransformGizmo, screen: &Screen) -> f64 {
     let (side, scale) = (screen.extent.min_element(), screen.scale);
     screen.units_per_pixel(gizmo.origin) * (0.15 * side).clamp(40.0 * scale, 120.0 * scale)
@@ -60,8 +61,8 @@ fn ring(gizmo: &TransformGizmo, screen: &Screen, axis: usize) -> Vec<DVec3> {
     points
 }
 
-/// The part at `pointer` (pixels), within `reach` pixels: an arrow or bar near its tip or on its outer half (not where
-/// it is seen end-on and cannot be dragged), a ring, or the middle of the bars.
+/// The part at `pointer` (pixels), within `reach` pixels: an arrow or bar near its tip or on its outer half (unless
+/// it's seen end-on and can't be dragged), a ring, or the middle of the bars.
 pub fn part_at(request: &Request, pointer: DVec2, reach: f64) -> Option<GizmoPart> {
     let gizmo = request.hover.gizmo?;
     let screen = world_framing::screen(request)?;
@@ -95,8 +96,8 @@ fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance(a + way * t)
 }
 
-/// The pull at a part of `gizmo` when the pointer went from `from` to `to` (pixels). `None` if that cannot be read:
-/// an axis seen end-on, a bar pulled through the middle.
+/// The pull at a part of `gizmo` when the pointer moved from `from` to `to` (pixels). `None` if it can't be
+/// interpreted, for example an axis seen end-on, or a bar pulled through the middle.
 pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DVec2, to: DVec2) -> Option<Pull> {
     let screen = world_framing::screen(request)?;
     let observer = world_framing::seen_from(request);
@@ -104,7 +105,7 @@ pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DV
     let (length, pixel) = (length(gizmo, &screen), screen.units_per_pixel(gizmo.origin));
     match (part, gizmo.does) {
         (GizmoPart::Middle, _) => {
-            // Right and up make it larger: twice as large after the length of a bar.
+            // Right and up make it larger, twice as large after the length of a bar.
             let pixels = (to - from).dot(DVec2::new(1.0, -1.0)) / std::f64::consts::SQRT_2;
             Some(Pull::Times { factor: (pixels * pixel / length).exp2(), pixel: pixel / length })
         }
@@ -123,8 +124,8 @@ pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DV
     }
 }
 
-/// The angle of the pointer's motion about an axis: on the ring's plane, or, where that is seen nearly from its edge,
-/// along its nearer side.
+/// The angle of the pointer's motion about an axis, on the ring's plane, or along its nearer side if that plane is
+/// nearly edge-on.
 fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> Option<Angle> {
     /// Sine of the angle below which a pixel would turn too far.
     const EDGE_ON: f64 = 0.2;
@@ -142,8 +143,8 @@ fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> 
     Some(Angle::from_radians(normal.dot(a.cross(b)).atan2(a.dot(b))))
 }
 
-/// Adds the gizmo, if there is one. Nothing hides it. Its letters are those of the fields, T, R and S, which tells it
-/// from the axes of the world.
+/// Adds the gizmo, if there is one. Nothing hides it. Its letters are those of the fields, T, R and S, which
+/// distinguishes it from the axes of the world.
 pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(gizmo) = request.hover.gizmo else { return };
     let letter = match gizmo.does {
@@ -258,7 +259,7 @@ mod tests {
             }
             assert_eq!(part_at(request, screen.place(rings.origin).unwrap(), 4.0), None);
         });
-        // From the edge: the near side goes to the right for a turn about an upright axis.
+        // Edge-on, the near side goes to the right for a rotation about an upright axis.
         let level = Observer { elevation: 0.0, parallel: true, ..OBSERVER };
         with(rings, level, |request, screen| {
             let middle = screen.place(rings.origin).unwrap();

@@ -1,5 +1,5 @@
-//! The operations that a figure shows, in the canonical volume and in the image: what the present camera sees of the
-//! pivot, the axis, the arc and the former window. The world has all of it.
+//! The operations that a figure shows, in the canonical volume and in the image, with the pivot, the axis, the arc and
+//! the former window as far as the present camera sees them. The world shows all of it.
 
 use glam::DVec3;
 
@@ -36,11 +36,12 @@ pub(in crate::views) fn in_image(
     palette: Palette,
 ) -> Vec<LegendRow> {
     let eye = request.camera.position();
-    // A hair behind the window: a line in the front plane is clipped or not as rounding has it.
+    // A hair behind the window, because rounding decides if a line in the front plane is clipped.
     drawn(builder, request, palette, |p| Some(eye + (p - eye) * 1.0005))
 }
 
-/// Draws them, each point where `place` puts it. Those without an arc to be named at are named in the legend.
+/// Draws them, with each point at the place that `place` gives. Operations without an arc for the name are named in the
+/// legend.
 fn drawn(
     builder: &mut AnnotationBuilder,
     request: &Request,
@@ -84,7 +85,7 @@ fn drawn(
     rows
 }
 
-/// A rotation as it's seen from the camera after it.
+/// A rotation as seen from the camera after it.
 struct Turn {
     pivot: DVec3,
     axis: [DVec3; 2],
@@ -92,8 +93,8 @@ struct Turn {
 }
 
 impl Turn {
-    /// About PF the arc is that of the line of sight, since C is where the picture is seen from. About C it is the way
-    /// of PF. A roll is seen at PF.
+    /// About PF, the arc is that of the line of sight, since C is the eye of the picture. About C, it's the way of PF.
+    /// A roll is shown at PF.
     fn of(ghost: &Ghost, after: &Camera) -> Option<Self> {
         let before = &ghost.before;
         let axis = ghost.operation.axis(before)?;
@@ -123,7 +124,7 @@ fn divided(points: &[DVec3]) -> Vec<DVec3> {
     points.windows(2).flat_map(piece).collect()
 }
 
-/// The parts of a line that are in the view volume of the camera, each point where `place` puts it.
+/// The parts of a line in the view volume of the camera, with each point at the place that `place` gives.
 fn seen(camera: &Camera, line: &[DVec3], place: impl Fn(DVec3) -> Option<DVec3>) -> Vec<Vec<DVec3>> {
     /// Points on a face count as inside.
     const EDGE: f64 = 1.0 + 1e-6;

@@ -77,7 +77,7 @@ impl<'a> Look<'a> {
     }
 }
 
-/// The point that the probe is at, and those of the figure; where the probe is at one of them, only this has a name.
+/// The point of the probe, and those of the figure. If the probe is at one of them, only this has a name.
 pub(in crate::views) fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterator<Item = (DVec3, Look<'a>)> {
     let named = request.shot.points.iter().map(move |point| (point.position, Look::named(point, palette)));
     let probed = match request.probe() {
@@ -90,8 +90,8 @@ pub(in crate::views) fn points<'a>(request: &'a Request, palette: Palette) -> im
     named.chain(probed)
 }
 
-/// A point with its projector from O_R, on to the window where it lies before it. Behind the eye, the line back to it
-/// is dotted, since nothing of it reaches the window.
+/// A point with its projector from O_R, extended to the window if that lies behind the point. If the point is behind
+/// the eye, the line back to it is dotted, since nothing of it reaches the window.
 fn point_in_world(builder: &mut AnnotationBuilder, request: &Request, p: DVec3, look: Look<'_>) {
     let c = request.camera.view_point(p);
     let parallel = request.camera.projection() == Projection::Parallel;
@@ -148,7 +148,7 @@ pub(in crate::views) fn in_world(
     }
 }
 
-/// Projectors are parallel to z_n in the canonical volume, whatever the projection.
+/// Projectors are parallel to z_n in the canonical volume, in both projections.
 pub(in crate::views) fn in_canonical(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let canonical = CanonicalBox::of(request);
     let shown = |p: DVec3| displayed_ndc(&request.camera, p).map(|p| canonical.place(p));
@@ -187,7 +187,7 @@ fn ray_through_box(
     }
 }
 
-/// The figure's points on the way from the world to the canonical volume, as far as they can be seen with the volume.
+/// The figure's points on the way from the world to the canonical volume, as far as they're visible with the volume.
 pub(in crate::views) fn on_the_way(
     builder: &mut AnnotationBuilder,
     request: &Request,
@@ -201,7 +201,7 @@ pub(in crate::views) fn on_the_way(
     }
 }
 
-/// A cross at the pixel, or a ring around the point. The figure's points with their names.
+/// A cross at the pixel, or a ring around the point, and the figure's points with their names.
 pub(in crate::views) fn in_image(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     for (p, look) in points(request, palette) {
         // A ring around a corner of the scene hides nothing of it, and needs no name.
@@ -209,7 +209,7 @@ pub(in crate::views) fn in_image(builder: &mut AnnotationBuilder, request: &Requ
         Look { name, ..look }.mark(builder, p);
     }
     if let Some(Probe::Window(point)) = request.probe() {
-        // A hair behind the window: a point in the front plane is clipped or not as rounding has it, and any point of
+        // A hair behind the window, because rounding decides if a point in the front plane is clipped, and any point of
         // the ray has this pixel.
         let (origin, window, end) = ray_of(request, point);
         let behind = origin + (window - origin) * 1.001;

@@ -26,16 +26,16 @@ use crate::views::{Labels, Palette, Request};
 
 /// Range in which parts outside the canonical volume are shown, in its own half sides.
 pub(in crate::views) const REACH: f64 = 2.0;
-/// More new vertices than this are not marked one by one. The sides between them still are.
+/// More new vertices than this aren't marked one by one. The sides between them still are.
 const MOST_MARKS: usize = 500;
 /// Greatest number of dropped objects with their reason written on them.
 const MOST_NAMES: usize = 24;
 /// Share of the error colour in wrong faces. The rest is their own colour, so that objects can be distinguished.
 const WRONG: f64 = 0.75;
-/// The opacity of wrong parts. The right scene behind them is still seen.
+/// The opacity of wrong parts. The right scene behind them is still visible.
 const GLASS: u8 = 140;
 
-/// The scene of a picture: one of its own, or that of the request, which is not copied.
+/// The scene of a picture: its own, or that of the request, which isn't copied.
 #[derive(Clone, Debug)]
 pub(in crate::views) struct PipelineReveal<'a> {
     pub(in crate::views) scene: Cow<'a, Scene>,
@@ -49,7 +49,7 @@ pub(in crate::views) struct PipelineReveal<'a> {
 }
 
 impl<'a> PipelineReveal<'a> {
-    /// A scene as it is.
+    /// A scene without changes.
     pub(in crate::views) fn plain(scene: Cow<'a, Scene>) -> Self {
         Self { scene, rows: Vec::new(), cuts: Vec::new(), sides: Vec::new(), names: Vec::new() }
     }
@@ -81,7 +81,8 @@ impl<'a> PipelineReveal<'a> {
     }
 }
 
-/// A legend of `rows` in a part of the picture, where there is room for one; `scale`: pixels for one unit of type size.
+/// A legend of `rows` in a part of the picture, if there's space for one. `scale` is the number of pixels for one unit
+/// of type size.
 pub(in crate::views) fn legend(
     request: &Request,
     rows: Vec<LegendRow>,
@@ -115,7 +116,7 @@ pub(in crate::views) fn explain(drawn: &mut Frame, request: &Request, legend: Op
     }
 }
 
-/// The room that other texts leave to a legend.
+/// The space that other texts leave to a legend.
 pub(in crate::views) fn room(legend: Option<&Legend>) -> Option<Box2> {
     legend.map(Legend::place)
 }
@@ -152,8 +153,8 @@ pub(in crate::views) fn in_world(request: &Request, palette: Palette) -> Pipelin
 }
 
 impl PipelineReveal<'_> {
-    /// From the display space of the notes to that of a convention of NDC, which is named where it is another and the
-    /// picture has room: in a small one the name would cover the axes.
+    /// Moves it from the display space of the notes to that of a convention of NDC. If that's another one, it's named
+    /// if the picture has space, because in a small one the name would cover the axes.
     fn move_into(&mut self, canonical: &CanonicalBox, request: &Request, palette: Palette) {
         const SMALL: f64 = 200.0;
         let (ndc, labels) = (canonical.ndc, request.labels);
@@ -171,7 +172,7 @@ impl PipelineReveal<'_> {
         }
     }
 
-    /// Shows the inner work of texturing, where there are textures.
+    /// Shows the inner work of texturing, if there are textures.
     fn textures(&mut self, request: &Request, palette: Palette) {
         let Some(reveal) = request.shot.look.reveal.texture else { return };
         let is_textured = |object: &Object| matches!(object.paint, ObjectPaint::Texture(_));
@@ -247,7 +248,7 @@ pub(in crate::views) fn in_canonical<'a>(request: &'a Request, palette: Palette)
     revealed
 }
 
-/// The scene of the image: in the world, and in the display space of the canonical volume, whose front is the image.
+/// The scene of the image, in the world and in the display space of the canonical volume, whose front is the image.
 pub(in crate::views) fn in_image(request: &Request, palette: Palette) -> (PipelineReveal<'_>, Option<Scene>) {
     let reveal = request.shot.look.reveal;
     let (divided, rows) = divide_first(request, 1.0, palette).unzip();
@@ -260,7 +261,7 @@ pub(in crate::views) fn in_image(request: &Request, palette: Palette) -> (Pipeli
     if reveal.clipping {
         let edges_only = request.shot.look.style.shading == Shading::Wireframe;
         let parts = clip_parts(&revealed.scene, &request.camera, edges_only);
-        // A hair inwards, so that rounding does not leave a new vertex outside the plane that it is in.
+        // A hair inwards, so that rounding doesn't leave a new vertex outside the plane that it's in.
         let middle = request.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
         revealed.note_cuts(&parts, request, palette, |p| p + (middle - p) * 1e-9);
     }
@@ -268,7 +269,7 @@ pub(in crate::views) fn in_image(request: &Request, palette: Palette) -> (Pipeli
     (revealed, wrong)
 }
 
-/// The camera that looks at the canonical volume from its front: it sees the image.
+/// The camera that looks at the canonical volume from its front, so that it sees the image.
 pub(in crate::views) fn front() -> Option<Camera> {
     let parameters = Parameters {
         position: DVec3::Z * 2.0,
@@ -283,7 +284,7 @@ pub(in crate::views) fn front() -> Option<Camera> {
     Camera::new(&parameters).ok()
 }
 
-/// Divides before clipping, where that is to be shown, and says so.
+/// Divides before clipping, if the figure reveals that, and explains it.
 fn divide_first(request: &Request, reach: f64, palette: Palette) -> Option<(DividedFirst, LegendRow)> {
     if !request.shot.look.reveal.divide_first {
         return None;
@@ -322,7 +323,7 @@ fn mixed(own: Rgba, with: Rgba) -> Rgba {
     Rgba::rgba(mix(own.r, with.r), mix(own.g, with.g), mix(own.b, with.b), GLASS)
 }
 
-/// The objects that are kept, back faces in their colour, and those that are dropped.
+/// The objects that are kept, with back faces in their colour, and those that are dropped.
 fn culled(
     request: &Request,
     edges_only: bool,
@@ -375,7 +376,7 @@ fn parted(object: &Object, back: &[bool], color: Rgba) -> [Object; 2] {
     ]
 }
 
-/// A scene of coloured glass; without light, so that it has one colour, that of its legend.
+/// A scene of coloured glass, without light, so that it has the one colour of its legend.
 fn glass(mut scene: Scene, color: Rgba) -> Scene {
     let strong = color.with_alpha(255);
     for object in &mut scene.objects {
@@ -408,7 +409,7 @@ struct Wider {
 
 impl Wider {
     /// Sees [`REACH`] times as much in each direction of NDC, as far as there is anything in front of the eye. `None`
-    /// where that is not a camera.
+    /// if that isn't a camera.
     fn new(camera: &Camera) -> Option<Self> {
         let (f, b) = (camera.near(), camera.far());
         let (near, far) = match camera.projection() {

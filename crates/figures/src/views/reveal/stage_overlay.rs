@@ -1,7 +1,7 @@
 //! A stage of the pipeline in its picture: input and output.
 //!
 //! Work on vertices, triangles and objects is drawn over the picture, as recorded while the picture was made
-//! ([`StageWork`]). Work on pixels shows in two halves: the left one before the stage, the right one after it.
+//! ([`StageWork`]). Work on pixels is shown in two halves: the left one before the stage, the right one after it.
 
 use glam::DVec2;
 
@@ -17,9 +17,9 @@ use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::gizmos::{SMALL_TYPE, stroke};
 use crate::views::{Labels, Palette, Request};
 
-/// Number of vertices with their numbers written on them.
+/// Greatest number of vertices with their numbers written on them.
 const MOST_NUMBERS: usize = 10;
-/// Number of dropped objects named in the legend.
+/// Greatest number of dropped objects named in the legend.
 const MOST_NAMES: usize = 4;
 /// More marks than this hide the picture.
 const MOST_MARKS: usize = 3000;
@@ -34,7 +34,7 @@ const OWN: [&str; 4] = ["camera", "volume", "window", "near"];
 const GOES_IN: &str = "goes-in";
 const COMES_OUT: &str = "comes-out";
 
-/// Shows the stage in its picture; `again` draws a scene in a style as this picture was drawn.
+/// Shows the stage in its picture. `again` draws a scene in a style like this picture.
 pub(in crate::views) fn show(
     frame: &mut Frame,
     request: &Request,
@@ -50,7 +50,7 @@ pub(in crate::views) fn show(
     frame.work = Some(work);
 }
 
-/// The picture as it is before a stage that works on pixels; without texts.
+/// The picture before a stage that works on pixels, without texts.
 fn before(
     stage: Stage,
     drawing: &Drawing,
@@ -60,7 +60,7 @@ fn before(
 ) -> Option<Drawing> {
     let mut before = match stage {
         Stage::Light => again(scenes.without_lights(), style, request.output),
-        // Only a drawing for pixels leaves the faces in the order in which they come.
+        // Only a drawing for pixels leaves the faces in their original order.
         Stage::HiddenSurfaces => {
             again(scenes, &Style { visibility: Visibility::DepthBuffer, ..*style }, Output::Pixels)
         }
@@ -149,7 +149,7 @@ fn dropped_face(polygon: &[[f32; 3]], palette: Palette) -> Surface {
 fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Palette) {
     let [color_in, color_out] = colors(palette);
     let thin = stroke_of(color_in, request);
-    // Wide enough to be seen on both sides of the output.
+    // Wide enough to be visible on both sides of the output.
     let dashed = LineStyle { dash: Dash::Dashed, width: 3.0 * thin.width, ..thin };
     for (sides, style) in [(&work.before, dashed), (&work.after, stroke_of(color_out, request))] {
         if !sides.is_empty() {
@@ -228,7 +228,7 @@ pub(in crate::views) fn rows(frame: &Frame, request: &Request, palette: Palette)
     rows
 }
 
-/// Completes the half before the stage: the texts of the other one, and the line between the two.
+/// Completes the half before the stage with the texts of the other one, and the line between the two.
 pub(in crate::views) fn part(frame: &mut Frame, request: &Request) {
     let (Some(before), Some(work)) = (&mut frame.before, &frame.work) else { return };
     let drawing = &mut frame.drawing;
@@ -266,7 +266,7 @@ fn object_label(name: &str) -> String {
     format!("{OBJECT}{name}")
 }
 
-/// True for the names of labels of a stage, in a scene with these objects, as they are shown.
+/// True for the names of labels of a stage, in a scene with these objects, as they're shown.
 pub(in crate::views) fn is_label(name: &str, objects: &[String]) -> bool {
     let is_object = |name: &str| OWN.contains(&name) || objects.iter().any(|object| object == name);
     let is_number = |number: &str| number.parse().is_ok_and(|number: usize| (1..=MOST_NUMBERS).contains(&number));

@@ -1,4 +1,4 @@
-//! The place of a point in the texture of the surface that it is on.
+//! The place of a point in the texture of its surface.
 
 use glam::DVec3;
 
@@ -7,7 +7,7 @@ use crate::camera::Camera;
 use crate::scene::{ObjectPaint, Scene};
 use crate::views::interact::hits::triangle_hit;
 
-/// A point off a surface by less than this share of its distance from C is on it.
+/// A point off a surface by less than this share of its distance from C counts as on it.
 const NEAR: f64 = 1e-4;
 
 /// The place of a point in a texture.
@@ -23,7 +23,7 @@ pub struct TexelAt {
     pub size: [u32; 2],
 }
 
-/// The texture at a point (world), where it is on a surface that has one.
+/// The texture at a point (world), if it's on a surface that has one.
 pub fn texel_at(scene: &Scene, camera: &Camera, p: DVec3) -> Option<TexelAt> {
     // A segment through the point, along the line from C.
     let reach = (p - camera.position()) * NEAR;

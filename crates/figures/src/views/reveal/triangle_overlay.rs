@@ -1,4 +1,4 @@
-//! The triangle that is followed step by step, in each picture.
+//! The triangle followed step by step, in each picture.
 
 use glam::{DVec2, DVec3};
 
@@ -17,7 +17,7 @@ use crate::views::{Palette, Request, TriangleOverlay};
 /// Opacity of a covered pixel.
 const GLASS: u8 = 130;
 
-/// Its corners, and from the cuts on those of the rest.
+/// Its corners, and from the cuts on, those of the rest.
 fn shown(triangle: &TriangleOverlay) -> Vec<(char, DVec3)> {
     match triangle.step {
         TriangleStep::View | TriangleStep::Facing | TriangleStep::Outcodes => {
@@ -35,7 +35,7 @@ fn draw(
     place: impl Fn(DVec3) -> Option<DVec3>,
 ) {
     let line = |builder: &mut AnnotationBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
-        // Whatever is before it.
+        // Visible through anything in front of it.
         let style = stroke(color, width, dash, HiddenLines::Shown);
         builder.gear.lines.push(Line { points: points.to_vec(), style });
     };
@@ -65,7 +65,7 @@ fn draw(
     }
 }
 
-/// In the world; in its first steps with the way from the eye to each corner.
+/// In the world. In its first steps it shows the way from the eye to each corner.
 pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     draw(builder, triangle, palette, Some);
@@ -91,7 +91,7 @@ pub(in crate::views) fn in_canonical(builder: &mut AnnotationBuilder, request: &
     draw(builder, triangle, palette, |p| inside(p).map(|p| canonical.place(p)));
 }
 
-/// In the image: its sides and corners as far as they are in it.
+/// In the image: its sides and corners as far as they're in it.
 pub(in crate::views) fn in_image(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     draw(builder, triangle, palette, Some);
@@ -115,7 +115,7 @@ pub(in crate::views) fn pixels(drawing: &mut Drawing, frame: PixelRect, request:
     }
 }
 
-/// A run of pixels of the image, m × n (row, first column, the one after the last), in its frame, at least so large.
+/// A run of pixels of the image, m × n (row, first column, the one after the last), in its frame, with a minimum size.
 #[expect(clippy::cast_possible_truncation, reason = "pixels")]
 pub(in crate::views) fn pixel_run(
     frame: PixelRect,

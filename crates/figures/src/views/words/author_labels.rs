@@ -18,7 +18,7 @@ pub(in crate::views) fn extent(request: &Request) -> DVec2 {
     DVec2::new(f64::from(request.size.width), f64::from(request.size.height))
 }
 
-/// Adds the notes of a picture, in a drawing that begins at `corner` of it. A note about what the picture does not show
+/// Adds the notes of a picture, in a drawing that begins at `corner` of it. A note about something outside the picture
 /// is left out.
 pub(in crate::views) fn add_notes(drawing: &mut Drawing, request: &Request, corner: DVec2, screen: Option<&Screen>) {
     let notes = &request.shot.labels.notes;
@@ -35,7 +35,7 @@ pub(in crate::views) fn add_notes(drawing: &mut Drawing, request: &Request, corn
         };
         let Some(at) = at.map(|at| at - corner) else { continue };
         let size = (SMALL_TYPE * request.size.scale).max(request.least_letters());
-        // A text at a place of the picture stands there, others beside what they are about.
+        // A text at a place of the picture stands there, others beside their subject.
         let offset = if matches!(note.at, NotePlace::Picture(_)) { [0.0; 2] } else { [0.6 * size, -0.6 * size] };
         drawing.labels.push(Label {
             name: note_name(i),
@@ -48,9 +48,9 @@ pub(in crate::views) fn add_notes(drawing: &mut Drawing, request: &Request, corn
 /// The place of a label in a picture, in its pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelPlace {
-    /// The name by which an author changes it.
+    /// The name with which an author changes it.
     pub name: String,
-    /// The text that is there.
+    /// The text there.
     pub text: String,
     /// The point that it names.
     pub point: DVec2,
@@ -65,7 +65,7 @@ pub struct LabelPlace {
 }
 
 impl LabelPlace {
-    /// The labels of a drawing that have names, as they are laid out.
+    /// The labels of a drawing that have names, as they're laid out.
     pub fn all(drawing: &Drawing) -> Vec<Self> {
         let named = drawing.labels.iter().filter(|label| !label.name.is_empty());
         named.map(Self::of).collect()
@@ -75,7 +75,7 @@ impl LabelPlace {
         let [x, y, _] = label.position;
         let point = DVec2::new(f64::from(x), f64::from(y));
         let center = middle(label);
-        // A legend moves as a whole: what counts is how far its lines are from their places.
+        // A legend moves as a whole, so only the distance of its lines from their places counts.
         let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
         Self {
             name: label.name.clone(),
@@ -88,7 +88,7 @@ impl LabelPlace {
         }
     }
 
-    /// In a picture in which its own begins at a column.
+    /// The place in the coordinates of a picture in which its own picture begins at a column.
     pub fn shifted(self, column: f64) -> Self {
         let by = DVec2::X * column;
         Self { point: self.point + by, center: self.center + by, ..self }
@@ -99,7 +99,7 @@ impl LabelPlace {
         (place - self.center).abs().cmple(self.half).all()
     }
 
-    /// The wish that puts the middle of its text at a place (pixels), as
+    /// The offset that puts the middle of its text at a place (pixels), like
     /// [`MovedLabel::by`](crate::figure::MovedLabel::by).
     pub fn moved_to(&self, center: DVec2) -> DVec2 {
         let by = (center - self.point) / self.em.max(1e-9) * DVec2::new(1.0, -1.0);
@@ -108,8 +108,8 @@ impl LabelPlace {
     }
 }
 
-/// The point of the world that a note is about; `None` for a place of the picture, and where the object or the part
-/// of it is not there.
+/// The point of the world of a note; `None` for a place of the picture, or if its object or the part of it doesn't
+/// exist.
 fn world_point(note: &Note, scene: &SharedScene) -> Option<DVec3> {
     let of_object = |name: &str| scene.objects.iter().find(|object| object.name == name);
     match &note.at {

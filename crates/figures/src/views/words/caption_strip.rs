@@ -12,7 +12,7 @@ use crate::{sanitize, text};
 /// The distance from one line to the next, and of the first from the picture, in letters.
 const LINE: f32 = 1.35;
 const ABOVE: f32 = 0.25;
-/// The most lines of a caption. What is longer ends in dots.
+/// The most lines of a caption. A longer caption ends in dots.
 const MOST_LINES: usize = 4;
 /// The longest caption in characters.
 const LONGEST: usize = 300;
@@ -29,8 +29,8 @@ pub struct Captions {
 }
 
 impl Captions {
-    /// The captions of a family: its values, or texts of one's own in their place; with letters before them, (a), (b)
-    /// …, where `parts` are wanted.
+    /// The captions of a family: its values, or texts that replace them, with letters before them, (a), (b) …, if
+    /// `parts` are requested.
     pub fn of(
         values: &[&[VariedValue]],
         own: &[String],
@@ -46,7 +46,7 @@ impl Captions {
         Self { texts: values.iter().enumerate().map(text).collect(), letters, theme }
     }
 
-    /// The strip under a row of pictures: `cells` are the place of each in [`texts`](Self::texts), its left side and
+    /// The strip under a row of pictures. `cells` are the index of each in [`texts`](Self::texts), its left side and
     /// its width.
     pub fn strip(&self, cells: &[(usize, f32, f32)], size: [u32; 2]) -> Drawing {
         let palette = Palette::of(self.theme);
@@ -69,7 +69,7 @@ impl Captions {
     }
 }
 
-/// The height of the strip under pictures of a width, in pixels, with room for the longest of these captions.
+/// The height of the strip under pictures of a width, in pixels, with space for the longest of these captions.
 pub fn caption_height(captions: &Captions, width: f32) -> u32 {
     let count = captions.texts.iter().map(|text| lines(text, captions.letters, width).len()).max().unwrap_or(0);
     if count == 0 {
@@ -95,7 +95,7 @@ fn lines(caption: &str, letters: f32, width: f32) -> Vec<String> {
         lines.truncate(MOST_LINES);
         lines.iter_mut().last().into_iter().for_each(|last| last.push_str(" …"));
     }
-    // A word that is wider than its picture would run into the next one.
+    // A word wider than its picture would run into the next one.
     for line in &mut lines {
         while !fits(line) && line.chars().count() > 2 {
             let kept: String = line.chars().take(line.chars().count() - 2).collect();

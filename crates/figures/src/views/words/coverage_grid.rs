@@ -8,7 +8,7 @@ use crate::drawing::Drawing;
 const CELLS: u32 = 90;
 /// The least side of a cell in pixels.
 const LEAST: f64 = 3.0;
-/// From this on, a face is more than glass.
+/// From this alpha on, a face is more than glass.
 const OPAQUE: u8 = 110;
 
 /// The parts of a picture that faces cover, in square cells.
@@ -20,14 +20,14 @@ pub(in crate::views) struct Solids {
 }
 
 impl Solids {
-    /// The area covered by the faces of a drawing, glass not counted.
+    /// The area covered by the faces of a drawing, except for glass.
     pub(in crate::views) fn of(drawing: &Drawing) -> Self {
         let cell = (f64::from(drawing.width.min(drawing.height)) / f64::from(CELLS)).max(LEAST);
         #[expect(clippy::cast_possible_truncation, reason = "a number of cells")]
         let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
         let grid = Grid { columns: cells(drawing.width), rows: cells(drawing.height) };
         let mut covered = vec![false; grid.columns * grid.rows];
-        // A picture without pixels has no cell that a face could cover.
+        // A picture without pixels has no cells for faces to cover.
         let surfaces = drawing.surfaces.iter().filter(|_| grid.columns * grid.rows > 0);
         for surface in surfaces {
             let in_cells = |p: &[f32; 3]| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell;
@@ -35,7 +35,7 @@ impl Solids {
             let is_opaque = |i: usize| surface.alpha_of(i).is_some_and(|alpha| alpha >= OPAQUE);
             for (_, triangle) in surface.triangles.iter().enumerate().filter(|(i, _)| is_opaque(*i)) {
                 let corners = triangle.map(at);
-                // What is not a number is nowhere.
+                // NaN has no place.
                 if corners.iter().all(|p| p.is_finite()) {
                     grid.cover(&mut covered, corners);
                 }
@@ -44,7 +44,7 @@ impl Solids {
         Self { cell, grid, sums: grid.sums(&covered) }
     }
 
-    /// The share of a rectangle (pixels) that is covered, 0 … 1.
+    /// The covered share of a rectangle (pixels), 0 … 1.
     pub(in crate::views) fn share(&self, center: DVec2, half: DVec2) -> f64 {
         let extent = DVec2::new(self.grid.columns as f64, self.grid.rows as f64);
         let limit = |p: DVec2| (p / self.cell).clamp(DVec2::ZERO, extent);
@@ -64,7 +64,7 @@ struct Grid {
 }
 
 impl Grid {
-    /// The column, or the row, of a place. Those beside the picture have the nearest one.
+    /// The column, or the row, of a place. Places beside the picture have the nearest one.
     fn index(v: f64, count: usize) -> usize {
         #[expect(clippy::cast_possible_truncation, reason = "a cell of the image")]
         let index = v.max(0.0) as usize;

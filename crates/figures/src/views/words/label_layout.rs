@@ -1,10 +1,10 @@
 //! The layout of the texts of a picture, so that none covers another, a mark or a strong line, and none is cut off.
 //!
-//! The best places for all labels together are an NP-hard problem (Marks and Shieber 1991), and a drag needs an answer
-//! in every frame. So labels choose one after the other, the most important one first. Each tries places around its
-//! point, beginning with the one it prefers, and takes the cheapest. A strong line below it costs in proportion to the
-//! length it covers; another text or a mark costs too much. If all places near the point cost too much, the text stands
-//! farther off, with a line to its point. If that fails too, it's left out.
+//! Finding the best places for all labels together is an NP-hard problem (Marks and Shieber 1991), and a drag needs an
+//! answer in every frame. So labels choose one after the other, the most important one first. Each tries places around
+//! its point, beginning with the one it prefers, and takes the cheapest. A strong line below it costs in proportion to
+//! the length it covers. Another text or a mark costs too much. If all places near the point cost too much, the text
+//! stands farther off, with a line to its point. If that fails too, it's left out.
 
 use glam::DVec2;
 
@@ -43,14 +43,14 @@ impl<'a> Author<'a> {
         Box2 { center: half - corner, half }
     }
 
-    /// True if letters are those of mathematics.
+    /// True if letters are mathematical ones.
     pub(in crate::views) fn is_mathematical(&self) -> bool {
         self.labels.letters == Letters::Mathematics
     }
 
     /// Gives a label the author's text, size and colour.
     pub(in crate::views) fn apply(&self, change: LabelChange<'_>, label: &mut Label) {
-        // Texts were checked where they came from.
+        // Texts were checked at their source.
         let text = change.text.and_then(|text| set_text(text).ok());
         label.mathematical = self.is_mathematical();
         if let Some(text) = text {
@@ -67,8 +67,8 @@ impl<'a> Author<'a> {
         }
     }
 
-    /// A label that has its own place in the picture, with the author's changes, and the place of its text; `None`
-    /// where it is hidden.
+    /// A label that has its own place in the picture, with the author's changes, and the place of its text; `None` if
+    /// it's hidden.
     pub(in crate::views) fn finished(&self, mut label: Label, page: &Box2) -> Option<(Label, Box2)> {
         let change = self.labels.change(&label.name, self.view);
         if change.hidden {
@@ -93,8 +93,8 @@ pub(in crate::views) fn middle(label: &Label) -> DVec2 {
     point(label.position) + DVec2::new(f64::from(label.offset[0]) + aside, f64::from(label.offset[1]))
 }
 
-/// Puts a label where its author wants it (`by`: from its point to its middle, to the right and upwards, in heights of
-/// its type), but not off the page; returns the place of its text.
+/// Puts a label where its author wants it, but not off the page, and returns the place of its text. `by` leads from its
+/// point to its middle, to the right and upwards, in heights of its type.
 fn put(label: &mut Label, by: DVec2, page: &Box2) -> Box2 {
     let (at, em, half) = (point(label.position), f64::from(label.size), half_size(label));
     let room = (page.half - half).max(DVec2::ZERO);
@@ -112,19 +112,19 @@ pub(in crate::views) struct Rules<'a> {
     pub(in crate::views) background: &'a [Rgba],
     /// The area that must stay free.
     pub(in crate::views) reserved: Option<Box2>,
-    /// The names of the texts that have the choice before all others, the first of them first; of the rest, larger ones
-    /// come first. Those that the author changed come before them.
+    /// The names of the texts that choose before all others, in this order. Of the rest, larger ones come first. Texts
+    /// that the author changed come before all of them.
     pub(in crate::views) first: &'a [&'a str],
-    /// Texts in this colour do not stand before bodies.
+    /// Texts in this colour don't stand in front of bodies.
     pub(in crate::views) beside: Option<Rgba>,
-    /// Colour and width of the lines that lead from a text to its point where there is no space beside it.
+    /// Colour and width of the lines that lead from a text to its point if there's no space beside it.
     pub(in crate::views) leader: Option<(Rgba, f32)>,
     /// The author's wishes.
     pub(in crate::views) author: Option<Author<'a>>,
 }
 
-/// Places the labels of a drawing. The offset of each is its preferred direction and distance. One that finds no free
-/// place is put farther off with a line that leads to its point; where there is none either, it is left out.
+/// Places the labels of a drawing. The offset of each is its preferred direction and distance. If a label finds no free
+/// place, it's put farther off with a line that leads to its point. If that isn't free either, it's left out.
 pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     if drawing.labels.is_empty() {
         return;
@@ -162,7 +162,7 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
         taken.come_near(&label);
         let beside = rules.beside == Some(label.color);
         let on_a_body = taken.covered(&Box2 { center: point(label.position), half: DVec2::splat(1.0) }) > 0.5;
-        // The first of those that cost least.
+        // The first of the cheapest.
         let (mut best, mut least) = (None, f64::INFINITY);
         for candidate in candidates(&label, rules.leader.is_some(), on_a_body) {
             if beside && !important && taken.covered(&candidate.place) > 0.2 {
@@ -186,7 +186,7 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     drawing.labels = kept;
     let leader = rules.leader.or(rules.author.map(|author| author.leader));
     if let (Some((color, width)), false) = (leader, taken.leaders.is_empty()) {
-        // As around letters: a body may be as dark as the line.
+        // As around letters, because a body may be as dark as the line.
         let over_bodies: Vec<[DVec2; 2]> =
             taken.leaders.iter().copied().filter(|ends| taken.meets_body(*ends)).collect();
         if let Some(halo) = drawing.labels.first().map(|label| label.halo).filter(|_| !over_bodies.is_empty()) {
@@ -205,9 +205,9 @@ struct Taken {
     texts: Vec<Box2>,
     /// The lines from texts to their points.
     leaders: Vec<[DVec2; 2]>,
-    /// Of `lines`, those that a place of the present text may meet.
+    /// The part of `lines` that a place of the present text may meet.
     near: Vec<([DVec2; 2], f64)>,
-    /// Other lines, and how bad it is to cover a part of them as long as a letter is high.
+    /// Other lines, and the cost of covering a part of them as long as a letter is high.
     lines: Vec<([DVec2; 2], f64)>,
     solids: Solids,
 }
@@ -225,7 +225,7 @@ impl Taken {
         }
     }
 
-    /// Puts a text where its author wants it, with a line that leads to its point where it is far from it.
+    /// Puts a text where its author wants it, with a line to its point if it's far from it.
     fn put(&mut self, mut label: Label, by: DVec2, page: &Box2) -> Label {
         /// The distance from the border of a text's box to its point from which on a line leads there, in heights of
         /// its type.
@@ -239,7 +239,7 @@ impl Taken {
         label
     }
 
-    /// Prepares for a text: there are thousands of lines in a picture, and few near its places.
+    /// Prepares for a text, because there are thousands of lines in a picture, and few near its places.
     fn come_near(&mut self, label: &Label) {
         let (at, half) = (point(label.position), half_size(label));
         let far = f64::from(label.size) * FARTHEST + f64::from(label.offset[0]).hypot(f64::from(label.offset[1]));
@@ -251,7 +251,7 @@ impl Taken {
         }));
     }
 
-    /// True if a line runs over a body, at one of a few places of it.
+    /// True if a line runs over a body, judged at a few places of it.
     fn meets_body(&self, [from, to]: [DVec2; 2]) -> bool {
         const PLACES: u32 = 8;
         let at = |k: u32| from.lerp(to, f64::from(k) / f64::from(PLACES));
@@ -263,9 +263,9 @@ impl Taken {
         self.solids.share(place.center, place.half)
     }
 
-    /// The cost of a place. Infinite where a text must not be, and where it costs `most` or more.
+    /// The cost of a place. Infinite if a text must not be there, or if it costs `most` or more.
     fn cost(&self, candidate: &Candidate, most: f64) -> f64 {
-        /// Standing wholly before a body. Less than standing far off with a line.
+        /// Standing entirely in front of a body. Less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;
         /// Smallest distance between texts, in ems.
         const APART: f64 = 0.18;
@@ -322,7 +322,7 @@ struct Candidate {
     /// The height of its type.
     em: f64,
     dislike: f64,
-    /// So far from its point that a line must lead there.
+    /// True if it's so far from its point that a line must lead there.
     leads: bool,
 }
 
@@ -339,8 +339,8 @@ impl Candidate {
 /// Greatest distance of a text, in heights of its type.
 const FARTHEST: f64 = 6.0;
 
-/// Places around a label's point and how little each is liked. Those farther off if a line may lead to the point, which
-/// is harder to tell on a body.
+/// Places around a label's point and the dislike for each. Farther ones are included if a line may lead to the point,
+/// which is harder to see on a body.
 fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = Candidate> + use<> {
     let half = half_size(label);
     let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
@@ -353,7 +353,7 @@ fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<It
         angles.into_iter().map(move |angle| {
             let d = DVec2::from_angle(angle.to_radians()).rotate(direction);
             let reach = gap + more * em + (d.abs() * half).element_sum();
-            // On the other side of its point and not close to it, a text would be read as the name of something else.
+            // On the other side of its point and not close to it, a text would seem to name something else.
             let dislike = angle.abs() / 90.0 + if more > 1.0 { 2.5 + more } else { 1.5 * more };
             let is_aside = angle.abs() > 80.0;
             let leads = leads || leaders && is_aside && (more > 0.0 || on_a_body);
@@ -367,7 +367,7 @@ pub(in crate::views) fn half_size(label: &Label) -> DVec2 {
     half_size_of(&label.text, label.size, label.mathematical)
 }
 
-/// As [`half_size`], of a text.
+/// Like [`half_size`], for a text.
 pub(in crate::views) fn half_size_of(text: &str, size: f32, mathematical: bool) -> DVec2 {
     /// The part of the halo that should stay free, in ems.
     const HALO: f64 = 0.08;

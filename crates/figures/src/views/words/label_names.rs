@@ -1,4 +1,4 @@
-//! The names of labels: by these an author changes them.
+//! The names of labels, with which an author changes them.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use crate::sanitize::escaped;
 use crate::views::reveal::stage_overlay;
 use crate::views::{OtherCamera, SharedScene, Shot};
 
-/// The names that do not depend on the figure.
+/// The names that don't depend on the figure.
 #[rustfmt::skip]
 const NAMES: &[&str] = &[
     "C", "PF", "VUP", "DOP", "u", "v", "n", "x", "y", "z", "x_n", "y_n", "z_n", "window", "near", "far", "scene", "before", "answered",
@@ -23,15 +23,15 @@ const NAMES: &[&str] = &[
     "legend:acne", "legend:affine", "legend:levels", "legend:level", "legend:texels", "legend:truth",
 ];
 
-/// The names in the `[labels]` of a shot that no label has in any of its pictures, each with the one that was probably
-/// meant.
+/// The names in the `[labels]` of a shot that no label has in any of its pictures, each with the name that the author
+/// probably meant.
 pub fn unknown_labels(shot: &Shot, scene: &SharedScene) -> Vec<(String, Option<String>)> {
     let mut known: BTreeSet<&str> = NAMES.iter().copied().collect();
     known.extend(shot.points.iter().map(|point| point.name.as_str()));
     let cameras: Vec<String> = shot.cameras.iter().flat_map(OtherCamera::label_names).collect();
     known.extend(cameras.iter().map(String::as_str));
     known.extend(scene.texts.iter().map(|text| text.name.as_str()));
-    // Axes of objects that are moved in thought, axes of the selection, and vertices that clipping makes.
+    // Axes of previewed objects, axes of the selection, and vertices that clipping makes.
     let is_numbered = |name: &str| {
         let letter = name.split('_').next().unwrap_or_default();
         name.contains('_') && ["x", "y", "z"].contains(&letter) || name.chars().count() == 1

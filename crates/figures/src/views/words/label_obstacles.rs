@@ -1,4 +1,4 @@
-//! The parts of a picture to which its texts give way: marks, the heads of arrows, and lines.
+//! The parts of a picture that its texts avoid: marks, the heads of arrows, and lines.
 
 use glam::DVec2;
 
@@ -63,14 +63,14 @@ pub(in crate::views) fn marked(drawing: &Drawing) -> Vec<Box2> {
     marks.chain(heads).map(|(center, radius)| Box2 { center, half: DVec2::splat(radius) }).collect()
 }
 
-/// Cost of covering a part of a line that is as long as a letter is high.
+/// Cost of covering a part of a line that's as long as a letter is high.
 const PLAIN: f64 = 1.2;
 /// The same for an arrow's shaft.
 const STRONG: f64 = 3.0;
 
-/// The segments that a text should not cover, and how bad that is.
+/// The segments that a text should not cover, and the cost of covering them.
 pub(in crate::views) fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<([DVec2; 2], f64)> {
-    /// Beyond this, a picture is a mesh of edges, and there is no place without them.
+    /// Beyond this, a picture is a mesh of edges, and no place is free of them.
     const MOST: usize = 4000;
     let strong = strokes.iter().filter(|s| !background.contains(&s.style.color) && s.points.len() <= MOST);
     strong

@@ -37,9 +37,9 @@ pub struct Labels {
     pub acne: &'static str,
     /// Before the number of pixels where a shadow map is wrong.
     pub map_wrong: &'static str,
-    /// Between a number and the number of all.
+    /// Between a number and the total.
     pub out_of: &'static str,
-    /// Shadow maps are not held against rays.
+    /// The message if shadow maps aren't compared with rays.
     pub too_much_for_rays: &'static str,
     /// The label of pixels without a depth.
     pub nothing: &'static str,
@@ -51,7 +51,7 @@ pub struct Labels {
     pub back_faces: &'static str,
     /// Objects that are culled because they are outside.
     pub dropped: &'static str,
-    /// Before the planes outside of which an object is.
+    /// Before the planes that an object is outside of.
     pub outside_of: &'static str,
     /// The planes: left, right, bottom, top, near, far.
     pub planes: [&'static str; 6],
@@ -65,35 +65,35 @@ pub struct Labels {
     pub texels: &'static str,
     /// The divide comes before clipping.
     pub divided_first: &'static str,
-    /// The result, where anything is behind the eye.
+    /// The result, if anything is behind the eye.
     pub wrong: &'static str,
     /// The result otherwise.
     pub no_difference: &'static str,
-    /// Depth that is 1 at F and 0 at B.
+    /// Depth that's 1 at F and 0 at B.
     pub reversed: &'static str,
     /// Axes that are right-handed.
     pub right_handed: &'static str,
     /// Axes that are left-handed.
     pub left_handed: &'static str,
-    /// Too many pieces to be put in order.
+    /// The message if too many pieces can't be sorted.
     pub not_split: &'static str,
     /// Vertices are drawn beside their places.
     pub rounded: &'static str,
-    /// Of a picture that is begun.
+    /// For an unfinished picture.
     pub triangles: &'static str,
-    /// Of a stage of the pipeline.
+    /// The input of a stage of the pipeline.
     pub goes_in: &'static str,
-    /// Of a stage of the pipeline.
+    /// The output of a stage of the pipeline.
     pub comes_out: &'static str,
-    /// Of a stage that had more to do than is shown.
+    /// For a stage that had more to do than is shown.
     pub not_all: &'static str,
     /// Parallel projection has no vanishing points.
     pub no_vanishing: &'static str,
     /// A direction parallel to the view plane.
     pub ideal: &'static str,
-    /// A vanishing point that is not in the picture.
+    /// A vanishing point that isn't in the picture.
     pub beyond_image: &'static str,
-    /// Of a point that has no image, because it is behind the eye.
+    /// For a point that has no image, because it's behind the eye.
     pub behind_eye: &'static str,
     /// The line of the vanishing points of horizontal directions.
     pub horizon: &'static str,
@@ -103,7 +103,7 @@ pub struct Labels {
     pub this_camera: &'static str,
     /// The side with another camera.
     pub other_camera: &'static str,
-    /// How much two sides of a comparison differ.
+    /// The difference between two sides of a comparison.
     pub differ: &'static str,
     /// The operations: elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan.
     pub operations: [&'static str; 8],
@@ -119,7 +119,7 @@ pub struct Labels {
     pub no_stage: &'static str,
     /// The parts of the world, in the order of [`WorldPart::ALL`].
     pub world_parts: [&'static str; WorldPart::ALL.len()],
-    /// Of a switch.
+    /// The values of a switch.
     pub yes_no: [&'static str; 2],
     /// The values of `[style] shading`, in the order of their words.
     pub shadings: [&'static str; 4],
@@ -142,7 +142,7 @@ pub struct Labels {
 }
 
 impl Labels {
-    /// The reason why an object is dropped. Behind the eye all signs are reversed, and only the front plane is
+    /// The reason why an object is dropped. Behind the eye all signs are reversed, so only the front plane is
     /// meaningful.
     pub fn outside_planes(&self, planes: PlaneSet) -> String {
         let planes = if planes & NEAR != 0 { NEAR } else { planes };
@@ -156,7 +156,7 @@ impl Labels {
         self.steps.get(step as usize).copied().unwrap_or_default()
     }
 
-    /// A convention of NDC in words: whose, reversed, without a far plane.
+    /// A convention of NDC in words: its owner, reversed, without a far plane.
     pub fn ndc_title(&self, ndc: Ndc) -> String {
         let reversed = if ndc.reversed { format!(", {}", self.reversed) } else { String::new() };
         let infinite = if ndc.infinite { ", B → ∞" } else { "" };

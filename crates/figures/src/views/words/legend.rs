@@ -14,19 +14,19 @@ use crate::views::{Palette, Size};
 
 /// Height of a line, in heights of its letters.
 const LINE: f64 = 1.45;
-/// Free room around the lines, in heights of letters.
+/// Free space around the lines, in heights of letters.
 const PAD: f64 = 0.6;
-/// A colour's sample and the room up to its text, in heights of letters.
+/// A colour's sample and the space up to its text, in heights of letters.
 const SWATCH: DVec2 = DVec2::new(1.5, 0.8);
 const INDENT: f64 = 2.1;
 /// Length of a scale, in heights of letters.
 const SCALE: f64 = 16.0;
 /// Least distance between numbers below a scale, in heights of the letters.
 const APART: f64 = 0.1;
-/// Smallest scale of a legend: below it, it is left out, because nobody could read it.
+/// Smallest scale of a legend. Below it, the legend is left out, because it would be illegible.
 const SMALLEST: f64 = 0.5;
 
-/// A text of a legend, with the name by which an author changes it.
+/// A text of a legend, with the name with which an author changes it.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::views) struct LegendText {
     name: String,
@@ -39,7 +39,7 @@ pub(in crate::views) struct LegendText {
 }
 
 impl LegendText {
-    /// `name`: what it is called after `legend:`.
+    /// `name` is the part of its name after `legend:`.
     pub(in crate::views) fn new(name: &str, text: impl Into<String>) -> Self {
         let name = format!("{LEGEND}:{name}");
         Self { name, text: text.into(), color: None, size: 1.0, mathematical: false }
@@ -52,10 +52,10 @@ impl LegendText {
         [text("near", near), text("middle", middle), text("far", far)]
     }
 
-    /// With the author's changes; `None` if it is hidden.
+    /// The text with the author's changes; `None` if it's hidden.
     fn changed(self, author: &Author<'_>) -> Option<Self> {
         let change = author.labels.change(&self.name, author.view);
-        // Symbols stand alone below a scale; elsewhere a single letter may be a word.
+        // Symbols stand alone below a scale, but elsewhere a single letter may be a word.
         let text = match change.text.and_then(|text| set_text(text).ok()) {
             Some(text) => text,
             None if author.is_mathematical() && self.text.contains(" = ") => symbols(&self.text),
@@ -87,7 +87,7 @@ pub(in crate::views) enum LegendRow {
 }
 
 impl LegendRow {
-    /// With the author's changes; `None` if it is hidden. A scale stays, without the texts that are.
+    /// The row with the author's changes; `None` if it's hidden. A scale stays, without its hidden texts.
     fn changed(self, author: &Author<'_>) -> Option<Self> {
         Some(match self {
             Self::Title(text, color) => Self::Title(text.changed(author)?, color),
@@ -138,20 +138,20 @@ impl LegendRow {
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::views) struct Legend {
     rows: Vec<LegendRow>,
-    /// The corner of the part of the picture in which it stands, and the size of that part.
+    /// The corner of the part of the picture that contains it, and the size of that part.
     part: [DVec2; 2],
     /// Height of the letters in pixels.
     em: f64,
     palette: Palette,
     /// The author's colour of its letters.
     color: Option<Rgba>,
-    /// The way from its corner to where the author wants it, in pixels.
+    /// The way from its corner to the author's place for it, in pixels.
     moved: DVec2,
 }
 
 impl Legend {
-    /// `part`: the part of the picture in which it stands; `scale`: pixels for one unit of stroke width or type size.
-    /// `None` if there is nothing to say, or no room, or the author hides it.
+    /// `part` is the part of the picture that contains it, and `scale` the number of pixels for one unit of stroke
+    /// width or type size. `None` if there are no rows, or no space, or the author hides it.
     pub(in crate::views) fn new(
         rows: Vec<LegendRow>,
         part: PixelRect,
@@ -215,15 +215,15 @@ impl Legend {
         }
     }
 
-    /// A ground with round corners.
+    /// A background with round corners.
     fn plate(&self, drawing: &mut Drawing, corner: DVec2, size: DVec2) {
         let fill = self.palette.paper.with_alpha(225);
         drawing.areas.push(area(corner, size, 0.4 * self.em, fill));
     }
 
-    /// `em`: height of the row's letters in pixels.
+    /// `em` is the height of the row's letters in pixels.
     fn row(&self, drawing: &mut Drawing, row: &LegendRow, at: DVec2, em: f64) {
-        // From where it would be, so that an author can move it on.
+        // From its default place, so that an author can move it on.
         let (from, moved) = (self.moved, [single(self.moved.x), single(self.moved.y)]);
         let mut text = |at: DVec2, text: &LegendText, color: Rgba, anchor: Anchor| {
             if text.text.is_empty() {
@@ -250,7 +250,7 @@ impl Legend {
                 text(at + DVec2::X * (INDENT * em), meaning, letters, Anchor::Left);
                 let (corner, size) = (at - DVec2::Y * (SWATCH.y / 2.0 * em), SWATCH * em);
                 let layers = [self.palette.paper, *color, *color];
-                // The front and the back of a body lie over each other where it is translucent.
+                // The front and the back of a body lie over each other if it's translucent.
                 let layers = if color.is_opaque() { &layers[..2] } else { &layers[..] };
                 drawing.areas.extend(sample(corner, size, ink, layers));
             }
@@ -263,7 +263,7 @@ impl Legend {
             LegendRow::Scale(colors, texts) => {
                 for (i, line) in (1..).zip(texts) {
                     let below = at + DVec2::Y * (LINE * em * f64::from(i));
-                    // Long numbers at the ends leave none its room in the middle.
+                    // Long numbers at the ends leave no space for the one in the middle.
                     let room = 0.5 * SCALE - 0.5 * line[1].width() - APART;
                     let has_room = line[0].width().max(line[2].width()) < room;
                     for (share, part, anchor) in
@@ -288,7 +288,7 @@ impl Legend {
         drawing.areas.push(area(corner, DVec2::splat(2.0 * high), high, *first));
         let length = size.x - 2.0 * high;
         let step = length / f64::from(u32::try_from(colors.len()).unwrap_or(u32::MAX));
-        // Each reaches to the end and is covered by the next one, so that no seam is left between two.
+        // Each reaches to the end and is covered by the next one, so that there's no seam between two.
         for (i, color) in (0_u32..).zip(colors) {
             let before = step * f64::from(i);
             let rest = DVec2::new(length - before, size.y);

@@ -21,7 +21,7 @@ pub fn note_place(request: &Request, pointer: DVec2, reach: f64) -> NotePlace {
     })
 }
 
-/// The vertex of an object that is at a point of the world.
+/// The vertex of an object that's at a point of the world.
 fn vertex_of(scene: &SharedScene, p: DVec3) -> NotePlace {
     for object in &scene.objects {
         let at = object.mesh.positions.iter().position(|v| object.world_from_object.transform_point3(*v) == p);

@@ -42,12 +42,12 @@ pub(in crate::views) fn done(operation: Operation, labels: &Labels) -> String {
     }
 }
 
-/// A value of a key in the words of the pictures, else as it is written.
+/// A value of a key in the words of the pictures, or else as written.
 pub(in crate::views) fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
     fn word<T: Copy>(list: words::Words<T>, said: &[&'static str], value: &str) -> Option<&'static str> {
         said.get(list.iter().position(|(word, _)| *word == value)?).copied()
     }
-    /// Nothing is revealed, or what a word says.
+    /// The text for no value, or for a word of the list.
     fn revealed<T: Copy>(list: words::Words<T>, said: &[&'static str; 4], value: Option<&str>) -> Option<&'static str> {
         value.map_or(Some(said[0]), |value| word(list, &said[1..], value))
     }
@@ -98,16 +98,16 @@ pub(in crate::views) fn said(key: &str, value: Option<&str>, labels: &Labels) ->
         (Some(name), Some("true")) => format!("{name}: {}", labels.yes_no[0]),
         (Some(name), Some("false")) => format!("{name}: {}", labels.yes_no[1]),
         _ => {
-            // Other keys are those of the file.
+            // Other keys have their name in the file.
             let name = literal(key.rsplit('.').next().unwrap_or(key));
             format!("{name} = {}", value.map_or_else(|| "–".to_owned(), |value| printed(value, labels)))
         }
     })
 }
 
-/// A number or a list of numbers in the notation of the pictures' language, else as it is written.
+/// A number or a list of numbers in the notation of the pictures' language, or else as written.
 fn printed(value: &str, labels: &Labels) -> String {
-    /// Longer ones are not what anybody typed.
+    /// A longer number doesn't come from the keyboard.
     const LONGEST: usize = 8;
     let number = |text: &str| text.trim().parse::<f64>().ok();
     if let Some(exact) = number(value) {
@@ -119,7 +119,7 @@ fn printed(value: &str, labels: &Labels) -> String {
     numbers.map_or_else(|| literal(&sanitize::escaped(value)), |numbers| labels.mark.tuple(&numbers, 4))
 }
 
-/// The values of one figure of a family, in the words of the pictures: what stands under its picture.
+/// The values of one figure of a family, in the words of the pictures, for the caption under its picture.
 pub fn caption(at: &[VariedValue], labels: &Labels) -> String {
     let words = at.iter().map(|value| match value {
         VariedValue::Key(key, value) => said(key, value.as_deref(), labels),

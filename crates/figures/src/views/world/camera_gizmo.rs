@@ -6,14 +6,15 @@ use crate::camera::Camera;
 use crate::figure::WorldLook;
 use crate::views::screen::Screen;
 
-/// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
+/// The sizes of the camera's gear in scene units. They're fixed on the screen, so that the camera can be found in any
+/// scene.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::views) struct GizmoSizes {
     /// One unit of [`camera_body`](super::gizmos::camera_body).
     pub(in crate::views) body: f64,
     /// Length of **u**, **v**, **n**.
     pub(in crate::views) axis: f64,
-    /// Their usual length, by which all else is measured that stands aside of the camera.
+    /// Their usual length, which is the measure for everything else beside the camera.
     pub(in crate::views) usual_axis: f64,
 }
 
@@ -24,7 +25,7 @@ impl GizmoSizes {
         let axis_of = |length: f64| pixel * (0.12 * length * side).clamp(30.0 * scale, 180.0 * length.max(1.0) * scale);
         Self {
             body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
-            // Longer ones need no least length, which would take them out of a low picture.
+            // Longer ones need no minimum length, which would push them out of a low picture.
             axis: axis_of(look.axes_length.unwrap_or(1.0)),
             usual_axis: axis_of(1.0),
         }

@@ -11,7 +11,7 @@ use crate::figure::WorldPart;
 use crate::sanitize;
 use crate::views::{OtherCamera, Palette, Request};
 
-/// Adds the other cameras with their volumes as they are drawn.
+/// Adds the other cameras with their volumes as drawn.
 pub(in crate::views) fn in_world(
     builder: &mut AnnotationBuilder,
     request: &Request,
@@ -30,7 +30,7 @@ pub(in crate::views) fn in_world(
     }
 }
 
-/// Adds the projectors of a point to the windows of the other cameras: each window shows the point where its projector
+/// Adds the projectors of a point to the windows of the other cameras. Each window shows the point where its projector
 /// meets it.
 pub(in crate::views) fn projectors(builder: &mut AnnotationBuilder, request: &Request, palette: Palette, p: DVec3) {
     for (place, other) in request.shot.cameras.iter().enumerate() {

@@ -15,7 +15,7 @@ use crate::views::{Palette, Request};
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 const AXES: [&str; 3] = ["u", "v", "n"];
 
-/// Draws the measures of the panel's hover, but for those with a dimension line, and those of an object.
+/// Draws the measures of the panel's hover, except for those with a dimension line, and those of an object.
 pub(in crate::views) fn in_world(
     builder: &mut AnnotationBuilder,
     request: &Request,
@@ -54,7 +54,7 @@ fn axes(request: &Request) -> [DVec3; 3] {
     [basis.u, basis.v, basis.n]
 }
 
-/// From the foot of DOP in the window to one of its sides, as the window is drawn: that may be narrower than it is.
+/// From the foot of DOP in the window to one of its sides, in the window as drawn, which may be narrower.
 fn to_side(request: &Request, volume: &DrawnVolume, side: WindowSide) -> [DVec3; 2] {
     let [lb, rb, _, lt] = volume.window();
     let (window, right, up) = (request.camera.window(), rb - lb, lt - lb);

@@ -72,7 +72,7 @@ pub(in crate::views) fn angle(
     builder.named(name, middle, text, toward, SMALL_TYPE, pen.color);
 }
 
-/// The dimension lines of the world: all that the figure asks for, and those that are pointed at in a panel.
+/// The dimension lines of the world: all that the figure asks for, and those under the pointer in a panel.
 pub(in crate::views) fn in_world(
     builder: &mut AnnotationBuilder,
     request: &Request,
@@ -127,7 +127,7 @@ fn one(
             let aside = basis.u * (0.35 * gear.usual_axis);
             span(builder, &Span { ends: [rb, rt], aside, name, text: &text, gap: None }, pen);
         }
-        // Farther from the window than the whole, which may be there too.
+        // Farther from the window than the whole, which may also be there.
         Measure::HalfWidth => {
             let (aside, middle) = (basis.v * (0.8 * gear.usual_axis), lt.lerp(rt, 0.5));
             span(builder, &Span { ends: [middle, rt], aside, name, text: &text, gap: None }, pen);
@@ -138,7 +138,7 @@ fn one(
         }
         Measure::Angle => {
             if let Some(top) = half_angle(request) {
-                // The lower side, as the upper one on the other side of the axis.
+                // The lower side, mirroring the upper one about the axis.
                 let bottom = 2.0 * top.dot(dop) * dop - top;
                 let radius = 2.1 * gear.usual_axis;
                 builder.line(vec![c, c + bottom * (1.15 * radius)], pen.color, 0.6 * pen.width, Dash::Solid);
@@ -153,7 +153,7 @@ fn one(
     }
 }
 
-/// The direction from C to the middle of the window's upper side; `None` if θ is not a parameter.
+/// The direction from C to the middle of the window's upper side; `None` if θ isn't a parameter.
 pub(in crate::views) fn half_angle(request: &Request) -> Option<DVec3> {
     let camera = &request.camera;
     let has_angle = camera.projection() == Projection::Perspective && camera.parameters().window.is_none();
@@ -161,7 +161,7 @@ pub(in crate::views) fn half_angle(request: &Request) -> Option<DVec3> {
     has_angle.then(|| (rt.lerp(lt, 0.5) - camera.position()).normalize_or_zero())
 }
 
-/// The symbol and the number of a measure, or one of them, as the author wants it.
+/// The symbol and the number of a measure, or one of them, as the author chose.
 pub(in crate::views) fn text(request: &Request, measure: Measure) -> String {
     let (camera, window, mark) = (&request.camera, request.camera.window(), request.labels.mark);
     let half_angle = (window.height() / 2.0).atan2(camera.near()).to_degrees();

@@ -21,7 +21,7 @@ pub(in crate::views) struct Content {
     pub(in crate::views) core: Aabb,
     /// The view volume among them.
     pub(in crate::views) volume: DrawnVolume,
-    /// Those of the other cameras.
+    /// The volumes of the other cameras.
     pub(in crate::views) others: Vec<DrawnVolume>,
 }
 
@@ -38,7 +38,7 @@ impl Content {
         let boxed = |points: &[DVec3]| {
             Aabb::around(points.iter().copied()).unwrap_or(Aabb { min: camera.position(), max: camera.position() })
         };
-        // PF far beyond the scene would make all else a speck: its direction is shown by DOP.
+        // PF far beyond the scene would make everything else a speck, so DOP shows its direction.
         let small = boxed(&points);
         let to_focus = small.center().distance(camera.focal_point());
         if scene.is_none() || to_focus < 4.0 * small.radius() {
@@ -53,7 +53,7 @@ impl Content {
             points.extend(drawn.of_interest(&other.camera, &core));
         }
         let mut content = Self { scene, of_interest: points, core, volume, others };
-        // Followed points that are not far beyond all else are in the picture.
+        // Followed points that aren't far beyond everything else are in the picture.
         let (middle, reach) = (content.core.center(), 4.0 * content.core.radius());
         let near = |p: &DVec3| p.distance(middle) < reach;
         content.of_interest.extend(request.shot.points.iter().map(|point| point.position).filter(near));
@@ -67,13 +67,13 @@ impl Content {
         self.core.radius()
     }
 
-    /// The box around all that is drawn.
+    /// The box around everything drawn.
     pub(in crate::views) fn bounds(&self) -> Aabb {
         Aabb::around(self.others.iter().chain([&self.volume]).flat_map(DrawnVolume::all_corners))
             .map_or(self.core, |volume| volume.union(self.core))
     }
 
-    /// The tips of the axes of the world: each a little outside the scene; `None` if the origin is out of sight.
+    /// The tips of the axes of the world, each a little outside the scene; `None` if the origin is out of sight.
     pub(in crate::views) fn axis_tips(&self) -> Option<[DVec3; 3]> {
         let around = self.scene.unwrap_or(self.core);
         let largest = around.min.abs().max(around.max.abs()).max_element();
@@ -97,7 +97,7 @@ impl Content {
     }
 }
 
-/// A grid on y = 0: the extent in x and z, and the size of its squares.
+/// A grid on y = 0, with the extent in x and z, and the size of its squares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::views) struct Ground {
     low: DVec2,
@@ -120,13 +120,13 @@ impl Ground {
     }
 }
 
-/// The direction of [`Viewpoint::Iso`](crate::views::observer::Viewpoint::Iso): to the side of the camera and a little
-/// behind it, so that its axis runs across the picture from left to right and the image on its window is not seen from
-/// the back.
+/// The direction of [`Viewpoint::Iso`](crate::views::observer::Viewpoint::Iso). It's to the side of the camera and a
+/// little behind it, so that its axis runs across the picture from left to right and the image on its window isn't seen
+/// from the back.
 pub(in crate::views) fn iso_direction(camera: &Camera) -> Observer {
     const ASIDE: f64 = 60.0;
     let n = camera.basis().n;
-    // A camera that looks straight down is placed, as a map is, with **v** to the back.
+    // A camera that looks straight down is placed like a map, with **v** to the back.
     let flat = if n.x.hypot(n.z) > 0.1 { n } else { camera.basis().v * -n.y.signum() };
     let azimuth = flat.x.atan2(flat.z).to_degrees();
     on_side((azimuth + ASIDE).round().rem_euclid(360.0), 20.0, false)

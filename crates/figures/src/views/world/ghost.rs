@@ -1,4 +1,4 @@
-//! Operations that a figure shows, and the one that is being tried: axis and pivot, the way that the moved points go,
+//! Operations that a figure shows, and the one that the user is trying: axis and pivot, the way of the moved points,
 //! and the camera before.
 
 use glam::{DQuat, DVec2, DVec3};
@@ -11,7 +11,7 @@ use super::camera_gizmo::GizmoSizes;
 use super::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::{Ghost, Palette, Request};
 
-/// Adds the operations that the figure shows, the one that is being tried, and the camera that an answer describes.
+/// Adds the operations that the figure shows, the one that the user is trying, and the camera that an answer describes.
 pub(in crate::views) fn in_world(
     builder: &mut AnnotationBuilder,
     request: &Request,
@@ -23,7 +23,7 @@ pub(in crate::views) fn in_world(
     }
     let led = request.operations();
     for (k, (ghost, after)) in led.iter().enumerate() {
-        // The one before the first operation has a name, those between have numbers.
+        // The camera before the first operation has a name, and those between have numbers.
         let name = if k == 0 { request.labels.before.to_owned() } else { k.to_string() };
         camera_before(builder, palette, gear, (&ghost.before, after), &name);
         let middle = path(builder, palette, gear, ghost, after);
@@ -38,7 +38,7 @@ pub(in crate::views) fn in_world(
 }
 
 /// The way of an operation to the camera after it: axis, pivot and arc of a rotation, the arrows of a move, the former
-/// window of a zoom. Gives a place in its middle.
+/// window of a zoom. Returns a place in its middle.
 fn path(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, ghost: &Ghost, after: &Camera) -> DVec3 {
     let before = &ghost.before;
     if let Some(axis) = ghost.operation.axis(before) {
@@ -87,7 +87,7 @@ fn camera_answered(
     builder.named("answered", c, request.labels.answered, DVec2::new(-0.6, 0.8), SMALL_TYPE, color);
 }
 
-/// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.
+/// A camera that isn't the one of the picture, faintly, with its body, its line to PF, and the place of its window.
 fn camera(builder: &mut AnnotationBuilder, gear: GizmoSizes, camera: &Camera, name: &str, color: Rgba) {
     let c = camera.position();
     builder.camera_body(name, camera, gear.body, [color, color.with_alpha(70)]);
@@ -96,7 +96,7 @@ fn camera(builder: &mut AnnotationBuilder, gear: GizmoSizes, camera: &Camera, na
     builder.closed(&corners[..4], color, 1.2, Dash::Dotted);
 }
 
-/// The axis through the pivot, and the arc in the sense of the rotation. Gives its middle.
+/// The axis through the pivot, and the arc in the sense of the rotation. Returns its middle.
 fn turn(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, ghost: &Ghost, axis: Ray) -> DVec3 {
     let (before, pivot) = (&ghost.before, axis.origin);
     let [u, v, n] = palette.axes;
@@ -125,7 +125,7 @@ fn turn(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, gho
     middle
 }
 
-/// The path of a point that turns about an axis. More than two full turns are not distinguished.
+/// The path of a point that rotates about an axis. More than two full turns aren't distinguished.
 pub(in crate::views) fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
     const STEPS: u32 = 96;
     let angle = radians.clamp(-2.0 * std::f64::consts::TAU, 2.0 * std::f64::consts::TAU);

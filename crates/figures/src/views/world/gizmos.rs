@@ -26,12 +26,12 @@ pub(in crate::views) fn stroke(color: Rgba, width: f32, dash: Dash, hidden: Hidd
     LineStyle { color, width, dash, hidden, arrow: false }
 }
 
-/// The name of a text: one with a value is called by its symbol.
+/// The name of a text. A text with a value goes by its symbol.
 pub(in crate::views) fn symbol_of(text: &str) -> &str {
     text.split_once(" = ").map_or(text, |(symbol, _)| symbol)
 }
 
-/// The gear of a picture while it is made.
+/// The gear of a picture in the making.
 #[derive(Debug)]
 pub(in crate::views) struct AnnotationBuilder<'a> {
     pub(in crate::views) gear: Scene,
@@ -40,7 +40,7 @@ pub(in crate::views) struct AnnotationBuilder<'a> {
 }
 
 impl<'a> AnnotationBuilder<'a> {
-    /// No gear yet. Lines are hidden as those of the scene are.
+    /// Starts without gear. Its lines are hidden like those of the scene.
     pub(in crate::views) fn new(screen: &'a Screen) -> Self {
         Self { gear: Scene::default(), screen, hidden: HiddenLines::OfStyle }
     }
@@ -81,7 +81,7 @@ impl<'a> AnnotationBuilder<'a> {
         }
     }
 
-    /// The breaks of these edges where a part is left out.
+    /// The breaks of these edges at an omitted part.
     pub(in crate::views) fn gap(&mut self, volume: &DrawnVolume, gap: Option<[f64; 2]>, color: Rgba) {
         let Some([from, to]) = gap.map(|gap| gap.map(|distance| volume.section(distance))) else { return };
         for (from, to) in from.into_iter().zip(to) {
@@ -134,13 +134,12 @@ impl<'a> AnnotationBuilder<'a> {
         self.gear.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: false });
     }
 
-    /// A text beside a point, if there is room in this direction (pixels, y down). Texts that come first have the
-    /// choice.
+    /// A text beside a point, if there's space in this direction (pixels, y down). Earlier texts choose first.
     pub(in crate::views) fn text(&mut self, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
         self.named(symbol_of(text), position, text, toward, size, color);
     }
 
-    /// A text as [`text`](Self::text) puts it, by whose name an author changes it.
+    /// A text like [`text`](Self::text), with a name with which an author changes it.
     pub(in crate::views) fn named(
         &mut self,
         name: &str,
@@ -162,7 +161,7 @@ impl<'a> AnnotationBuilder<'a> {
         });
     }
 
-    /// Faces that show their colour as it is, from both sides, without edges.
+    /// Faces that show their plain colour, from both sides, without edges.
     pub(in crate::views) fn sheer(&mut self, name: &str, faces: &[[DVec3; 4]], color: Rgba) {
         let mut mesh = Mesh::default();
         for face in faces {
@@ -177,7 +176,7 @@ impl<'a> AnnotationBuilder<'a> {
     }
 }
 
-/// Turns the objects of a scene into edges in their own colours, as wireframe wants them.
+/// Turns the objects of a scene into edges in their own colours, as wireframe needs them.
 fn wire(scene: &mut Scene) {
     for object in &mut scene.objects {
         let own = match object.paint {
@@ -222,7 +221,7 @@ fn add_loft(mesh: &mut Mesh, from: &[DVec3], to: &[DVec3]) {
         let j = (i + 1) % n;
         add_polygon(mesh, &[from[i], from[j], to[j], to[i]]);
         if n > 8 {
-            // Of a round tube, only the two rims are edges.
+            // In a round tube, only the two rims are edges.
             mesh.edges.truncate(mesh.edges.len() - 4);
         }
     }
@@ -231,15 +230,15 @@ fn add_loft(mesh: &mut Mesh, from: &[DVec3], to: &[DVec3]) {
     add_polygon(mesh, to);
 }
 
-/// A circle about `center` in the plane of two vectors as long as its radius. The pointer needs one in each frame, so it
-/// has the sines of `f64`, which are exact enough to look at.
+/// A circle about `center` in the plane of two vectors as long as its radius. The pointer needs one in each frame, so
+/// it uses the sines of `f64`, which are exact enough for the eye.
 pub(in crate::views) fn circle(center: DVec3, a: DVec3, b: DVec3, corners: u32) -> Vec<DVec3> {
     let turn = |i: u32| (TAU * f64::from(i) / f64::from(corners)).sin_cos();
     (0..corners).map(turn).map(|(sin, cos)| center + a * cos + b * sin).collect()
 }
 
-/// The body of a film camera in its VRC: the lens opens at the origin (C) towards −z (the scene), the two reels on top
-/// show where **v** is. It is about 2 units long and 2 high.
+/// The body of a film camera in its VRC. The lens opens at the origin (C) towards −z (the scene), and the two reels on
+/// top show the direction of **v**. It's about 2 units long and 2 high.
 pub(in crate::views) fn camera_body() -> Mesh {
     const ROUND: u32 = 20;
     let mut mesh = Mesh::default();
@@ -249,7 +248,7 @@ pub(in crate::views) fn camera_body() -> Mesh {
     // The hood of the lens widens towards the scene.
     let ring = |z: f64, r: f64| circle(DVec3::new(0.0, 0.0, z), DVec3::X * r, DVec3::Y * r, ROUND);
     add_loft(&mut mesh, &ring(0.0, 0.4), &ring(0.5, 0.2));
-    // The reels turn about the direction of u.
+    // The reels rotate about the direction of u.
     for (z, r) in [(0.72, 0.44), (1.58, 0.44)] {
         let reel = |x: f64| circle(DVec3::new(x, 0.42 + r, z), DVec3::Y * r, DVec3::Z * r, ROUND);
         add_loft(&mut mesh, &reel(-0.16), &reel(0.16));

@@ -40,7 +40,7 @@ use crate::views::world::framing::Content;
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::world_framing::{screen_of, seen_from};
 
-/// Draws the world with `on_window` as the image on the view window. An observer that is not a camera sees nothing.
+/// Draws the world with `on_window` as the image on the view window. An observer that isn't a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
@@ -117,10 +117,10 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     drawn
 }
 
-/// Greatest number of faces that are tested for hiding a corner.
+/// Greatest number of faces to test for hiding a corner.
 const MOST_FACES: usize = 200_000;
 
-/// The picture while it is being made.
+/// The picture in the making.
 struct World<'a> {
     request: &'a Request,
     on_window: Option<&'a Arc<Texture>>,
@@ -135,14 +135,14 @@ impl World<'_> {
         self.request.shot.look.world.parts.has(part)
     }
 
-    /// Takes the names of what has been drawn so far away, where the figure has none.
+    /// Removes the names drawn so far, if the figure has no names.
     fn unnamed(&mut self) {
         if !self.has(WorldPart::Names) {
             self.builder.gear.texts.clear();
         }
     }
 
-    /// The section along **u**: lines alone, without the scene.
+    /// The section along **u**, as lines alone, without the scene.
     fn section(&mut self) {
         section::draw(&mut self.builder, self.request, self.palette, &self.content);
         self.camera();
@@ -167,7 +167,7 @@ impl World<'_> {
         self.face(&volume.far_face(), color, 1.5, Dash::Dashed);
     }
 
-    /// The sides of the window or of the far face. Broken where they are longer than they are drawn.
+    /// The sides of the window or of the far face. They're broken if they're longer than drawn.
     fn face(&mut self, corners: &[DVec3; 4], color: Rgba, width: f32, dash: Dash) {
         const GAPS: [[f64; 2]; 2] = [[0.11, 0.14], [0.86, 0.89]];
         let volume = self.content.volume;
@@ -216,17 +216,17 @@ impl World<'_> {
         self.face(&near, self.palette.ink, 2.0, Dash::Solid);
     }
 
-    /// Opacity of the image on the window that does not hide the scene: full as long as it covers little of it, and the
-    /// fainter the more it covers.
+    /// Opacity of the image on the window that doesn't hide the scene. It's full as long as it covers little of it, and
+    /// fades the more it covers.
     fn unobtrusive(&self) -> f64 {
         const LITTLE: f64 = 0.12;
         const MUCH: f64 = 0.45;
         const FAINTEST: f64 = 0.3;
-        // The image on a window that is drawn narrower is not to scale.
+        // The image on a window that's drawn narrower isn't to scale.
         if self.content.volume.narrowed != [1.0; 2] {
             return 0.0;
         }
-        // A window this many times as large as all else is a wall without a picture.
+        // A window this many times as large as everything else is a wall without a picture.
         const LARGE: f64 = 2.0;
         const WALL: f64 = 6.0;
         let Some(bounds) = self.request.scene.bounds() else { return 1.0 };
@@ -386,7 +386,7 @@ impl World<'_> {
         }
     }
 
-    /// A ring around a scene that is too small to be seen where it is.
+    /// A ring around a scene that's too small to be visible in its place.
     fn speck(&mut self) {
         const SMALL: f64 = 5.0;
         let (screen, bounds) = (self.builder.screen, self.request.scene.bounds());
@@ -399,7 +399,7 @@ impl World<'_> {
         }
     }
 
-    /// From C and PF down (or up) to the ground: people judge distance by the foot of a thing.
+    /// From C and PF down (or up) to the ground, because people judge distance by the foot of a thing.
     fn drop_lines(&mut self) {
         if !self.has(WorldPart::GroundMarks) {
             return;
@@ -427,7 +427,7 @@ impl World<'_> {
     }
 }
 
-/// The window with the image on it: (0, 0) of the image is the window's upper left corner.
+/// The window with the image on it. (0, 0) of the image is the window's upper left corner.
 fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
     let mut mesh = Mesh::default();
     gizmos::add_polygon(&mut mesh, &near);

@@ -33,7 +33,7 @@ fn written(request: &Request, symbol: char, i: usize, value: f64, unit: &str) ->
     format!("{symbol}_{} = {}{unit}", ["x", "y", "z"][i], request.labels.mark.number(value + 0.0, 4))
 }
 
-/// From the origin of the parent's frame, which is the world's where there is no parent, to that of the object.
+/// From the origin of the parent's frame, which is the world's if there's no parent, to that of the object.
 fn translation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     let ObjectTransform { world_from_parent, trs } = object;
     let origin = world_from_parent.transform_point3(DVec3::ZERO);
@@ -42,14 +42,15 @@ fn translation(builder: &mut AnnotationBuilder, request: &Request, object: Objec
     component(builder, origin, [of(trs.translate), of(DVec3::AXES[i] * trs.translate[i])], &text, pen);
 }
 
-/// The first angle turns about the x axis that the others have turned, the second about the y axis that the third has
-/// turned: R = `R_z` `R_y` `R_x`.
+/// The first angle rotates about the x axis as the other rotations leave it, the second about the y axis as the third
+/// leaves it: R = `R_z` `R_y` `R_x`.
 fn axis_of_rotation(rotate: DVec3, i: usize) -> DQuat {
     let about = |k: usize| DQuat::from_axis_angle(DVec3::AXES[k], Angle::from_degrees(rotate[k]).radians());
     ((i + 1)..3).rev().fold(DQuat::IDENTITY, |turned, k| turned * about(k))
 }
 
-/// About which line through its origin the object is turned, and the arc of the angle, which begins at the next axis.
+/// The line through its origin about which the object is rotated, and the arc of the angle, which begins at the next
+/// axis.
 fn rotation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     /// Angle between two points of an arc, in degrees.
     const STEP: f64 = 5.0;
@@ -59,7 +60,7 @@ fn rotation(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTr
     let turned = axis_of_rotation(trs.rotate, i);
     let along = |v: DVec3| frame.transform_vector3(turned * v);
     let (axis, from) = (DVec3::AXES[i], DVec3::AXES[(i + 1) % 3]);
-    // The parent may scale: the arc is of its frame too.
+    // The parent may scale, so the arc belongs to its frame too.
     let pixels = RADIUS * builder.screen.scale * builder.screen.units_per_pixel(origin);
     let (Some(radius), Some(reach)) = (share(pixels, along(from)), share(1.6 * pixels, along(axis))) else { return };
     builder.line(vec![origin - along(axis) * reach, origin + along(axis) * reach], pen.color, pen.width, Dash::DashDot);
@@ -88,7 +89,7 @@ fn share(length: f64, vector: DVec3) -> Option<f64> {
     share.is_finite().then_some(share)
 }
 
-/// A local axis as long as the scale makes it, with a mark where it ended before.
+/// A local axis as long as the scale makes it, with a mark at its end before scaling.
 fn scale(builder: &mut AnnotationBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     let ObjectTransform { world_from_parent, trs } = object;
     let frame = world_from_parent * DMat4::from_translation(trs.translate);
@@ -161,13 +162,13 @@ mod tests {
         }
     }
 
-    /// The axes about which the parts turn, held against the product.
+    /// The axes about which the parts rotate, compared with the product.
     #[test]
     fn rotations_turn_about_the_axes_that_later_ones_have_turned() {
         let rotate = DVec3::new(20.0, -50.0, 110.0);
         let [x, y, z] = rotate.to_array().map(f64::to_radians);
         let [rx, ry, rz] = [DQuat::from_rotation_x(x), DQuat::from_rotation_y(y), DQuat::from_rotation_z(z)];
-        // Turned last to first, each about its axis, they are the whole rotation.
+        // Applied from last to first, each about its axis, they make the whole rotation.
         let whole = (0..3).fold(DQuat::IDENTITY, |done, i| {
             let axis = axis_of_rotation(rotate, i) * DVec3::AXES[i];
             done * DQuat::from_axis_angle(axis, rotate[i].to_radians())

@@ -21,7 +21,7 @@ use crate::views::{Palette, Probe, Request};
 /// Number of vertices of a large scene that are searched for an example.
 const MOST_VERTICES: usize = 20_000;
 
-/// The content of the section, in the plane through C that DOP and **v** span.
+/// The content of the section, in the plane through C spanned by DOP and **v**.
 struct Profile<'a> {
     camera: &'a Camera,
     volume: DrawnVolume,
@@ -56,7 +56,7 @@ impl<'a> Profile<'a> {
         [window.bottom, window.top].map(|y| self.at(distance, y * scale))
     }
 
-    /// The lowest height that is reached, below which lengths along DOP are measured.
+    /// The lowest height in use. Lengths along DOP are measured below it.
     fn lowest(&self) -> f64 {
         let window = self.camera.window();
         let end = match self.camera.projection() {
@@ -84,7 +84,7 @@ impl<'a> Profile<'a> {
         }
     }
 
-    /// All that a picture should hold.
+    /// All points that a picture should hold.
     fn points(&self) -> Vec<DVec3> {
         let below = self.lowest() - 3.6 * self.step;
         let mut points = vec![self.at(-0.8 * self.step, below), self.at(self.volume.end + self.step, below)];
@@ -95,8 +95,8 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// The point of the hover; without one, the first of the figure's points in front of C, or P where the scene names one
-/// there; else the vertex inside the volume whose image is farthest from the axis, or PF. And its name, which
+/// The point of the hover. Without one, it's the first of the figure's points in front of C, or P if the scene names
+/// one there; else the vertex inside the volume whose image is farthest from the axis, or PF. Also its name, which
 /// distinguishes it from others.
 fn example(request: &Request) -> (DVec3, String) {
     let camera = &request.camera;
@@ -108,7 +108,7 @@ fn example(request: &Request) -> (DVec3, String) {
         Some(Probe::Window(point)) => Pixel::new(request, point).hit.map(|p| called(labels.point, p)),
         None => None,
     };
-    // The depth of a point in the plane of the eye is zero but for rounding.
+    // The depth of a point in the plane of the eye is zero except for rounding.
     let least = 1e-9 * camera.distance();
     let of_exercise = || {
         let text = request.scene.texts.iter().find(|text| text.text == "P")?;
@@ -224,7 +224,7 @@ fn lengths(builder: &mut AnnotationBuilder, request: &Request, palette: Palette,
     let near = camera.near();
     let half = format!("H/2 = {}", number(window.height() / 2.0));
     if window.top == -window.bottom {
-        // On the other side of the axis than the point, so that neither covers the other.
+        // On the other side of the axis from the point, so that neither covers the other.
         let side = if profile.height() < 0.0 { window.top } else { window.bottom };
         upright(builder, near, side, -dop * (0.6 * step), &half, soft);
     }

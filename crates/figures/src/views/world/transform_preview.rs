@@ -1,4 +1,4 @@
-//! An object where a list of transforms puts it: glass in another colour, with its own axes.
+//! An object at the place that a list of transforms gives it, as glass in another colour, with its own axes.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use super::gizmos::{self, AnnotationBuilder, SMALL_TYPE};
 use crate::figure::TransformPreview;
 use crate::views::{Palette, Request};
 
-/// Adds the objects that are shown where they are not.
+/// Adds the previewed objects.
 pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     for (k, preview) in request.shot.show.moved.iter().enumerate() {
         let color = if preview.wrong { palette.wrong } else { palette.ghost };
@@ -24,8 +24,8 @@ pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Requ
     }
 }
 
-/// The objects as glass, and of those without faces their strokes. Objects scaled to nothing have no faces to be seen.
-/// Where they are in place already, there is nothing to add.
+/// The objects as glass, and the strokes of those without faces. Objects scaled to nothing have no visible faces. If
+/// they're in place already, there's nothing to add.
 fn bodies(builder: &mut AnnotationBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
@@ -71,7 +71,7 @@ fn bare(builder: &mut AnnotationBuilder, object: &Object, world_from_object: DMa
     }
 }
 
-/// The columns of its matrix: where they begin, and as long as they are. Nothing hides them.
+/// The columns of its matrix, from their origin, and with their own length. Nothing hides them.
 fn axes(builder: &mut AnnotationBuilder, preview: &TransformPreview, number: usize, color: Rgba) {
     let origin = preview.world_from_frame.w_axis.truncate();
     let columns = [preview.world_from_frame.x_axis, preview.world_from_frame.y_axis, preview.world_from_frame.z_axis];
@@ -169,7 +169,7 @@ mod tests {
             axis: None,
             wrong: false,
         };
-        // Those in the preview's colour: the world is drawn around its content.
+        // Objects in the preview's colour. The world is drawn around its content.
         let color = Palette::of(style.theme).ghost;
         let polylines = |drawing: &Drawing| {
             let own = drawing.strokes.iter().filter(|set| set.style.color == color);
@@ -178,7 +178,7 @@ mod tests {
         let [none, points, grid, segments] =
             ["none", "points", "grid", "segments"].map(|name| drawn_in(&scene, vec![preview(name)]));
         assert_eq!(points.marks.len() - none.marks.len(), 3);
-        // Points have no strokes: those that are there are of the axes.
+        // Points have no strokes, so the strokes there belong to the axes.
         assert_eq!([&grid, &segments].map(|drawing| polylines(drawing) - polylines(&points)), [10, 2]);
     }
 }

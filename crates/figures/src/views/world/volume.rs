@@ -1,5 +1,6 @@
-//! The view volume as the world shows it: whole, or, where it is so large or so far that all else would be too small to
-//! be read, drawn nearer and narrower, with its edges broken, as draughtsmen break a long shaft.
+//! The view volume as the world shows it. It's drawn whole, unless it's so large or so far away that everything else
+//! would be too small to read. Then it's drawn nearer and narrower, with its edges broken, as draughtsmen break a long
+//! shaft.
 
 use glam::DVec3;
 
@@ -13,19 +14,19 @@ const MOST_ENLARGED: f64 = 2.5;
 const END: f64 = 1.22;
 const GAP: [f64; 2] = [1.06, 1.105];
 
-/// Where F is more than this multiple of the greatest depth of the other content, the window is drawn at the place of
-/// the back face of a broken volume, with the back face behind it, as deep as this at most.
+/// If F is more than this multiple of the greatest depth of the other content, the window is drawn at the place of the
+/// back face of a broken volume, with the back face behind it, as deep as this at most.
 const FARTHEST: f64 = 4.0;
 const DEEPEST: f64 = 0.5;
 
-/// Greatest distance of the corners of a wide volume in the picture, in radii of the other content. One that is wider
-/// around its axis is drawn as wide as [`NARROWED`], with broken sides; of one twice as wide that lies off-axis, only
-/// the middle is in the picture.
+/// Greatest distance of the corners of a wide volume in the picture, in radii of the other content. A volume that's
+/// wider around its axis is drawn as wide as [`NARROWED`], with broken sides. If one is twice as wide and lies
+/// off-axis, only its middle is in the picture.
 const WIDEST: f64 = 26.0;
 const NARROWED: f64 = 2.2;
 const MIDDLE: f64 = 4.0;
 
-/// The volume as it is drawn.
+/// The volume as drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::views) struct DrawnVolume {
     corners: [DVec3; 8],
@@ -38,15 +39,15 @@ pub(in crate::views) struct DrawnVolume {
     /// From the axis to the corners of the window, along **u** and **v**.
     window: [[f64; 2]; 4],
     perspective: bool,
-    /// The scale of the drawn volume along **u** and **v**: 1, or less where its sides are broken.
+    /// The scale of the drawn volume along **u** and **v**: 1, or less if its sides are broken.
     pub(in crate::views) narrowed: [f64; 2],
-    /// The distance from C at which the window is drawn: F, or less where it lies far beyond all else.
+    /// The distance from C at which the window is drawn: F, or less if it lies far beyond everything else.
     pub(in crate::views) start: f64,
     /// The range of distances left out between C and the window.
     pub(in crate::views) before: Option<[f64; 2]>,
-    /// The distance from C at which the far face is drawn: B, or less where the volume is broken.
+    /// The distance from C at which the far face is drawn: B, or less if the volume is broken.
     pub(in crate::views) end: f64,
-    /// From which to which distance the volume is left out.
+    /// The range of distances left out of the volume.
     pub(in crate::views) gap: Option<[f64; 2]>,
 }
 
@@ -85,21 +86,21 @@ impl DrawnVolume {
         }
     }
 
-    /// As it is drawn where F and the window are measured. These are in their place.
+    /// The volume as drawn for measuring F and the window, which are at their true places.
     pub(in crate::views) fn measured(self, camera: &Camera) -> Self {
         if self.before.is_some() { Self::whole(camera) } else { Self { narrowed: [1.0; 2], ..self } }
     }
 
-    /// With the far face where all that there is to see ends, if it would make that too small.
+    /// Puts the far face at the end of the other content if the far face would make that too small.
     fn shorter(self, core: &Aabb, deepest: f64) -> Self {
         let enlarged = Aabb::around(self.corners).map_or(0.0, |volume| volume.union(*core).radius()) / core.radius();
         let (end, gap) = (END * deepest, GAP.map(|share| share * deepest));
-        // `!(… > …)`: where there is nothing else to see, the volume is all.
+        // `!(… > …)`, so that if there's nothing else to see, the volume is all.
         let fits = !(enlarged > MOST_ENLARGED && core.radius() > 0.0);
         if fits || end > 0.9 * self.far || !end.is_finite() { self } else { Self { end, gap: Some(gap), ..self } }
     }
 
-    /// With the window where all that there is to see ends, and the far face behind it.
+    /// Puts the window at the end of the other content, and the far face behind it.
     fn nearer(self, reach: f64) -> Self {
         let (start, before) = (END * reach, Some(GAP.map(|share| share * reach)));
         let (depth, most) = (self.far - self.near, DEEPEST * reach);
@@ -107,7 +108,7 @@ impl DrawnVolume {
         Self { start, before, end: start + depth.min(most), gap, ..self }
     }
 
-    /// With sides that leave the other content readable.
+    /// Narrows the sides so that the other content stays readable.
     fn narrower(self, radius: f64) -> Self {
         let widest = self.scale(self.end);
         let narrowed = std::array::from_fn(|axis| {
@@ -130,17 +131,17 @@ impl DrawnVolume {
         self.narrowed[axis] < 1.0
     }
 
-    /// The corners of the window as it is drawn: (l, b), (r, b), (r, t), (l, t).
+    /// The corners of the window as drawn: (l, b), (r, b), (r, t), (l, t).
     pub(in crate::views) fn window(&self) -> [DVec3; 4] {
         self.section(self.start)
     }
 
-    /// The corners of the far face as it is drawn, in the same order.
+    /// The corners of the far face as drawn, in the same order.
     pub(in crate::views) fn far_face(&self) -> [DVec3; 4] {
         self.section(self.end)
     }
 
-    /// The corners of the volume's section at a distance from C as it is drawn, in the same order.
+    /// The corners of the volume's section at a distance from C as drawn, in the same order.
     pub(in crate::views) fn section(&self, distance: f64) -> [DVec3; 4] {
         let c = self.corners;
         if distance == 0.0 && self.perspective {
@@ -184,7 +185,8 @@ impl DrawnVolume {
         self.window().into_iter().chain(self.far_face())
     }
 
-    /// The corners that a picture should hold. Those of an angle so wide that little else would be seen are drawn in.
+    /// The corners that a picture should hold. If the angle is so wide that little else would be visible, they're drawn
+    /// in.
     pub(in crate::views) fn of_interest(&self, camera: &Camera, core: &Aabb) -> Vec<DVec3> {
         let limit = WIDEST * core.radius();
         let (c, dop) = (camera.position(), camera.direction_of_projection());
@@ -199,14 +201,14 @@ impl DrawnVolume {
             .collect()
     }
 
-    /// F after the window was moved by `way` (units) along DOP from where it is drawn: one that is drawn nearer goes in
-    /// proportion.
+    /// F after the window was moved by `way` (units) along DOP from its drawn place. A window that's drawn nearer moves
+    /// in proportion.
     pub(in crate::views) fn near_moved(&self, way: f64) -> f64 {
         if self.before.is_some() { self.near * (self.start + way) / self.start } else { self.near + way }
     }
 
-    /// B after the far face was moved by `way` (units) along DOP from where it is drawn: that of a broken volume goes
-    /// in proportion.
+    /// B after the far face was moved by `way` (units) along DOP from its drawn place. That of a broken volume moves in
+    /// proportion.
     pub(in crate::views) fn far_moved(&self, way: f64) -> f64 {
         let broken = self.gap.or(self.before).is_some();
         if broken { self.far * (self.end + way) / self.end } else { self.far + way }

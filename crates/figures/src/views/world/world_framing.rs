@@ -1,4 +1,4 @@
-//! The framing of the world: its observer, and the sizes of the camera's gear, which belongs into the picture.
+//! The framing of the world: its observer, and the sizes of the camera's gear, which belongs in the picture.
 
 use glam::DVec3;
 
@@ -12,21 +12,21 @@ use crate::views::pixels::PixelRect;
 use crate::views::screen::Screen;
 use crate::views::{Request, Size};
 
-/// The observer that a button gives. It looks from the viewpoint's side and has everything of interest in the picture.
+/// The observer for a button. It looks from the viewpoint's side and has everything of interest in the picture.
 pub(in crate::views) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     let camera = &request.camera;
     let iso = clear_of(iso_direction(camera), &lines(camera));
     framing(request, viewpoint.direction(iso, camera.basis()))
 }
 
-/// The lines along which a picture of the camera tells nothing: u, v, and n, which is the line of DOP too.
+/// The lines along which a picture of the camera shows nothing: u, v, and n, which is the line of DOP too.
 fn lines(camera: &Camera) -> [DVec3; 3] {
     let basis = camera.basis();
     [basis.u, basis.v, basis.n]
 }
 
-/// The observer of several pictures, which has everything of interest of each: it looks as that of the first one, or so
-/// that no camera is seen along an axis, where that can be.
+/// The observer of several pictures, which has everything of interest of each. It looks like that of the first one, or
+/// so that no camera is seen along an axis, if that's possible.
 pub(in crate::views) fn common(requests: &[Request]) -> Option<Observer> {
     let first = requests.first()?;
     let all: Vec<DVec3> = requests.iter().flat_map(|request| lines(&request.camera)).collect();
@@ -39,8 +39,8 @@ pub(in crate::views) fn framing(request: &Request, direction: Observer) -> Obser
     framing_of(request.each_side(), direction, request.size)
 }
 
-/// Frames the content. The camera's gear has a size in pixels, so its extent is known after a framing only, and each
-/// next one knows it better.
+/// Frames the content. The camera's gear has a size in pixels, so its extent is only known after a framing, and each
+/// further one knows it better.
 fn framing_of(sides: impl IntoIterator<Item = Request>, direction: Observer, size: Size) -> Observer {
     let sides: Vec<Request> = sides.into_iter().collect();
     let sides: Vec<(&Request, Content)> = sides.iter().map(|side| (side, Content::of(side))).collect();
@@ -58,7 +58,7 @@ fn framing_of(sides: impl IntoIterator<Item = Request>, direction: Observer, siz
     observer
 }
 
-/// Whether an observer has everything of interest in its picture; of a comparison, that of both sides.
+/// True if an observer has everything of interest in its picture. For a comparison, that of both sides.
 pub(in crate::views) fn holds(request: &Request, observer: &Observer) -> bool {
     request.each_side().iter().all(|side| {
         let content = Content::of(side);
@@ -70,7 +70,7 @@ pub(in crate::views) fn holds(request: &Request, observer: &Observer) -> bool {
     })
 }
 
-/// The points around the camera's gear, as large as it is for an observer; `None` for one that is not a camera.
+/// The points around the camera's gear, in its size for an observer; `None` for one that isn't a camera.
 fn gear_points(request: &Request, observer: &Observer, content: &Content) -> Option<Vec<DVec3>> {
     let screen = screen_of(request, observer, content)?;
     let gear = GizmoSizes::new(&screen, &request.camera, &request.shot.look.world);
@@ -98,7 +98,7 @@ pub(in crate::views) fn seen_from(request: &Request) -> Observer {
     request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
-/// The observer's camera and its pixels; `None` for an observer that is not a camera.
+/// The observer's camera and its pixels; `None` for an observer that isn't a camera.
 pub(in crate::views) fn screen(request: &Request) -> Option<Screen> {
     screen_of(request, &seen_from(request), &Content::of(request))
 }

@@ -12,12 +12,12 @@ use crate::scene::{ObjectSpec, Preset, Shape};
 
 /// The numbers of a family for a seed.
 pub(in crate::exercises) fn numbers(family: &str, seed: u64) -> Random {
-    // FNV-1a, so that the same seed gives every family numbers of its own.
+    // FNV-1a gives every family its own numbers for the same seed.
     let stream = family
         .bytes()
         .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
     let mut random = Random::new(seed, stream);
-    // The first numbers of neighbouring seeds are alike in a few bits.
+    // The first numbers of neighbouring seeds differ in only a few bits.
     random.bits();
     random
 }
@@ -42,11 +42,11 @@ const TO_VIEWER: [[f64; 3]; 16] = [
     [-3.0, 4.0, 12.0],
 ];
 
-/// View-up vectors that neither have length 1 nor are perpendicular to the line of sight by chance: that would hide a
-/// forgotten step.
+/// View-up vectors that neither have length 1 nor happen to be perpendicular to the line of sight, because that would
+/// hide a forgotten step.
 const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [0.0, 2.0, 1.0], [1.0, 2.0, 0.0]];
 
-/// Heights to widths. A 2 would make of A, left out, a lost factor of 2.
+/// Ratios of width to height. With a 2, leaving out A would look like a lost factor of 2.
 const ASPECTS: [f64; 5] = [4.0 / 3.0, 3.0 / 2.0, 5.0 / 4.0, 7.0 / 4.0, 3.0 / 4.0];
 
 fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
@@ -58,8 +58,8 @@ pub(super) fn small(random: &mut Random, most: i64) -> f64 {
     whole(random, -most, most)
 }
 
-/// The exercise of the first numbers with which each of these slips changes an answer: others would hide that it was
-/// made. Of the last that were tried, where none do.
+/// The first exercise in which each of these slips changes an answer, because other numbers would hide that it was
+/// made. If there is none, the last one tried.
 pub(super) fn telling(slips: &[Slip], mut make: impl FnMut() -> Exercise) -> Exercise {
     const TRIES: usize = 200;
     let tells = |exercise: &Exercise| slips.iter().all(|slip| exercise.asks.iter().any(|ask| ask.tells(*slip)));
@@ -78,7 +78,7 @@ pub(super) fn plain() -> Exercise {
     Exercise { facts: Vec::new(), ..about(Subject { figure: Figure::of_preset(Preset::House), ..Subject::default() }) }
 }
 
-/// A camera that can be: C, PF and VUP of whole numbers, oblique to one another.
+/// A valid camera: C, PF and VUP of whole numbers, oblique to one another.
 pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters {
     loop {
         let focal_point = DVec3::new(whole(random, -2, 2), whole(random, -2, 2), whole(random, -2, 2));
@@ -97,8 +97,8 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
             far: near * random.one_of(&[10.0, 20.0, 25.0]),
             window: None,
         };
-        // VUP along v would hide that it was taken for v, a product of length 1 that it was not divided by its length;
-        // C at the origin hides every translation.
+        // If VUP were along v, it could be taken for v unnoticed. A product of length 1 would hide a missing division
+        // by its length. C at the origin would hide every translation.
         let n = to_viewer.normalize();
         let oblique = view_up.normalize().dot(n).abs();
         let has_length_1 = (view_up.cross(n).length() - 1.0).abs() < 0.05;
@@ -108,11 +108,11 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
     }
 }
 
-/// Distances F by which nothing is multiplied or divided as by another known factor: 1 would hide that F was forgotten,
-/// 2 and 1/2 would make of it a lost factor of 2.
+/// Distances F that can't be mistaken for another known factor in a product or quotient. 1 would hide a forgotten F,
+/// and 2 and 1/2 would make it look like a lost factor of 2.
 const NEARS: [f64; 6] = [0.8, 0.4, 1.5, 2.5, 3.0, 5.0];
 
-/// A camera as of [`camera`]; in perspective with an F of [`NEARS`].
+/// A camera like those of [`camera`], in perspective with an F from [`NEARS`].
 pub(super) fn lens_camera(random: &mut Random, projection: Projection) -> Parameters {
     let parameters = camera(random, projection);
     if projection == Projection::Parallel {
@@ -140,7 +140,7 @@ pub(super) fn any_projection(random: &mut Random) -> Projection {
     random.one_of(&[Projection::Perspective, Projection::Parallel])
 }
 
-/// A camera in front of small things about PF. It is never among them.
+/// A camera in front of small things about PF. The camera is never among them.
 pub(super) fn subject(camera: Parameters) -> Subject {
     let mut figure = Figure::of_preset(Preset::Empty);
     let (at, unit) = (camera.focal_point, (camera.position - camera.focal_point).length() / 16.0);
@@ -157,7 +157,7 @@ pub(super) fn subject(camera: Parameters) -> Subject {
     with_image(Subject { figure, ..Subject::default() }, 768)
 }
 
-/// With an image whose sides have the aspect of the window, as far as whole pixels can.
+/// Gives it an image whose sides have the aspect of the window, as far as whole pixels can.
 pub(super) fn with_image(mut subject: Subject, height: u32) -> Subject {
     let aspect = subject.figure.camera.window.map_or(subject.figure.camera.aspect, |window| window.aspect());
     #[expect(clippy::cast_possible_truncation, reason = "a few hundred pixels")]
@@ -166,8 +166,7 @@ pub(super) fn with_image(mut subject: Subject, height: u32) -> Subject {
     subject
 }
 
-/// A point of small whole numbers inside the volume of the camera, and not on its axis; PF moved a little where there
-/// is none.
+/// A point of small whole numbers inside the volume of the camera and off its axis; PF moved a little if there is none.
 pub(super) fn point_inside(random: &mut Random, parameters: &Parameters) -> DVec3 {
     let Ok(camera) = Camera::new(parameters) else { return parameters.focal_point };
     for _ in 0..400 {

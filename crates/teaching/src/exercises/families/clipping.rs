@@ -8,7 +8,7 @@ use crate::exercises::{Ask, Exercise, Fact, Kind, Nature, Slip, Slips, Table};
 use crate::explain::{Formula, minus, over, plus, times};
 use crate::numbers::random::Random;
 
-/// Distances of a point inside each plane: left, right, bottom, top, near, far; negative outside.
+/// Distances of a point inside each plane (left, right, bottom, top, near, far). Negative outside.
 fn distances(p: DVec4, slips: Slips) -> [f64; 6] {
     let w = if slips.has(Slip::NoDivide) { 1.0 } else { p.w };
     let z = if slips.has(Slip::DepthRowSign) { -p.z } else { p.z };
@@ -33,7 +33,7 @@ pub(super) fn outcodes(random: &mut Random) -> Exercise {
     let mut one = || loop {
         let p = clip_point(random);
         let out = distances(p, Slips::NONE).iter().filter(|distance| **distance < 0.0).count();
-        // On a plane both answers would be right; inside of all there is nothing to find.
+        // On a plane both answers would be right. Inside all of them there's nothing to find.
         if out > 0 && distances(p, Slips::NONE).iter().all(|distance| *distance != 0.0) {
             return p;
         }
@@ -97,9 +97,9 @@ pub(super) fn clip_segment(random: &mut Random) -> Exercise {
 fn clip_segment_of(random: &mut Random) -> Exercise {
     let (a, b) = loop {
         let (a, b) = (clip_point(random), clip_point(random));
-        // Of equal w the division would not bend t.
+        // With equal w the division wouldn't bend t.
         let found = inside(a, b, Slips::NONE).filter(|_| a.w != b.w);
-        // Both ends are cut off, and the rest is long enough to be seen.
+        // Both ends are cut off, and the rest is long enough to see.
         if found.is_some_and(|[from, to]| from > 0.05 && to < 0.95 && to - from > 0.1 && (from + to - 1.0).abs() > 0.01)
         {
             break (a, b);
@@ -127,7 +127,7 @@ fn clip_segment_of(random: &mut Random) -> Exercise {
     Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
 }
 
-/// The ends of the segment that is clipped.
+/// The ends of the segment to clip.
 fn ends_of(a: DVec4, b: DVec4, slips: Slips) -> (DVec4, DVec4) {
     let (a, b) = if slips.has(Slip::ClipAfterDivide) { (a / a.w, b / b.w) } else { (a, b) };
     if slips.has(Slip::EndsExchanged) { (b, a) } else { (a, b) }

@@ -34,7 +34,7 @@ pub(super) fn resolution(random: &mut Random) -> Exercise {
             return 1.0 / steps;
         }
         let slope = if slips.has(Slip::LinearDepth) { 1.0 / (far - near) } else { slope };
-        // The length of the buffer for a unit of depth, and not the depth of a step.
+        // The length in the buffer for a unit of depth, not the depth of a step.
         let found = 1.0 / (slope * steps);
         if slips.has(Slip::Inverted) { 1.0 / found } else { found }
     };
@@ -86,8 +86,8 @@ pub(super) fn painter(random: &mut Random) -> Exercise {
     };
     let distances =
         |points: &[DVec3]| -> Vec<f64> { points.iter().map(|point| (*point - parameters.position).length()).collect() };
-    // Points of which the distance from C, or the place of each in the order, gives another answer; beside the volume,
-    // where there are none in it.
+    // Attempts to find points inside the volume for which the distance from C, or the place of each in the order, gives
+    // another answer. If there are none, points beside it serve.
     const TRIES_INSIDE: usize = 200;
     let mut tries = 0..TRIES_INSIDE;
     let points = loop {
@@ -140,7 +140,7 @@ pub(super) fn painter(random: &mut Random) -> Exercise {
     let order_ask = order_ask.of_nature(Nature::Order).following(&["depths"], move |tables| {
         let mut sorted = tables[0].entries.clone();
         sorted.sort_by(f64::total_cmp);
-        // Of equal depths none is the farther.
+        // If depths are equal, none is farther.
         let distinct = sorted.windows(2).all(|pair| pair[0] < pair[1]);
         distinct.then(|| Table::column(&order(&tables[0].entries)))
     });
@@ -180,7 +180,7 @@ pub(super) fn zoom_or_dolly(random: &mut Random) -> Exercise {
         let step = Worked::new("share", "(5.5)").row(d, moved).row(named("h'", "h'", value), formula);
         Ask::computed(name, Kind::Number, vec![step], move |slips| {
             let by = |factor: f64| if slips.has(Slip::FactorInverted) { 1.0 / factor } else { factor };
-            // Each question names the operation that was done in its place: a zoom for a dolly, or a dolly for a zoom.
+            // Each question names the operation done instead: a zoom for a dolly, or a dolly for a zoom.
             let is_other = if zoom == 1.0 { slips.has(Slip::Zoomed) } else { slips.has(Slip::Dollied) };
             let (zoom, dolly) = if is_other { (dolly, zoom) } else { (zoom, dolly) };
             let once = if slips.has(Slip::ScaleHalved) { 2.0 } else { 1.0 };
@@ -190,7 +190,7 @@ pub(super) fn zoom_or_dolly(random: &mut Random) -> Exercise {
         })
         .of_nature(Nature::Size)
     };
-    // Of the pole at PF both take up s times as much.
+    // Both enlarge the pole at PF by the factor s.
     let enlarged = |ask: Ask| ask.following(&["before"], move |tables| Some(tables[0].map(|share| share * factor)));
     let ratio = {
         let [d, e, f] = [("D", distance), ("e", behind), ("f", factor)].map(|(name, value)| named(name, name, value));

@@ -1,4 +1,4 @@
-//! Exercises done by hand. A camera to set, and the answer before it is shown.
+//! Exercises done by hand: setting a camera, and answering before the solution appears.
 
 use glam::DVec3;
 
@@ -56,7 +56,7 @@ pub(super) fn canonical_camera(random: &mut Random) -> Exercise {
     Exercise { asks: vec![ask], facts, assumptions: vec!["family-of-cameras"], ..about(subject) }
 }
 
-/// Points by which two pictures of the house are compared.
+/// Points for comparing two pictures of the house.
 const REFERENCE: [DVec3; 6] = [
     DVec3::new(1.0, 0.0, 1.0),
     DVec3::new(-1.0, 0.0, 1.0),
@@ -69,8 +69,8 @@ const REFERENCE: [DVec3; 6] = [
 /// Tolerance for the positions of points, in NDC.
 const NEAR_ENOUGH: f64 = 0.05;
 
-/// In which direction C is off: round the house, in height, and in its distance from PF. A picture that fits is right,
-/// although a farther camera with a smaller angle shows nearly the same.
+/// The directions in which C is off: around the house, in height, and in its distance from PF. A picture that fits is
+/// right, although a farther camera with a smaller angle shows nearly the same.
 fn directions(camera: &Camera, wanted: &Camera, fits: bool) -> [(&'static str, bool); 3] {
     let from_focal_point = |camera: &Camera| camera.position() - wanted.focal_point();
     let (now, then) = (from_focal_point(camera), from_focal_point(wanted));
@@ -173,14 +173,14 @@ pub(super) fn predict_visible(random: &mut Random) -> Exercise {
     let parameters = camera(random, projection);
     let clip = |point: DVec3| Camera::new(&parameters).ok().map(|camera| camera.clip_point(point));
     let is_seen = |point: DVec3| clip(point).is_some_and(|clip| clip.truncate().abs().max_element() <= clip.w);
-    // Not so near a plane that the eye could not tell; in the plane of the eye there is no NDC, and nothing to tell.
+    // Not so near a plane that the eye can't tell. In the plane of the eye there is no NDC, so nothing can be decided.
     let is_clear = |point: DVec3| {
         clip(point).is_some_and(|clip| {
             let rest = clip.w - clip.truncate().abs().max_element();
             rest.abs() > 0.05 * clip.w.abs().max(1.0) && clip.w.abs() > 0.05
         })
     };
-    // One is seen in any case; of a camera that has no point so clear, the last that was tried.
+    // One is visible in any case. If a camera has no point that's clear enough, the last one tried serves.
     let mut first = point_inside(random, &parameters);
     for _ in 0..100 {
         if is_clear(first) {
@@ -195,7 +195,7 @@ pub(super) fn predict_visible(random: &mut Random) -> Exercise {
             points.push(point);
         }
     }
-    // The one that is seen is not always the first.
+    // The visible one isn't always the first.
     points.rotate_left(usize::try_from(random.whole(0, 2)).unwrap_or(0));
     let subject = points.iter().fold(subject(parameters), |subject, point| with_point(subject, *point));
     let names = ["P", "Q", "R"];

@@ -14,13 +14,13 @@ use crate::numbers::random::Random;
 use crate::scene::palette::BLUE;
 use crate::scene::{Light, ObjectSpec, Preset, Shape};
 
-/// The shares of the program's own model: of a vertex that no lamp reaches, of a lamp that meets it squarely, and the
+/// The shares of the program's own model: for a vertex that no lamp reaches, for a lamp that meets it squarely, and the
 /// white of the highlight.
 const AMBIENT: f64 = 0.35;
 const DIFFUSE: f64 = 0.65;
 const SPECULAR: f64 = 0.3;
 
-/// The mistakes that every exercise of the family has to show.
+/// The mistakes that every exercise of the family has to reveal.
 const SLIPS: [Slip; 17] = [
     Slip::NNotNormalised,
     Slip::LengthForgotten,
@@ -49,7 +49,7 @@ const WAYS: [[i8; 3]; 3] = [[1, 2, 2], [0, 3, 4], [2, 3, 6]];
 enum Lamp {
     /// It stands at a point.
     Near(DVec3),
-    /// It is so far away that its light travels along one vector.
+    /// It's so far away that its light travels along one vector.
     Far(DVec3),
 }
 
@@ -57,7 +57,7 @@ enum Lamp {
 #[derive(Clone, Copy)]
 struct Vertex {
     position: DVec3,
-    /// As it is given: not of length 1.
+    /// As given: not of length 1.
     normal: DVec3,
     eye: DVec3,
     lamps: [Lamp; 2],
@@ -65,7 +65,7 @@ struct Vertex {
 }
 
 impl Vertex {
-    /// The point from which ways lead.
+    /// The starting point of the ways.
     fn from(&self, slips: Slips) -> DVec3 {
         if slips.has(Slip::PositionForgotten) { DVec3::ZERO } else { self.position }
     }
@@ -121,11 +121,11 @@ impl Vertex {
 
     /// The share of its own colour that the vertex sends back.
     fn share(&self, slips: Slips) -> Option<f64> {
-        // An angle in the place of a share makes no light that anybody would write down.
+        // An angle in place of a share makes an implausible amount of light.
         (!slips.has(Slip::CosineLeftAsAngle)).then(|| share([0, 1].map(|k| self.cosine(k, slips)), slips))
     }
 
-    /// The white that lamp 1 adds. None is no evidence of any mistake.
+    /// The white that lamp 1 adds. No white is no evidence of any mistake.
     fn highlight(&self, slips: Slips) -> Option<f64> {
         let (n, l, v) = (self.unit_normal(slips), self.lamp_direction(0, slips), self.viewer_direction(slips));
         let cosine = slips.pick(
@@ -137,7 +137,7 @@ impl Vertex {
         (cosine > 0.0).then(|| white * cosine.powi(power))
     }
 
-    /// Whether its numbers are those of a vertex that is seen and lit by lamp 1 alone, far enough from all borders.
+    /// True if its numbers belong to a vertex that's visible and lit by lamp 1 alone, far enough from all borders.
     fn is_lit(&self) -> bool {
         let (n, h) = (self.normal.normalize(), self.halfway(Slips::NONE));
         let [first, second] = [0, 1].map(|k| self.cosine(k, Slips::NONE));
@@ -187,7 +187,7 @@ fn way(random: &mut Random) -> DVec3 {
 fn any_vertex(random: &mut Random) -> Vertex {
     let position = loop {
         let p = DVec3::new(small(random, 3), small(random, 3), small(random, 3));
-        // At the origin nothing tells that P was forgotten.
+        // At the origin nothing shows that P was forgotten.
         if p.length() > 1.0 {
             break p;
         }
@@ -206,7 +206,7 @@ fn any_vertex(random: &mut Random) -> Vertex {
     }
 }
 
-/// Whether no two mistakes give the same answer to a question, and none the right one where it is told.
+/// True if no two mistakes that change the answer to a question give the same wrong answer.
 fn tells_apart(exercise: &Exercise) -> bool {
     exercise.asks.iter().all(|ask| {
         let wrong: Vec<(Slip, Table)> = SLIPS
@@ -285,7 +285,7 @@ fn facts(vertex: &Vertex) -> Vec<(&'static str, Fact)> {
     facts.into_iter().chain(lamps).collect()
 }
 
-/// A ball that has the vertex and its normal, under the two lamps, and a camera that looks at it.
+/// A ball that contains the vertex and its normal, under the two lamps, and a camera that looks at it.
 fn subject(vertex: &Vertex) -> Subject {
     let centre = vertex.position - vertex.normal.normalize();
     let ball = ObjectSpec::new("ball", Shape::Sphere).at(centre.x, centre.y, centre.z).colored(BLUE);
@@ -311,7 +311,7 @@ fn subject(vertex: &Vertex) -> Subject {
     with_point(with_image(Subject { figure, ..Subject::default() }, 480), vertex.position)
 }
 
-/// A name as it is written, and in LaTeX.
+/// A name in plain text and in LaTeX.
 type Name = (&'static str, &'static str);
 
 const L: [Name; 3] = [("L_x", "L_x"), ("L_y", "L_y"), ("L_z", "L_z")];
@@ -338,7 +338,7 @@ fn dot(a: [Named; 3], b: [Named; 3]) -> Formula {
     sum([0, 1, 2].map(|k| times([a[k].into(), b[k].into()])))
 }
 
-/// The rows of a vector of length 1 along another, whose length has a name of its own.
+/// The rows of a unit vector along another vector, whose length has a name of its own.
 fn unit_rows(step: Worked, names: [Name; 3], (length, latex): Name, along: [Formula; 3], value: DVec3) -> Worked {
     let size = named(length, latex, value.length());
     let unit = coordinates(names, value.normalize());
@@ -363,7 +363,7 @@ fn lamp_rows(step: Worked, vertex: &Vertex, k: usize, names: [Name; 3]) -> Worke
     }
 }
 
-/// The ways to lamp 1, to **N**, to their cosine, to the share of the colour, to **H** and to the highlight.
+/// The steps to lamp 1, to **N**, to their cosine, to the share of the colour, to **H** and to the highlight.
 fn steps(vertex: &Vertex) -> [Worked; 6] {
     let (n, l) = (vertex.normal.normalize(), vertex.lamp_direction(0, Slips::NONE));
     let (v, h) = (vertex.viewer_direction(Slips::NONE), vertex.halfway(Slips::NONE));
@@ -427,7 +427,7 @@ mod tests {
             };
             let Some(Fact::Number(exponent)) = fact("exponent") else { panic!("{seed}") };
             let (p, c) = (vector("P"), vector("C"));
-            // The eye is the origin of view space; whichever way it looks, light is the same.
+            // The eye is the origin of view space. The light is the same whichever way it looks.
             let mut lighting = Lighting {
                 ambient: crate::pipeline::reflection::AMBIENT,
                 diffuse: crate::pipeline::reflection::DIFFUSE,

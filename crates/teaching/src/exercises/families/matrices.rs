@@ -47,7 +47,7 @@ pub(super) fn window(random: &mut Random) -> Exercise {
 pub(super) fn projection(random: &mut Random, projection: Projection) -> Exercise {
     // With F = 1 the scale of a perspective, 2F/W, would be right in parallel projection too.
     let mut camera = Parameters { projection, ..lens_camera(random, Projection::Perspective) };
-    // tan 30° is cot 60°, and tan 45° is 1: that would take one mistake for another.
+    // tan 30° is cot 60°, and tan 45° is 1, so one mistake would look like another.
     if camera.view_angle >= 60.0 {
         camera.view_angle = random.one_of(&[40.0, 50.0, 70.0]);
     }
@@ -60,7 +60,7 @@ pub(super) fn asymmetric_window(random: &mut Random) -> Exercise {
     let projection = any_projection(random);
     let camera = lens_camera(random, projection);
     let [left, bottom] = [0, 1].map(|_| -random.one_of(&[0.5, 1.0, 1.5, 2.0]));
-    // Never as far to one side as to the other.
+    // The two sides are never equally far.
     let right = -left * random.one_of(&[0.5, 2.0, 3.0]);
     let top = -bottom * random.one_of(&[0.5, 1.5, 2.0]);
     let camera = Parameters { window: Some(ViewWindow { left, right, bottom, top }), ..camera };

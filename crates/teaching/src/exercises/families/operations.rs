@@ -7,7 +7,7 @@ use crate::geometry::Angle;
 use crate::inspect::quantity::{BasisAxis, Quantity, WindowNumber};
 use crate::numbers::random::Random;
 
-/// The quantities that a turn of the camera moves, under the names of their questions.
+/// The quantities that a rotation of the camera moves, under the names of their questions.
 pub(super) const C: (&str, Quantity) = ("C", Quantity::Camera(ParameterKey::Position));
 pub(super) const PF: (&str, Quantity) = ("PF", Quantity::Camera(ParameterKey::FocalPoint));
 pub(super) const U: (&str, Quantity) = ("u", Quantity::Axis(BasisAxis::U));
@@ -21,7 +21,7 @@ pub(super) fn turn(
     asks: &[(&str, Quantity)],
 ) -> Exercise {
     let is_roll = matches!(operation(Angle::from_degrees(0.0)), Operation::Roll(_));
-    // Nothing that a roll turns moves.
+    // A roll turns only directions, so the centre of its rotation doesn't matter.
     let slips = if is_roll { &[Slip::WorldAxis][..] } else { &[Slip::WorldAxis, Slip::ThroughOrigin] };
     telling(slips, || {
         let projection = any_projection(random);
@@ -35,7 +35,7 @@ pub(super) fn turn(
     })
 }
 
-/// With the ways from the other answers: **n** from C or PF, the other axis from **n** and the one that stays.
+/// Adds the ways from the other answers: **n** from C or PF, the other axis from **n** and the one that stays.
 fn following(ask: Ask, subject: &Subject) -> Ask {
     let (Ok(before), Some(operation)) = (Camera::new(&subject.figure.camera), subject.operations.first()) else {
         return ask;
@@ -63,7 +63,7 @@ fn following(ask: Ask, subject: &Subject) -> Ask {
     }
 }
 
-/// A factor that is neither 1 nor a 2, which may be lost elsewhere.
+/// A factor that's neither 1 nor 2, because a 2 may get lost elsewhere.
 fn factor(random: &mut Random) -> f64 {
     random.one_of(&[2.5, 3.0, 1.5, 0.6, 4.0, 0.8])
 }

@@ -91,7 +91,7 @@ fn inside_of(random: &mut Random) -> Exercise {
     about_point(vec![clip, is_inside, cut], subject)
 }
 
-/// The plane on the other side comes out where a sign is wrong.
+/// The plane on the other side, which comes out if a sign is wrong.
 fn opposite(plane: usize) -> Vec<(usize, Mistake)> {
     match plane {
         0 => Vec::new(),
@@ -101,7 +101,7 @@ fn opposite(plane: usize) -> Vec<(usize, Mistake)> {
     }
 }
 
-/// A point of small numbers outside exactly one plane (0: inside), and the plane; the wanted one, where there is such a
+/// A point of small numbers outside exactly one plane (0: inside), and the plane: the wanted one, if there is such a
 /// point.
 fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wanted: usize) -> (DVec3, usize) {
     let Some(camera) = camera else { return (around, 0) };
@@ -113,7 +113,7 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
             continue;
         }
         let beyond = beyond_planes(clip);
-        // Not so near a plane that a rounding decides.
+        // Not so near a plane that rounding decides.
         if beyond.iter().any(|distance| distance.abs() < 0.02 * clip.w.abs().max(1.0)) {
             continue;
         }
@@ -168,7 +168,7 @@ fn pixel_of(subject: Subject) -> Exercise {
     about_point(asks, subject).with_facts(size)
 }
 
-/// A subject whose point is not on the border of two pixels, where the last digit of a calculator decides.
+/// A subject whose point isn't on the border of two pixels, because there the last digit of a calculator decides.
 fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mut Random) -> Subject) -> Subject {
     for _ in 0..200 {
         let subject = make(random);
@@ -192,9 +192,9 @@ fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mu
         let up = if subject.figure.viewport.is_some() { 1.0 } else { -1.0 };
         let share = |k: usize| f64::from(size[k]) * ([1.0, up][k] * at.entries[k] / window[k] + 0.5);
         let is_rounded_up = |k: usize| share(k).round() > share(k);
-        // Near the middle of the window few digits are left of a coordinate.
+        // Near the middle of the window a coordinate has few digits left.
         let is_off_middle = (0..2).all(|k| (at.entries[k] / window[k]).abs() > 0.02);
-        // In one of them ⌊ ⌋ is not what rounding gives; in both it would be what counting from 1 gives.
+        // In one of them ⌊ ⌋ differs from rounding. If it did in both, rounding would give the same as counting from 1.
         let is_inside = (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02);
         if is_off_middle && is_inside && is_rounded_up(0) != is_rounded_up(1) {
             return subject;
@@ -209,13 +209,13 @@ pub(super) fn ray(random: &mut Random) -> Exercise {
 
 fn ray_of(random: &mut Random) -> Exercise {
     let projection = any_projection(random);
-    // Few pixels, so that a half of one counts.
+    // Few pixels, so that half a pixel counts.
     let mut subject = with_image(subject(lens_camera(random, projection)), random.one_of(&[12, 24, 48]));
     let size = subject.figure.image;
     let [i, j] = [size.width, size.height].map(|side| {
         loop {
             let k = random.whole(0, i64::from(side) - 1);
-            // Not in the middle, where rows from above and from below are the same.
+            // Not in the middle, because there rows from above and from below are the same.
             if (2 * k + 1 - i64::from(side)).abs() > 2 {
                 break k;
             }
@@ -235,7 +235,7 @@ pub(super) fn viewport(random: &mut Random) -> Exercise {
 fn viewport_of(random: &mut Random) -> Exercise {
     let projection = any_projection(random);
     let (width, height) = random.one_of(&[(400, 300), (640, 480), (300, 200), (512, 384)]);
-    // No corner and no range that would hide that they were left out.
+    // No corner and no range that would hide their omission.
     let (x, y) = random.one_of(&[(10, 30), (100, 50), (20, 40), (64, 32)]);
     let (depth_near, depth_far) = random.one_of(&[(0.5, 1.0), (0.0, 0.5), (0.25, 1.0), (1.0, 0.0)]);
     let viewport = Viewport { x, y, width, height, depth_near, depth_far };

@@ -25,7 +25,7 @@ fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
     let into = if slips.has(Slip::LeftHandedNReversed) { -normal } else { normal };
     let keeps = slips.any(&[Slip::NothingNormalised, Slip::NNotNormalised]);
     let n = if keeps { into } else { into.normalize() };
-    // The formula of [3] with a VPN that is not of length 1 takes away too much.
+    // With a VPN that isn't of length 1, the formula of [3] subtracts too much.
     let printed = slips.any(&[Slip::PrintedViewUp, Slip::PrintedViewUpUnit]);
     let along = if printed { normal } else { n };
     let v = up - along * along.dot(up);
@@ -46,7 +46,7 @@ const LEFT_HANDED_NAMES: [[&str; 6]; 3] = [
     ["n_z", "VPN_z", "v_z", "VUV'_z", "VUV_z", "u_z"],
 ];
 
-/// The ways to **n**, to **v** and to **u**, one after the other. Every number comes from a row before it.
+/// The steps to **n**, to **v** and to **u**, one after the other. Every number comes from a row before it.
 fn left_handed_steps(normal: DVec3, up: DVec3, [v, n]: [DVec3; 2]) -> [Worked; 3] {
     let part = |text: &'static str, value: f64| named(text, text, value);
     let root = |vector: DVec3, names: [&'static str; 3]| {

@@ -39,7 +39,7 @@ impl Pair {
         side / (halves * half_tangent(self.view_angle, slips))
     }
 
-    /// f b, of which both disparity and depth are a part.
+    /// f b, of which both disparity and depth are a fraction.
     fn product(&self, slips: Slips) -> f64 {
         let baseline = if slips.has(Slip::BaselineHalved) { self.baseline / 2.0 } else { self.baseline };
         self.focal_length(slips) * baseline
@@ -84,7 +84,7 @@ impl Pair {
     }
 }
 
-/// Numbers by which no mistake looks like another one.
+/// Numbers with which no mistake looks like another one.
 fn pair(random: &mut Random) -> Pair {
     let view_angle = random.one_of(&[60.0, 40.0, 50.0, 70.0]);
     let near = random.one_of(&[0.4, 0.8, 1.5, 2.5]);
@@ -94,7 +94,7 @@ fn pair(random: &mut Random) -> Pair {
     let pair = Pair { view_angle, near, image, baseline, depth, meeting, columns: [0.0; 2] };
     let depth_of_other = random.one_of(&[2.5, 3.5, 4.5, 7.0]);
     let disparity = (pair.product(Slips::NONE) / depth_of_other).round().max(5.0);
-    // A column in the left image that neither equals the disparity nor half or twice of it, nor makes the sum of both
+    // A column in the left image that isn't the disparity, half of it or twice it, and doesn't make the sum of both
     // columns so.
     let is_apart = |x: f64| [0.5, 1.0, 2.0].iter().all(|factor| (x / (factor * disparity) - 1.0).abs() > 0.05);
     let shares = [0.7, 1.7, 2.3, 1.3, 0.8];

@@ -1,5 +1,5 @@
-//! The known mistake that explains a wrong answer: told only where the answer is what the mistake gives, and with all
-//! others that give the same.
+//! The known mistake that explains a wrong answer. We name it only if the answer equals the mistake's result, and
+//! together with all others that give the same.
 
 use std::sync::Arc;
 
@@ -16,10 +16,10 @@ use crate::inspect::quantity::{BasisAxis, Quantity};
 /// The known mistakes that give the numbers of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// One, or two that were made together. The first is the one that comes first on the way. None where `own` is not
-    /// among the known ones.
+    /// One, or two that were made together. The first is the one that comes first on the way. Empty if `own` isn't a
+    /// known mistake.
     pub causes: Vec<Cause>,
-    /// Other mistakes that give the same numbers, the likelier first.
+    /// Other mistakes that give the same numbers, the more likely first.
     pub others: Vec<Cause>,
     /// The row and column of a single faulty number, from 0.
     pub entry: Option<[usize; 2]>,
@@ -36,26 +36,26 @@ impl Diagnosis {
         Self { causes, others: Vec::new(), entry: None, own: None }
     }
 
-    /// The mistakes, all that may be: those of the causes before the others.
+    /// All possible mistakes, those of the causes before the others.
     pub fn mistakes(&self) -> impl Iterator<Item = Mistake> {
         self.causes.iter().chain(&self.others).map(|cause| cause.mistake)
     }
 }
 
-/// Numbers, not 0, that have to agree before two mistakes together are told, or one number alone is wrong.
+/// Numbers other than 0 that have to agree before we name two mistakes together, or one wrong number alone.
 const ENOUGH: usize = 4;
 
-/// The agreement of an answer with what a mistake gives. The closer first.
+/// The agreement of an answer with the result of a mistake. The closer first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Agreement {
-    /// To more digits than anybody rounds to by chance.
+    /// To more digits than rounding matches by chance.
     Exact,
-    /// To the few digits that were written.
+    /// To the few digits that the student gave.
     AsWritten,
 }
 
-/// The known mistakes that give `given` where `right` is right: one of the slips; a matrix or a sign turned round; a
-/// slip of the pen; two together.
+/// The known mistakes that give `given` if `right` is right: one of the slips, a matrix or a sign turned round, a slip
+/// of the pen, or two together.
 pub(in crate::exercises) fn diagnose(
     ask: &Ask,
     expected: &Expected,
@@ -63,7 +63,7 @@ pub(in crate::exercises) fn diagnose(
     given: &[f64],
     beside: Option<Beside<'_>>,
 ) -> Option<Diagnosis> {
-    // A slip that gives the right result is not a mistake here.
+    // A slip that gives the right result isn't a mistake here.
     let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
     let agreed = |table: &Table| {
         let agreement = agreement(ask, given, table).filter(|_| differs(table))?;
@@ -84,7 +84,7 @@ pub(in crate::exercises) fn diagnose(
             return one_of(&slips, is_lost_sign(ask, given, right));
         }
     }
-    // Those that the answers beside it exclude were not made: a sign, or the whole turned round, may give the same.
+    // Slips that the answers beside it exclude weren't made. A sign, or reversing the whole, may give the same.
     let are_excluded = !agreeing.is_empty();
     // Two digits change the length of a vector too.
     let multiple =
@@ -120,7 +120,8 @@ pub(in crate::exercises) fn diagnose(
     two_together(ask, (expected, right), given, &slipped, |table| agreed(table).is_some(), of_table)
 }
 
-/// Without other operations that leave what is asked for as it was, as a roll leaves C: nothing was done to it.
+/// Omits other operations that leave the quantity unchanged, as a roll leaves C, because they amount to doing nothing
+/// to it.
 fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(Slip, Table)> {
     let before = slipped.iter().find(|(slip, _)| *slip == Slip::NothingDone).map(|(_, table)| table.clone());
     let is_idle = |slip: Slip, table: &Table| {
@@ -131,10 +132,10 @@ fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(S
     slipped
 }
 
-/// Causes of which one was made that are worth reading. More of them say nothing.
+/// The greatest number of possible causes worth reading. More of them say nothing.
 const MOST: usize = 3;
 
-/// The diagnosis of slips that give the same numbers. A reversed axis may be a lost minus as well.
+/// The diagnosis of slips that give the same numbers. A reversed axis may also be a lost minus.
 fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
     let mut causes: Vec<Cause> = Vec::new();
     for slip in slips {
@@ -150,7 +151,7 @@ fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
     (!causes.is_empty() && others.len() < MOST).then(|| Diagnosis { others, ..Diagnosis::together(causes) })
 }
 
-/// The slips that the answers beside this one allow. Only those that explain another wrong one, where some do.
+/// The slips that the answers beside this one allow. If some of them explain another wrong answer, only those.
 fn supported(slips: &[Slip], ask: &Ask, beside: Option<Beside<'_>>) -> Vec<Slip> {
     let allowed: Vec<Slip> = slips.iter().copied().filter(|slip| !is_excluded(*slip, ask, beside)).collect();
     let explains_another = |slip: &Slip| {
@@ -167,7 +168,7 @@ fn supported(slips: &[Slip], ask: &Ask, beside: Option<Beside<'_>>) -> Vec<Slip>
     if explaining.is_empty() { allowed } else { explaining }
 }
 
-/// Whether a right answer beside this one would be wrong, had the slip been made.
+/// True if the slip would make a right answer beside this one wrong.
 fn is_excluded(slip: Slip, ask: &Ask, beside: Option<Beside<'_>>) -> bool {
     let mut others = beside.into_iter().flat_map(|beside| beside.answered(&ask.name));
     others.any(|(other, answer)| {
@@ -176,14 +177,14 @@ fn is_excluded(slip: Slip, ask: &Ask, beside: Option<Beside<'_>>) -> bool {
             wrong.shape() == right.shape()
                 && !other.accepts_all(&wrong.entries, &right)
                 && is_right(other, answer)
-                // In another reading the right one may be what the slip gives.
+                // In another reading the right one may equal the result of the slip.
                 && numbers(answer, other).is_none_or(|given| agreement(other, &given.entries, &wrong).is_none())
         })
     })
 }
 
-/// The slips, in the order of preference where several explain the same numbers: of a point and after an operation the
-/// last step first, of all else the axes.
+/// The slips, in order of preference if several explain the same numbers. For a point and after an operation the last
+/// step comes first, otherwise the axes.
 fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
     let last_first = matches!(expected, Expected::Quantity(subject, path)
         if matches!(path.quantity, Quantity::Point(..)) || !subject.operations.is_empty());
@@ -195,7 +196,7 @@ fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
     if last_first { [others, axes].concat() } else { [axes, others].concat() }
 }
 
-/// A vector along the right one, or against it where **n** may be reversed, that has not its length.
+/// A vector along the right one (or against it if **n** may be reversed) that has another length.
 fn multiple_of_direction(ask: &Ask, right: &Table, given: &[f64], slipped: &[(Slip, Table)]) -> Option<Diagnosis> {
     let length = given.iter().map(|x| x * x).sum::<f64>().sqrt();
     if ask.nature != Nature::Direction || length == 0.0 || (length - 1.0).abs() < 0.01 {
@@ -216,7 +217,7 @@ fn multiple_of_direction(ask: &Ask, right: &Table, given: &[f64], slipped: &[(Sl
 }
 
 /// The table with its rows and columns, its direction or all its signs turned round, as far as the nature of the
-/// question has such.
+/// question allows.
 fn turned_round(ask: &Ask, table: &Table) -> Vec<(Cause, Table)> {
     let mut found = Vec::new();
     let is_square = table.rows == table.columns && table.rows > 1;
@@ -239,7 +240,7 @@ fn two_together(
     explains: impl Fn(&Table) -> bool,
     of_table: impl Fn(&Table) -> Option<(Cause, Table)>,
 ) -> Option<Diagnosis> {
-    // Any order of a few things comes from some pair.
+    // Some pair gives any order of a few things.
     if ask.nature == Nature::Order || given.iter().filter(|number| **number != 0.0).count() < ENOUGH {
         return None;
     }
@@ -253,7 +254,7 @@ fn two_together(
             }
             let pair = [first.cause(), second.cause()];
             let is_other = |before: &[Cause; 2]| before.map(|cause| cause.mistake) != pair.map(|cause| cause.mistake);
-            // Several pairs that give the same are no evidence of any.
+            // Several pairs that give the same are no evidence for any of them.
             if found.as_ref().is_some_and(is_other) {
                 return None;
             }
@@ -268,13 +269,13 @@ fn two_together(
             return Some(Diagnosis::together(vec![slip.cause(), second]));
         }
     }
-    // In few numbers one more that is wrong would explain anything.
+    // With few numbers, one more wrong number would explain anything.
     const MANY: usize = 9;
     let mut beside = slipped.iter().filter(|(_, table)| given.len() >= MANY && table.entries.len() == given.len());
     beside.find_map(|(slip, table)| {
         let entry = only_wrong(ask, given, table)?;
         let at = entry[0] * table.columns.max(1) + entry[1];
-        // Numbers that are right without the slip are no evidence of it.
+        // Numbers that are right without the slip are no evidence for it.
         let told = (0..given.len()).filter(|k| *k != at && !ask.accepts(Some(given[*k]), right.entries[*k]));
         if told.count() < ENOUGH {
             return None;
@@ -284,7 +285,7 @@ fn two_together(
     })
 }
 
-/// The relative distance of two numbers that do not agree by chance.
+/// The relative distance within which two numbers don't agree by chance.
 const NOT_BY_CHANCE: f64 = 1e-4;
 
 /// The agreement of all numbers with those of a table.
@@ -294,7 +295,7 @@ fn agreement(ask: &Ask, given: &[f64], table: &Table) -> Option<Agreement> {
     }
     let (size, several) = (table.size(), given.len() > 1);
     let each = |(given, of): (&f64, &f64)| {
-        // Of whole numbers the next one is another.
+        // For whole numbers, the next one is a different one.
         let is_whole = ask.whole && of.fract() == 0.0;
         let exact = if is_whole { 1e-9 } else { NOT_BY_CHANCE };
         let nothing = of.abs() <= 1e-9 * size;
@@ -307,8 +308,8 @@ fn agreement(ask: &Ask, given: &[f64], table: &Table) -> Option<Agreement> {
     worst.into_iter().max()
 }
 
-/// Whether one of the numbers that are wrong says something about a mistake. It is written with two digits or more, or
-/// is what the mistake gives without any rounding.
+/// True if one of the wrong numbers is evidence of a mistake, because it has two digits or more, or equals the result
+/// of the mistake without any rounding.
 fn is_evidence(ask: &Ask, given: &[f64], right: &Table, table: &Table) -> bool {
     let size = table.size();
     given.iter().zip(&right.entries).zip(&table.entries).any(|((given, right), of)| {
@@ -316,7 +317,7 @@ fn is_evidence(ask: &Ask, given: &[f64], right: &Table, table: &Table) -> bool {
     })
 }
 
-/// The significant digits and the decimals of a number, as short as it can be written.
+/// The significant digits and the decimals of a number in its shortest form.
 fn digits(number: f64) -> (usize, usize) {
     let text = format!("{}", number.abs());
     let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
@@ -324,38 +325,38 @@ fn digits(number: f64) -> (usize, usize) {
     (significant, decimals)
 }
 
-/// Whether `of`, rounded as `given` is written, is `given`: at least two digits are equal; three, where it is the only
-/// number.
+/// True if `of`, rounded to the digits of `given`, is `given`. At least two digits have to be equal, or three if it's
+/// the only number.
 fn is_as_written(given: f64, of: f64, several: bool) -> bool {
     const LEAST: usize = 2;
     let (significant, decimals) = digits(given);
     let unit = |decimals: usize| 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX));
-    // The last digit of a long number may come from numbers that were rounded on the way.
+    // The last digit of a long number may come from numbers rounded on the way.
     let units = if significant > LEAST + 1 { 1.5 } else { 0.5 };
     let least = if several { LEAST } else { LEAST + 1 };
     decimals > 0 && significant >= least && (given - of).abs() <= units * unit(decimals) * (1.0 + 1e-9)
 }
 
-/// The row and column of the only entry that is wrong.
+/// The row and column of the only wrong entry.
 fn only_wrong(ask: &Ask, given: &[f64], right: &Table) -> Option<[usize; 2]> {
     let mut wrong = (0..given.len()).filter(|k| !ask.accepts(Some(given[*k]), right.entries[*k]));
     let first = wrong.next()?;
     wrong.next().is_none().then(|| [first / right.columns.max(1), first % right.columns.max(1)])
 }
 
-/// Only signs are wrong.
+/// True if only signs are wrong.
 fn has_signs_of(ask: &Ask, given: &[f64], right: &Table) -> bool {
     given.iter().zip(&right.entries).all(|(given, right)| ask.accepts(Some(given.abs()), right.abs()))
 }
 
-/// Whether the sign of one number is all that is wrong, and not the direction of a vector.
+/// True if only the sign of one number is wrong, and not the direction of a vector.
 fn is_lost_sign(ask: &Ask, given: &[f64], right: &Table) -> bool {
     let may_be = ask.nature.has_signs() && ask.nature != Nature::Direction;
     may_be && has_signs_of(ask, given, right) && only_wrong(ask, given, right).is_some()
 }
 
-/// Whether all that is wrong is the right number with fewer than three digits or decimals, at least one of them with
-/// two. Nobody rounds 0.23 to 0, and whole numbers need no rounding.
+/// True if every wrong number is the right one with fewer than three digits or decimals, at least one of them with two.
+/// Rounding 0.23 to 0 is implausible, and whole numbers need no rounding.
 fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     if ask.whole {
         return false;

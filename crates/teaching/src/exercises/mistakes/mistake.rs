@@ -1,7 +1,7 @@
 //! The known mistakes: deviations of students from the notes.
 
 crate::listed! {
-    /// A mistake with a name of its own, under which it is reported.
+    /// A mistake with its own name in reports.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub enum Mistake {
         /// One number is wrong, and nothing known explains it.
@@ -12,31 +12,31 @@ crate::listed! {
         NReversed = "n-reversed",
         /// **u** = **n** × VUP.
         UReversed = "u-reversed",
-        /// VUP in the place of **v**.
+        /// VUP in place of **v**.
         VupAsV = "vup-as-v",
-        /// A vector was not divided by its length.
+        /// A vector wasn't divided by its length.
         NotNormalised = "not-normalised",
         /// Rows and columns of a matrix are exchanged.
         Transposed = "transposed",
         /// The inverse, or the reciprocal, of the answer.
         Inverse = "inverse",
-        /// −C in the last column of M_v, and not −R C.
+        /// −C instead of −R C in the last column of M_v.
         TranslationNotRotated = "translation-not-rotated",
-        /// R C, and not −R C.
+        /// R C instead of −R C.
         PositionNotNegated = "position-not-negated",
         /// Degrees put into a function that takes radians.
         Radians = "radians",
-        /// θ in the place of θ/2.
+        /// θ in place of θ/2.
         WholeAngle = "whole-angle",
-        /// H/W in the place of W/H.
+        /// H/W in place of W/H.
         AspectInverted = "aspect-inverted",
-        /// The zoom divides θ, and not tan(θ/2).
+        /// The zoom divides θ instead of tan(θ/2).
         ZoomOnAngle = "zoom-on-angle",
         /// Not divided by w.
         NoDivide = "no-divide",
         /// Depth with the opposite sign.
         ZSign = "z-sign",
-        /// Depth in 0 … 1 and not in −1 … 1, or the other way round.
+        /// Depth in 0 … 1 instead of −1 … 1, or the other way round.
         ZRange = "z-range",
         /// The distances F and B taken as coordinates −F and −B.
         NearFarAsCoordinates = "near-far-as-coordinates",
@@ -44,7 +44,7 @@ crate::listed! {
         ColumnsAndRowsExchanged = "columns-and-rows-exchanged",
         /// Rows counted from the bottom.
         YNotFlipped = "y-not-flipped",
-        /// The corner of the pixel, and not its centre.
+        /// The corner of the pixel instead of its centre.
         PixelCorner = "pixel-corner",
         /// Factors or operations in the opposite order.
         OrderReversed = "order-reversed",
@@ -58,13 +58,13 @@ crate::listed! {
         WrongShape = "wrong-shape",
         /// An erratum of the notes, as they print it.
         AsPrinted = "as-printed",
-        /// A factor of 2 is lost, or there once too often.
+        /// A factor of 2 is missing, or there once too often.
         FactorTwo = "factor-two",
-        /// F does not occur where it belongs.
+        /// F is missing where it belongs.
         NearForgotten = "near-forgotten",
-        /// D in the place of F.
+        /// D in place of F.
         DistanceForNear = "distance-for-near",
-        /// The distance from C in the place of the depth −z_c.
+        /// The distance from C in place of the depth −z_c.
         DistanceForDepth = "distance-for-depth",
         /// Numbers of the other projection.
         ProjectionsExchanged = "projections-exchanged",
@@ -72,47 +72,47 @@ crate::listed! {
         ViewAsWorld = "view-as-world",
         /// A rotation about an axis of the world.
         WorldAxis = "world-axis",
-        /// A rotation or a scale about the origin, and not about PF or C.
+        /// A rotation or a scale about the origin instead of PF or C.
         ThroughOrigin = "through-origin",
-        /// A step was not done.
+        /// A step wasn't done.
         NotDone = "not-done",
-        /// A number that is not whole where ⌊ ⌋ belongs.
+        /// A number that isn't whole where ⌊ ⌋ belongs.
         NotFloored = "not-floored",
-        /// Rounded to the nearest, and not down.
+        /// Rounded to the nearest instead of down.
         RoundedNotFloored = "rounded-not-floored",
         /// Pixels counted from 1.
         OneBased = "one-based",
-        /// The range of depth of the viewport is not used.
+        /// The range of depth of the viewport isn't used.
         DepthRangeIgnored = "depth-range-ignored",
-        /// The corner of the viewport is not added.
+        /// The corner of the viewport isn't added.
         OffsetIgnored = "offset-ignored",
-        /// Divided by w before it was clipped.
+        /// Divided by w before clipping.
         ClipAfterDivide = "clip-after-divide",
         /// **v** points down.
         VReversed = "v-reversed",
-        /// The point where a segment leaves in the place of the one where it enters.
+        /// The point where a segment leaves in place of the one where it enters.
         EntryExitExchanged = "entry-exit-exchanged",
-        /// PF in the place of C.
+        /// PF in place of C.
         FocalPointForPosition = "focal-point-for-position",
-        /// The point that is lit was not subtracted.
+        /// The lit point wasn't subtracted.
         PositionForgotten = "position-forgotten",
-        /// **V** in the place of **L**.
+        /// **V** in place of **L**.
         ViewForLight = "view-for-light",
         /// A lamp behind the surface takes light away.
         NegativeLight = "negative-light",
-        /// An angle in the place of its cosine.
+        /// An angle in place of its cosine.
         AngleForCosine = "angle-for-cosine",
         /// A share of the material is left out.
         ShareForgotten = "share-forgotten",
-        /// Another vector in the place of **H**.
+        /// Another vector in place of **H**.
         HalfwayForgotten = "halfway-forgotten",
         /// The exponent of the highlight is left out.
         ExponentForgotten = "exponent-forgotten",
-        /// A formula that holds only nearly.
+        /// A formula that's only approximately true.
         Approximation = "approximation",
         /// A rotation through C where PF belongs, or through PF where C does.
         WrongPoint = "wrong-point",
-        /// Divided by w where clip coordinates are asked for.
+        /// Divided by w although the question asks for clip coordinates.
         DividedEarly = "divided-early",
         /// w taken as 1.
         WIsOne = "w-is-one",
@@ -126,7 +126,7 @@ crate::listed! {
 }
 
 impl Mistake {
-    /// The mistake of a code.
+    /// The mistake with a code.
     pub fn of_code(code: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|mistake| mistake.code() == code)
     }

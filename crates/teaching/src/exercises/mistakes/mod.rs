@@ -1,4 +1,4 @@
-//! The known mistakes: which there are, in what they can be made, and which one explains a wrong answer.
+//! The known mistakes, the questions in which they can occur, and the diagnosis of wrong answers.
 
 pub(super) mod diagnose;
 pub(super) mod mistake;

@@ -1,4 +1,4 @@
-//! The nature of what is asked for: which general mistakes can be made in it, and which hints help.
+//! The nature of an answer, which determines the possible general mistakes and the helpful hints.
 
 use super::mistake::Mistake;
 use crate::camera::ParameterKey;
@@ -58,12 +58,12 @@ impl Nature {
         }
     }
 
-    /// Whether its numbers can be negative.
+    /// True if its numbers can be negative.
     pub const fn has_signs(self) -> bool {
         matches!(self, Self::Number | Self::Vector | Self::Direction | Self::Cosine | Self::Matrix)
     }
 
-    /// Whether a mistake shows in its numbers: a length that is not 1 does where it has to be 1.
+    /// True if a mistake shows in its numbers. For example, a length that isn't 1 shows if it has to be 1.
     pub(in crate::exercises) const fn shows(self, mistake: Mistake) -> bool {
         let has_lengths = matches!(self, Self::Direction | Self::Cosine | Self::Light | Self::Matrix);
         has_lengths || !matches!(mistake, Mistake::NotNormalised)

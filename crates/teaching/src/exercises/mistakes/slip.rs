@@ -7,7 +7,7 @@ use super::mistake::Mistake;
 pub struct Cause {
     /// The mistake that the student made.
     pub mistake: Mistake,
-    /// The name of the texts that tell this way of making it. Empty if those of the mistake do.
+    /// The name of the texts for this way of making it. Empty if those of the mistake serve.
     pub variant: &'static str,
 }
 
@@ -26,10 +26,10 @@ macro_rules! slips {
         }
 
         impl Slip {
-            /// All; where several explain the same numbers, the first is told first.
+            /// All slips. If several explain the same numbers, the first comes first.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
-            /// The mistake that it is, and the way of making it.
+            /// The mistake, and the way of making it.
             #[must_use]
             pub const fn cause(self) -> Cause {
                 match self {
@@ -45,11 +45,11 @@ slips! {
     NothingDone = NotDone;
     /// The direction of a ray is **n**, without the minus.
     DirectionIsNormal = Sign "direction";
-    /// The axes in `[0]` of yaw and pitch.
+    /// The axes of yaw and pitch as printed in `[0]`.
     PrintedAxes = AsPrinted "axes";
-    /// VUP is not turned with the camera, as `[0]` prints it of the elevation.
+    /// VUP doesn't turn with the camera, as `[0]` prints for the elevation.
     PrintedElevation = AsPrinted "elevation";
-    /// VUP is not turned with the camera.
+    /// VUP doesn't turn with the camera.
     ViewUpKept = NotDone "view-up";
     /// **u** alone is reversed.
     UReversedAlone = UReversed;
@@ -63,11 +63,11 @@ slips! {
     NReversed = NReversed;
     /// **v** is VUP, of length 1.
     UnitViewUpAsV = VupAsV;
-    /// **v** is VUP as it is given.
+    /// **v** is VUP as given.
     ViewUpAsV = VupAsV;
-    /// The formula of VUV in `[3]`, with a VPN that is not of length 1.
+    /// The formula of VUV in `[3]`, with a VPN that isn't of length 1.
     PrintedViewUp = AsPrinted "vuv";
-    /// That formula, and the result divided by its length.
+    /// That formula, with the result divided by its length.
     PrintedViewUpUnit = AsPrinted "vuv";
     /// No vector is divided by its length.
     NothingNormalised = NotNormalised;
@@ -91,7 +91,7 @@ slips! {
     Radians = Radians;
     /// The angle of an operation in degrees put into sin and cos.
     TurnInRadians = Radians;
-    /// An angle in radians where degrees are asked for.
+    /// An angle in radians although the question asks for degrees.
     AnswerInRadians = Radians "answer";
     /// tan θ for tan(θ/2).
     WholeAngle = WholeAngle;
@@ -133,7 +133,7 @@ slips! {
     ZoomOnAngle = ZoomOnAngle;
     /// θ s.
     ZoomTimesAngle = ZoomOnAngle;
-    /// Multiplied by the factor, and not divided.
+    /// Multiplied by the factor instead of divided.
     FactorInverted = Inverse "factor";
     /// t along the segment of NDC.
     ClipAfterDivide = ClipAfterDivide;
@@ -149,7 +149,7 @@ slips! {
     WindowPointAsOrigin = WindowAsStart;
     /// The depth of a parallel camera.
     LinearDepth = ProjectionsExchanged "depth";
-    /// NDC in the place of window coordinates.
+    /// NDC in place of window coordinates.
     NdcAsWindow = NotDone "window";
     /// The distance from C as depth.
     DistanceAsDepth = DistanceForDepth;
@@ -193,7 +193,7 @@ slips! {
     YNotFlipped = YNotFlipped;
     /// Without the half.
     PixelCorner = PixelCorner;
-    /// The principal point where whole numbers are middles of pixels.
+    /// The principal point if whole numbers are middles of pixels.
     CentresAtWhole = PixelCorner "principal-point";
     /// Without ⌊ ⌋.
     NotFloored = NotFloored;
@@ -229,7 +229,7 @@ slips! {
     ViewUpAxis = WorldAxis "view-up";
     /// A rotation or a scale about the origin, of C or PF alone.
     ThroughOrigin = ThroughOrigin;
-    /// A rotation about the origin of all that is turned.
+    /// A rotation of everything that turns, about the origin.
     ThroughOriginAll = ThroughOrigin;
     /// Factors or operations in the opposite order.
     OrderReversed = OrderReversed;
@@ -249,47 +249,47 @@ slips! {
     SidesExchanged = OrderReversed;
     /// l, b, r, t.
     SidesByPairs = OrderReversed "sides";
-    /// The place of each thing in the order, and not the things.
+    /// The place of each thing in the order instead of the things.
     RankOfEach = OrderReversed "ranks";
     /// A missing division by the length, in a question of a family.
     LengthForgotten = NotNormalised;
     /// The inverse, in a question of a family.
     Inverted = Inverse "factor";
-    /// A step of the buffer, and not the distance that it is.
+    /// A step of the buffer instead of its distance.
     StepNotConverted = NotDone "step";
     /// A point through M_v^{-1}.
     ViewInverted = Inverse;
     /// The axes are the columns of M_v, beside −R C.
     AxesAsColumnsAlone = Transposed "block";
-    /// The axes are the columns of M_v, also where they are multiplied by −C.
+    /// The axes are the columns of M_v, also in the product with −C.
     AxesAsColumns = Transposed "block";
-    /// The sum of **L** and **V** in the place of **H**.
+    /// The sum of **L** and **V** in place of **H**.
     HalfwaySum = NotNormalised "halfway";
     /// Half of that sum.
     HalfwayMean = NotNormalised "halfway";
-    /// The vector along which light travels, in the place of the way to a lamp that is far away.
+    /// The vector along which light travels, in place of the way to a lamp that's far away.
     TravelForWay = Sign "travel";
-    /// P − S in the place of S − P.
+    /// P − S in place of S − P.
     LampReversed = Sign "lamp";
     /// The ways to a lamp and to the viewer begin at the origin.
     PositionForgotten = PositionForgotten;
-    /// **V** in the place of **L**.
+    /// **V** in place of **L**.
     ViewForLight = ViewForLight;
     /// A lamp behind the surface takes light away.
     NegativeLight = NegativeLight;
-    /// The angle in degrees, and not its cosine.
+    /// The angle in degrees instead of its cosine.
     CosineLeftAsAngle = AngleForCosine;
     /// The share of a right angle that an angle leaves.
     ShareOfRightAngle = AngleForCosine "share";
     /// The ambient share is left out.
     AmbientForgotten = ShareForgotten "ambient";
-    /// 1 in the place of the diffuse share.
+    /// 1 in place of the diffuse share.
     DiffuseForgotten = ShareForgotten "diffuse";
-    /// 1 in the place of the white of the highlight.
+    /// 1 in place of the white of the highlight.
     SpecularForgotten = ShareForgotten "specular";
-    /// **L** in the place of **H**.
+    /// **L** in place of **H**.
     LightForHalfway = HalfwayForgotten;
-    /// Phong's **R** · **V** in the place of **N** · **H**.
+    /// Phong's **R** · **V** in place of **N** · **H**.
     ReflectedForHalfway = HalfwayForgotten "reflected";
     /// Without the exponent of the highlight.
     ExponentForgotten = ExponentForgotten;
@@ -303,11 +303,11 @@ slips! {
     NearFarExchanged = NearFarAsCoordinates "exchanged";
     /// The scale of a perspective, 2F/W, in parallel projection.
     PerspectiveScale = ProjectionsExchanged "scale";
-    /// tan(θ/2) where its reciprocal belongs, with A at the right place.
+    /// tan(θ/2) where its reciprocal belongs, with A in the right place.
     TangentForCotangent = Inverse "scale";
     /// W/2F and H/2F.
     ScaleInverted = Inverse "scale";
-    /// 1 for the sides that a point is inside of.
+    /// 1 for the sides that contain the point.
     OutcodeInverted = Inverse "outcode";
     /// The corner on the other side, left or right.
     OtherCornerAcross = Sign "corner";
@@ -335,43 +335,43 @@ slips! {
     TranslationInRow = Transposed "translation";
     /// **u** and **v** in each other's row.
     RowsExchanged = OrderReversed "rows";
-    /// The point as it is given, where its coordinates in the VRC are asked for.
+    /// The point as given, although the question asks for its coordinates in the VRC.
     WorldGiven = NotDone "world";
     /// Clip coordinates divided by w.
     ClipDivided = DividedEarly;
     /// The fourth clip coordinate is 1.
     ClipWithOne = WIsOne;
-    /// W and H in the place of their halves.
+    /// W and H in place of their halves.
     CornerWhole = FactorTwo "corner";
-    /// Coordinates of the VRC, where those of the world are asked for.
+    /// Coordinates of the VRC, although the question asks for those of the world.
     ViewGiven = ViewAsWorld "given";
     /// The least entry, or the greatest exit.
     MinForMax = EntryExitExchanged "min-for-max";
-    /// T(1/2) S in the place of S T(1/2).
+    /// T(1/2) S in place of S T(1/2).
     MovedByHalf = OrderReversed "half";
     /// S without T.
     OnlyScaled = NotDone "move";
     /// The day and the month in each other's place.
     DayAndMonth = OrderReversed "day-and-month";
-    /// Moved by M, and not by M/2.
+    /// Moved by M instead of M/2.
     MovedByWhole = NotTouching;
     /// Moved by M/2 + 1.
     MovedOneMore = NotTouching;
     /// b/2 for b.
     BaselineHalved = FactorTwo "baseline";
-    /// δ/(f b), in the place of f b/δ, or d in the place of δ.
+    /// δ/(f b) in place of f b/δ, or d in place of δ.
     DisparityInverted = Inverse "disparity";
     /// d and b in each other's place: f d/b.
     DepthOverBaseline = Inverse "disparity";
-    /// F in the place of f in pixels.
+    /// F in place of f in pixels.
     WindowUnits = NotDone "pixels";
-    /// The column in the left image, and not the difference of both.
+    /// The column in the left image instead of the difference of both.
     OneImage = NotDone "disparity";
     /// The sum of both columns.
     PositionsAdded = Sign "columns";
-    /// The column in the right image less that in the left one.
+    /// The column in the right image minus that in the left one.
     EyesExchanged = Sign "eyes";
-    /// Parallel windows, where they are shifted.
+    /// Parallel windows, although they are shifted.
     ShiftForgotten = NotDone "shift";
 }
 
@@ -379,12 +379,12 @@ slips! {
 const _: () = assert!(Slip::ALL.len() <= 2 * u128::BITS as usize);
 
 impl Slip {
-    /// The mistake that it is.
+    /// The mistake that this slip makes.
     pub const fn mistake(self) -> Mistake {
         self.cause().mistake
     }
 
-    /// Whether it is made where the axes of the camera are computed.
+    /// True if it's made in computing the axes of the camera.
     pub const fn is_of_axes(self) -> bool {
         matches!(
             self,
@@ -409,7 +409,7 @@ impl Slip {
     }
 }
 
-/// The slips that are made together.
+/// Slips made together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Slips([u128; 2]);
 
@@ -430,18 +430,18 @@ impl Slips {
         self
     }
 
-    /// Whether it is made.
+    /// True if the set contains it.
     pub const fn has(self, slip: Slip) -> bool {
         let place = slip as usize;
         self.0[place / 128] & (1 << (place % 128)) != 0
     }
 
-    /// The value of the first of these mistakes that is made; `right` if none is.
+    /// The value of the first of these mistakes that was made; `right` if none was.
     pub fn pick<T, const N: usize>(self, mistakes: [(Slip, T); N], right: T) -> T {
         mistakes.into_iter().find(|(slip, _)| self.has(*slip)).map_or(right, |(_, wrong)| wrong)
     }
 
-    /// Whether any of these is made.
+    /// True if any of these was made.
     pub fn any(self, slips: &[Slip]) -> bool {
         slips.iter().any(|slip| self.has(*slip))
     }

@@ -73,7 +73,7 @@ pub(super) fn rays(_seed: u64) -> Exercise {
     ];
     let figure = figure_of(include_str!("../../../../../assets/figures/exercise-5.1.toml"));
     let mut answered = Figure { scene: Figure::of_preset(Preset::Exercise51).scene, ..figure.clone() };
-    // The point of the VRC, and where its rays start: C + u + v.
+    // The point of the VRC where its rays start: C + u + v.
     if let Ok(camera) = parallel.camera() {
         let basis = camera.basis();
         let point = camera.position() + basis.u + basis.v;
@@ -89,7 +89,7 @@ const ORIGIN: [(&str, &str); 3] = [("O_R,x", "O_{R,x}"), ("O_R,y", "O_{R,y}"), (
 const DIRECTION: [(&str, &str); 3] =
     [("D_R,x", r"\mathbf{D}_{R,x}"), ("D_R,y", r"\mathbf{D}_{R,y}"), ("D_R,z", r"\mathbf{D}_{R,z}")];
 
-/// The ways to the origin and the direction in parallel projection, and to the origin in perspective: from the point
+/// The steps to the origin and the direction in parallel projection, and to the origin in perspective, from the point
 /// (1, 1, 0) of the VRC, as the statement gives it.
 fn rays_of_vrc(subject: &Subject) -> [Vec<Worked>; 3] {
     let Ok(camera) = subject.camera() else { return Default::default() };
@@ -154,8 +154,8 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     let at_distance = with_height(2.0 * distance, zoom.clone());
     let at_distance_before = with_height(2.0 * distance, Vec::new());
     let elevated = with_height(2.0 * near, vec![zoom[0], Operation::Elevation(Angle::from_degrees(45.0))]);
-    // The point has the coordinates (1, 1) exactly, which its world coordinates only nearly have: between two pixels
-    // that would count.
+    // The point has the coordinates (1, 1) exactly. Its world coordinates have them only approximately. Between two
+    // pixels that would count.
     let pixel_of = |subject: &Subject| {
         let subject = subject.clone();
         let steps = steps_to_pixel(&subject);
@@ -212,7 +212,7 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     }
 }
 
-/// The way from the point (1, 1, 0) of the VRC to its pixel. No world coordinates are given, and none are needed.
+/// The steps from the point (1, 1, 0) of the VRC to its pixel. World coordinates aren't given or needed.
 fn steps_to_pixel(subject: &Subject) -> Vec<Worked> {
     let (x, y) = (named("x_c", "x_c", 1.0), named("y_c", "y_c", 1.0));
     let on_window = Worked::new("point-on-window", "§5.3.2")

@@ -18,12 +18,12 @@ pub static ENTRIES: &[Entry] = &[
     Entry::of_notes("1-III", "[1] III", |_, free| pyramid::projection(free)),
 ];
 
-/// The figure of an exercise, which the gallery shows as well.
+/// The figure of an exercise, which the gallery shows too.
 fn figure_of(text: &str) -> Figure {
     read::parse(text).unwrap_or_default()
 }
 
-/// A number that the notes leave open, where it was chosen and can be used.
+/// A number that the notes leave open, if the answer chose one that can be used.
 fn chosen(free: &Free, name: &str, otherwise: f64) -> f64 {
     free.get(name).copied().filter(|value| value.is_finite() && *value > 0.0).unwrap_or(otherwise)
 }

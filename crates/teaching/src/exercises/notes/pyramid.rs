@@ -1,4 +1,4 @@
-//! `[1]` I to III: the pyramid with the day D and the month M of a birth.
+//! `[1]` I to III: the pyramid with the day D and the month M of a date of birth.
 //!
 //! The figure with its local coordinates is lost. Here the base is the square of side 1 about the origin of the plane y
 //! = 0, and the height is 1.
@@ -66,7 +66,7 @@ impl Birth {
     fn subject(&self) -> Subject {
         let mut figure = Figure::of_preset(Preset::Empty);
         let half = self.month / 2.0;
-        // The shape's own base is 2 wide, and it is 2 high.
+        // The shape's own base is 2 wide, and its height is 2.
         let pyramid = ObjectSpec::new("pyramid", Shape::Pyramid).at(half, 0.0, half);
         figure.scene.objects.push(pyramid.scaled(half, self.day / 2.0, half));
         figure.camera = Parameters {
@@ -109,7 +109,7 @@ fn matrix_of_points(
     Ask::computed(name, Kind::Matrix(4, 5), steps, move |slips| compute(slips).map(|points| columns(&points)))
 }
 
-/// I: the vertices in homogeneous coordinates, and the sides that the pyramid will have.
+/// I: the vertices in homogeneous coordinates, and the sides of the resulting pyramid.
 pub(super) fn vertices(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let (day, month) = (birth.day, birth.month);
@@ -183,7 +183,7 @@ pub(super) fn projection(free: &Free) -> Exercise {
     let of = Birth { ..birth };
     let projected = matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), Slips::NONE);
     let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
-    // As the statement says: the vertices in view space, of exercise II, times M_p.
+    // As the statement says: the vertices in view space, from exercise II, times M_p.
     let seen: Vec<DVec4> = view.map_or_else(Vec::new, |view| of.world(Slips::NONE).iter().map(|p| view * *p).collect());
     let times_projection = |vertices: &[DVec4]| {
         let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::Projection));
@@ -234,7 +234,7 @@ pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
     Exercise { asks, free: Vec::new(), assumptions: vec!["touches-planes", "distances-not-coordinates"], ..last }
 }
 
-/// The apex from its own space into the world, into the VRC, and into clip space.
+/// The steps of the apex from its own space into the world, into the VRC, and into clip space.
 fn way_of_apex(birth: &Birth) -> Vec<Worked> {
     let subject = birth.subject();
     let apex = APEX.extend(1.0);
@@ -255,7 +255,7 @@ fn through(matrix: DMat4, points: &Table) -> Option<Vec<DVec4>> {
     points.rows().map(|point| Some(matrix * DVec4::from_array(point.try_into().ok()?))).collect()
 }
 
-/// A matrix of a subject, as it comes out with slips.
+/// A matrix of a subject, computed with slips.
 fn matrix(subject: &Subject, path: Quantity, slips: Slips) -> Option<DMat4> {
     let table = if slips == Slips::NONE { subject.value(path) } else { textbook::value(subject, path, slips) }?;
     let entries: [f64; 16] = table.entries.try_into().ok()?;

@@ -96,7 +96,7 @@ fn a_mistake_is_open_until_what_shows_it_is_solved_without_it() {
     assert_eq!(open(&progress), 1);
     solve(&mut progress, entry("basis").unwrap(), 0, 4);
     assert_eq!(open(&progress), 0);
-    // Made again, it is open again.
+    // Made again, it's open again.
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 5);
     assert_eq!((open(&progress), progress.mistakes().next().unwrap().1.times), (1, 2));
 }
@@ -127,7 +127,7 @@ fn a_clock_that_jumps_by_years_keeps_no_exercise_from_coming_back() {
     const YEARS: u64 = 20 * 365 * 86_400;
     let mut progress = Progress::default();
     let some = || entries().filter(|entry| entry.is_family).take(3);
-    // Ahead by years, back again, to where clocks without a battery begin, and on.
+    // Years ahead, back again, to the start of clocks without a battery, and on.
     let times = [YEARS, 3 * YEARS, YEARS + 1, 0, 1, YEARS + 2];
     for (entry, now) in some().zip(times) {
         solve(&mut progress, entry, 0, now);
@@ -143,7 +143,7 @@ fn a_clock_that_jumps_by_years_keeps_no_exercise_from_coming_back() {
         }
         assert_eq!(came.len(), 3, "from {start}");
     }
-    // Any time that a file can hold has a date.
+    // Every time that a file can hold has a date.
     let text = progress.to_toml().replace(&(YEARS + 12).to_string(), &i64::MAX.to_string());
     assert!(Progress::read(&text).is_ok_and(|progress| progress.to_csv().lines().count() > 3));
 }
@@ -156,22 +156,22 @@ fn the_next_exercise_is_chosen_for_a_reason() {
         (next.id, next.seed, next.why)
     };
     assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::NotSolved));
-    // VUP stood for v: the first family that shows it.
+    // VUP in place of v: the first family that reveals it.
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1);
     assert_eq!(next(&progress), ("basis".to_owned(), 0, Why::Mistake(Mistake::VupAsV, 1)));
-    // A slip of the pen is not a misconception.
+    // A slip of the pen isn't a misconception.
     let mut slip = Progress::default();
     let matrix = "[[4/5/tan(25°), 0, 0, 0], [0, 1.5, 0, 0], [0, 0, -21/19, -16/19], [0, 0, -1, 0]]";
     answer(&mut slip, "perspective-matrix", 1, "Mp", matrix, 1);
     assert_eq!(slip.mistakes().next().unwrap().0, Mistake::ArithmeticSlip);
-    // What was begun is taken up, with its numbers.
+    // The exercise begun last comes up again, with its numbers.
     assert_eq!(next(&slip), ("perspective-matrix".to_owned(), 1, Why::Begun));
-    // Solved without it: back to what was begun, and then on to the next unsolved one.
+    // Solved without it: back to the exercise begun last, and then on to the next unsolved one.
     solve(&mut progress, entry("basis").unwrap(), 0, 2);
     assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::Begun));
     solve(&mut progress, entry("0-5.1").unwrap(), 0, 3);
     assert_eq!(next(&progress), ("0-5.2".to_owned(), 0, Why::NotSolved));
-    // All solved: the one that was tried least recently, a family with new numbers.
+    // All solved: the one tried least recently, a family with new numbers.
     for (at, entry) in (10..).zip(entries()) {
         solve(&mut progress, entry, 0, if entry.id == "roll" { 5 } else { at });
     }
@@ -191,13 +191,13 @@ fn a_family_comes_back_after_1_3_7_and_21_days_with_new_numbers() {
     let mut at = 5 * DAY;
     solve(&mut progress, entry("basis").unwrap(), 0, at);
     for (seed, days) in (1..).zip([1, 3, 7, 21, 21]) {
-        // A day before it is due, the other one, which is not solved, comes first.
+        // A day before it's due, the other one, which isn't solved, comes first.
         assert_eq!(next(&progress, at + (days - 1) * DAY), ("window".to_owned(), 0, Why::NotSolved), "{days}");
         at += days * DAY;
         assert_eq!(next(&progress, at), ("basis".to_owned(), seed, Why::Due(days)));
         solve(&mut progress, entry("basis").unwrap(), seed, at);
     }
-    // The same after it was written and read.
+    // The same after writing and reading.
     let read = Progress::read(&progress.to_toml()).unwrap();
     assert_eq!(next(&read, at + 21 * DAY), ("basis".to_owned(), 6, Why::Due(21)));
 }
@@ -208,7 +208,7 @@ fn what_was_found_with_help_is_not_answered_alone() {
     progress.opened("basis", 0, "u", 1);
     solve(&mut progress, basis, 0, 1);
     assert_eq!(progress.stage("basis"), Stage::Solved);
-    // Nor after other numbers were looked at in between.
+    // Nor after a look at other numbers in between.
     progress.begin("basis", 1);
     solve(&mut progress, basis, 0, 2);
     assert_eq!(progress.stage("basis"), Stage::Solved);

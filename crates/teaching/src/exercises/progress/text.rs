@@ -11,7 +11,7 @@ impl Progress {
     /// Reads a text. Unknown keys stay in [`to_toml`](Self::to_toml).
     ///
     /// # Errors
-    /// [`ProgressError`]: not TOML, or a known key has an impossible value.
+    /// [`ProgressError`] if it isn't TOML, or a known key has an impossible value.
     pub fn read(text: &str) -> Result<Self, ProgressError> {
         let rest: DocumentMut =
             text.parse().map_err(|error: TomlError| ProgressError::Toml(error.message().to_owned()))?;
@@ -21,7 +21,7 @@ impl Progress {
             progress.exercises.insert(id.to_owned(), tried);
         }
         for (code, item) in table(&rest, "mistake")? {
-            // One that another version tells stays in the file.
+            // A mistake from another version stays in the file.
             let Some(mistake) = Mistake::of_code(code) else { continue };
             let made = Made::read(item).map_err(|key| ProgressError::Value(format!("mistake.{code}.{key}")))?;
             progress.mistakes.insert(mistake, made);
@@ -33,7 +33,7 @@ impl Progress {
         Ok(Self { rest, ..progress })
     }
 
-    /// The text that keeps it.
+    /// The text for the file.
     pub fn to_toml(&self) -> String {
         let mut document = self.rest.clone();
         for (id, tried) in &self.exercises {
@@ -55,7 +55,7 @@ impl Progress {
     }
 }
 
-/// The tables in a table of the file. None where it is not there.
+/// The tables in a table of the file. Empty if it isn't there.
 fn table<'a>(document: &'a DocumentMut, key: &str) -> Result<Vec<(&'a str, &'a dyn TableLike)>, ProgressError> {
     let Some(item) = document.get(key) else { return Ok(Vec::new()) };
     let tables = item.as_table_like().ok_or_else(|| ProgressError::Value(key.to_owned()))?;
@@ -66,8 +66,8 @@ fn table<'a>(document: &'a DocumentMut, key: &str) -> Result<Vec<(&'a str, &'a d
     tables.iter().map(table).collect()
 }
 
-/// The table of an entry, made where there is none. `None` means the key has another kind of value, which [`table`]
-/// would not have read.
+/// The table of an entry, created if it doesn't exist. `None` means the key has another kind of value, which [`table`]
+/// wouldn't have read.
 fn entered<'a>(document: &'a mut DocumentMut, key: &str, name: &str) -> Option<&'a mut dyn TableLike> {
     let outer = document.entry(key).or_insert_with(|| {
         let mut table = Table::new();
@@ -78,7 +78,7 @@ fn entered<'a>(document: &'a mut DocumentMut, key: &str, name: &str) -> Option<&
     outer.as_table_like_mut()?.entry(name).or_insert(empty).as_table_like_mut()
 }
 
-/// The value of a key that is there. The key where it is something else.
+/// The value of a key that exists. The key itself is the error if its value has another kind.
 fn known<T>(table: &dyn TableLike, key: &str, read: impl Fn(&Item) -> Option<T>) -> Result<Option<T>, String> {
     table.get(key).map(|item| read(item).ok_or_else(|| key.to_owned())).transpose()
 }
@@ -87,7 +87,7 @@ fn count(item: &Item) -> Option<u32> {
     item.as_integer().and_then(|count| count.try_into().ok())
 }
 
-/// A whole number of 64 bits. Those that TOML has no room for are written as text.
+/// A whole number of 64 bits. Numbers too large for TOML are written as text.
 fn long(item: &Item) -> Option<u64> {
     match item.as_integer() {
         Some(number) => number.try_into().ok(),
@@ -116,7 +116,7 @@ fn names(item: &Item) -> Option<BTreeSet<String>> {
     item.as_array()?.iter().map(|name| name.as_str().map(str::to_owned)).collect()
 }
 
-/// Sets a key, or takes it away where there is nothing to say.
+/// Sets a key, or removes it if there's no value.
 fn set(table: &mut dyn TableLike, key: &str, item: Option<Item>) {
     match item {
         Some(item) => {

@@ -22,13 +22,13 @@ fn every_way_leads_to_the_answer() {
                 let context = format!("{} seed {seed} {}", entry.id, ask.name);
                 let rows: Vec<f64> = steps.iter().flat_map(|step| &step.rows).map(|row| row.value).collect();
                 if entry.id == "outcodes" {
-                    // An outcode is no number that is computed: it is the signs of the rows.
+                    // An outcode isn't a computed number. It consists of the signs of the rows.
                     let signs: Vec<f64> = rows.iter().map(|value| f64::from(u8::from(*value < 0.0))).collect();
                     assert_eq!(right.entries, signs, "{context}");
                     continue;
                 }
-                // Entries that are 0 or 1 for every camera have no row; the painter's order is that of the rows, and no
-                // row itself.
+                // Entries that are 0 or 1 for every camera have no row. The painter's order is that of the rows, and
+                // has no row itself.
                 let is_given = |value: f64| value == 0.0 || value.abs() == 1.0;
                 let is_read_off = entry.id == "painter";
                 for value in right.entries.iter().filter(|value| !is_given(**value) && !is_read_off) {

@@ -1,4 +1,4 @@
-//! Parameters that make no camera. Nothing can be drawn, but the error is a finding, and most have a repair.
+//! Parameters that make no camera. There's nothing to draw, but the error is a finding, and most have a repair.
 
 use glam::DVec3;
 
@@ -8,14 +8,14 @@ use crate::camera::{Camera, CameraError, Checked, ImageSize, ParameterKey, Param
 use crate::figure::Reveal;
 use crate::scene::Scene;
 
-/// Parameters that make no camera, and the image that they should give.
+/// Parameters that make no camera, and the desired image.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpossibleCamera {
-    /// Why they make none.
+    /// The reason why they make none.
     pub error: CameraError,
     /// The parameters after the repair.
     pub parameters: Parameters,
-    /// How the image is drawn.
+    /// The style of the image.
     pub style: Style,
     /// The inner work of the pipeline in the image.
     pub reveal: Reveal,
@@ -57,7 +57,7 @@ const fn cause(error: &CameraError) -> Cause {
     }
 }
 
-/// A camera at C, if that is possible, that looks at the middle of the scene.
+/// A camera at C, if that's possible, that looks at the middle of the scene.
 fn fallback(parameters: &Parameters, scene: &Scene) -> Option<Camera> {
     let default = Parameters::default();
     let middle = scene.bounds().map_or(DVec3::ZERO, |bounds| bounds.center());

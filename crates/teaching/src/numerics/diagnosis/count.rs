@@ -1,4 +1,4 @@
-//! Counts pixels: the pipeline draws, the rasterizer paints, and whatever is not ground counts.
+//! Counts pixels. The pipeline draws, the rasterizer paints, and every pixel that isn't background counts.
 
 use std::sync::Arc;
 
@@ -17,34 +17,34 @@ pub struct Counter {
 
 /// The result of drawing a scene.
 pub(super) struct Drawn {
-    /// Pixels that anything but a text covers.
+    /// Pixels covered by anything but a text.
     pub(super) pixels: u64,
     /// The report of each object of the scene.
     pub(super) objects: Vec<ObjectReport>,
 }
 
 impl Counter {
-    /// Draws the image with one sample for each pixel. `None` if it is too large.
+    /// Draws the image with one sample for each pixel. `None` if it's too large.
     pub(super) fn draw(&mut self, scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Drawn> {
         let mut pixels = 0;
-        // The order of faces does not change which pixels are covered.
+        // The order of faces doesn't change the set of covered pixels.
         let style = Style { visibility: Visibility::DepthBuffer, ..*style };
         let painted = self.paint(scene, camera, &style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;
         Some(Drawn { pixels, objects: painted.objects })
     }
 
-    /// Of each of these objects, the pixels on which a face is seen that turns its back to the eye.
+    /// For each of these objects, the number of pixels that show a face turned away from the eye.
     pub(super) fn back_faces(&mut self, scene: &Scene, of: &[usize], camera: &Camera, image: ImageSize) -> Vec<u64> {
         self.faces(scene, of, camera, image, |object, triangle| turns_back(object, triangle, camera))
     }
 
-    /// Of each of these objects, by their places in the scene, the pixels on which one of its faces is seen; 0 where
-    /// the image is too large to be drawn.
+    /// For each of these objects, by their places in the scene, the number of pixels that show one of its faces; 0 if
+    /// the image is too large to draw.
     pub fn seen(&mut self, scene: &Scene, of: &[usize], camera: &Camera, image: ImageSize) -> Vec<u64> {
         self.faces(scene, of, camera, image, |_, _| true)
     }
 
-    /// Of each of these objects, the pixels on which a face of it is seen that counts.
+    /// For each of these objects, the number of pixels that show one of its faces that counts.
     fn faces(
         &mut self,
         scene: &Scene,
@@ -69,7 +69,7 @@ impl Counter {
         counts
     }
 
-    /// Paints a scene with one sample for each pixel, and gives each pixel to `each`, row by row. `None` if the image
+    /// Paints a scene with one sample for each pixel, and passes each pixel to `each`, row by row. `None` if the image
     /// is too large.
     pub(super) fn paint(
         &mut self,
@@ -82,12 +82,12 @@ impl Counter {
         let clear = Rgba::rgba(0, 0, 0, 0);
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: clear };
         let style = Style { antialias: 1, ..*style };
-        // As the image is drawn: whole numbers of a format are shares of the range from F to B.
+        // As in the image: whole numbers of a format are shares of the range from F to B.
         let depth_of_volume = style.depth_format != DepthFormat::Float;
         let options = Options { depth_of_volume, ..Options::default() };
         let mut frame = self.pipeline.frame(scene, camera, target, &style, options);
         frame.drawing.depth_format = style.depth_format;
-        // The name of a thing that is not seen is not the thing.
+        // The name of a hidden thing isn't the thing.
         frame.drawing.labels.clear();
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
         pixmap.data().chunks_exact(4).for_each(|pixel| each([pixel[0], pixel[1], pixel[2], pixel[3]]));
@@ -98,11 +98,11 @@ impl Counter {
 /// The report of the pipeline on a painted scene.
 pub(super) struct Painted {
     objects: Vec<ObjectReport>,
-    /// The faces that were too many to be put in order.
+    /// The faces that were too many to sort.
     pub(super) over_budget: Option<OverBudget>,
 }
 
-/// An object whose faces have numbers, 0 … 2²⁴ − 1, for colours, and no strokes.
+/// An object whose faces have numbers, 0 … 2²⁴ − 1, as colours, and no strokes.
 pub(super) fn numbered(object: &Object, number: impl Fn(usize) -> u32) -> Object {
     let color = |triangle| {
         let [_, r, g, b] = number(triangle).to_be_bytes();

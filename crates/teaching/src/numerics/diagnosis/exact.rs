@@ -1,11 +1,12 @@
-//! The image compared with exact visibility, pixel by pixel.
+//! Compares the image with exact visibility, pixel by pixel.
 //!
-//! A depth buffer, an order of painting and a shadow map each decide with rounded numbers what is in front. Here a ray
-//! through the centre of each pixel decides in `f64`, against all opaque faces. A pixel counts as wrong only if the
-//! rasterizer cannot have meant another face. The one it drew has to lie behind the nearest one at the centre of the
-//! pixel and a quarter of a pixel to each side. So silhouettes, whose pixels belong to either face, are never wrong.
+//! A depth buffer, an order of painting and a shadow map each decide with rounded numbers which surface is in front.
+//! Here a ray through the centre of each pixel decides in `f64`, against all opaque faces. A pixel counts as wrong only
+//! if the rasterizer can't have meant another face. The face it drew has to lie behind the nearest one at the centre of
+//! the pixel and a quarter of a pixel to each side. So silhouettes, whose pixels belong to either face, are never
+//! wrong.
 //!
-//! Translucent faces all count, not only the nearest. Those are compared with the image that a BSP tree paints.
+//! Translucent faces all count, not only the nearest. They're compared with the image that a BSP tree paints.
 
 use std::collections::BTreeSet;
 
@@ -29,16 +30,16 @@ use crate::scene::{Light, LightKind, Object, ObjectPaint, Scene};
 const ASIDE: f64 = 0.25;
 /// Colours of two images that differ by this much in a channel, of 255, differ visibly.
 const VISIBLE: u8 = 4;
-/// Fewer pixels than this are no fault: at corners, three faces share a pixel.
+/// Fewer wrong pixels than this are no fault, because three faces share a pixel at corners.
 const FEW_WRONG: u64 = 3;
-/// The least share of the pixels turned towards a light at which wrong shadows are a fault. A map has texels, so that
-/// a few pixels at the foot of a thing are wrong in every image.
+/// The least share of the pixels turned towards a light at which wrong shadows are a fault. A map has texels, so a few
+/// pixels at the foot of a thing are wrong in every image.
 const WRONG_SHADOWS: f64 = 5e-4;
-/// The most pixels in which shadows are compared. Each takes a ray to every light. A larger image is compared with
-/// fewer of them, evenly spread.
+/// The greatest number of pixels in which shadows are compared. Each takes a ray to every light. In a larger image,
+/// fewer of its pixels are compared, evenly spread.
 const SHADOW_PIXELS: u64 = 1 << 16;
 
-/// Faces that are put in order at most, if any of them is translucent. More take seconds.
+/// The greatest number of faces to sort if any of them is translucent. More take seconds.
 const MAX_LAYERED: usize = 1 << 15;
 
 /// A kind of wrong pixels in an image.
@@ -55,7 +56,7 @@ pub(super) struct Fault {
 pub struct WrongPixels {
     /// Pixels that show something else than they should.
     pub wrong: u64,
-    /// The pixels that were compared: those that the scene covers, or those turned towards a light.
+    /// The compared pixels: those that the scene covers, or those turned towards a light.
     pub of: u64,
 }
 
@@ -67,8 +68,8 @@ impl WrongPixels {
     }
 }
 
-/// Compares an image with exact visibility. A [`Cause::NotCompared`] says that this would take too long.
-/// `None` if it was cancelled. It pauses on the way.
+/// Compares an image with exact visibility. A [`Cause::NotCompared`] means that this would take too long. `None` if it
+/// was cancelled. It pauses on the way.
 pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<Vec<Fault>> {
     let mut faults = Vec::new();
     let spec = &ImageSpec { image: smaller(spec.image, spec.compared), ..*spec };
@@ -92,7 +93,7 @@ pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress
     Some(faults)
 }
 
-/// Keeps of each cause the fault with the most wrong pixels, in the order in which the causes came.
+/// Keeps, for each cause, the fault with the most wrong pixels, in the order in which the causes came.
 fn once_each(faults: &mut Vec<Fault>) {
     let most = |cause| faults.iter().filter(|fault| fault.cause == cause).map(|fault| fault.pixels.wrong).max();
     let greatest: Vec<bool> = faults.iter().map(|fault| most(fault.cause) == Some(fault.pixels.wrong)).collect();
@@ -106,7 +107,7 @@ fn once_each(faults: &mut Vec<Fault>) {
     });
 }
 
-/// The finding that an image was not compared.
+/// The finding that an image wasn't compared.
 fn not_compared(objects: Vec<usize>) -> Fault {
     Fault { cause: Cause::NotCompared, pixels: WrongPixels { wrong: 0, of: 0 }, objects }
 }
@@ -125,7 +126,7 @@ async fn faces(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress)
     faces.compare(&drawn, progress).await
 }
 
-/// The opaque faces of a scene, as rays meet them.
+/// The opaque faces of a scene, for rays.
 struct Faces<'a> {
     spec: &'a ImageSpec<'a>,
     tiles: Tiles<'a>,
@@ -140,7 +141,7 @@ enum FaceVerdict {
     /// No face, or one of two that meet in the pixel.
     Open,
     Right,
-    /// The object that is drawn, and the one in front of it.
+    /// The object in the image, and the one in front of it.
     Wrong([usize; 2]),
 }
 
@@ -237,10 +238,11 @@ fn face_color(object: &Object, triangle: usize) -> Option<Rgba> {
     }
 }
 
-/// Translucent faces in the wrong order. The image, without light, differs from the one that a BSP tree paints.
-/// Several layers of one pixel are sorted by the depths of their centroids, which is wrong for long faces.
+/// Translucent faces in the wrong order. The image, without light, differs from the one that a BSP tree paints. Several
+/// layers of one pixel are sorted by the depths of their centroids, which is wrong for long faces.
 ///
-/// And depths that the figure's format confuses between a translucent face and others: rays know opaque faces only.
+/// It also finds depths that the figure's format confuses between a translucent face and others, because rays only know
+/// opaque faces.
 fn layers(spec: &ImageSpec<'_>, counter: &mut Counter) -> Vec<Fault> {
     let objects = spec.scene.objects.iter().enumerate();
     let is_clear = |object: &Object| object.faces && object.paint.is_translucent();
@@ -265,7 +267,7 @@ fn layers(spec: &ImageSpec<'_>, counter: &mut Counter) -> Vec<Fault> {
     std::iter::once(Fault { cause: Cause::WrongOrder, pixels: order, objects: clear }).chain(depth).collect()
 }
 
-/// A texture interpolated without w, where that changes it.
+/// A texture interpolated without w, if that changes it.
 fn affine(spec: &ImageSpec<'_>, counter: &mut Counter) -> Option<Fault> {
     if spec.reveal.texture != Some(TextureReveal::Affine) {
         return None;
@@ -292,8 +294,8 @@ fn plain(scene: &Scene, wanted: impl Fn(&Object) -> bool) -> Scene {
     Scene { objects, ..Scene::default() }
 }
 
-/// Compares two images. A pixel differs if at least three of its neighbours do too: pieces that meet at an edge may
-/// each take a single pixel of it.
+/// Compares two images. A pixel differs if at least three of its neighbours do too, because pieces that meet at an edge
+/// may each take a single pixel of it.
 fn differing(a: &[u8], b: &[u8], image: ImageSize) -> WrongPixels {
     let [a, b] = [a, b].map(|bytes| bytes.chunks_exact(4));
     let covered = a.clone().zip(b.clone()).filter(|(a, b)| a[3] > 0 || b[3] > 0).count() as u64;
@@ -312,7 +314,7 @@ fn differing(a: &[u8], b: &[u8], image: ImageSize) -> WrongPixels {
     WrongPixels { wrong, of: covered }
 }
 
-/// Shadows that a map gets wrong: faces that shadow themselves, and shadows that come off the thing that casts them.
+/// Shadows that a map gets wrong: faces that shadow themselves, and shadows detached from the thing that casts them.
 pub(super) async fn shadows(spec: &ImageSpec<'_>, progress: &Progress) -> Option<Vec<Fault>> {
     let mut faults = Vec::new();
     if !spec.scene.lights.iter().any(|light| light.shadows.cast) {
@@ -361,7 +363,7 @@ pub(super) async fn shadows(spec: &ImageSpec<'_>, progress: &Progress) -> Option
     Some(faults)
 }
 
-/// The size of an image with every k-th pixel across and down, which has at most this many.
+/// The size of an image with every k-th pixel across and down, so that it has at most this many.
 fn smaller(image: ImageSize, most: u64) -> ImageSize {
     let ImageSize { width, height } = image;
     let fits = |k: &u32| u64::from(width / k) * u64::from(height / k) <= most;
@@ -390,8 +392,8 @@ impl Texels {
         Some(Self { width: side / f64::from(shadows.map), radius })
     }
 
-    /// Points on the plane of a face around a point of it, as far away as the map may confuse them. If it says
-    /// something else of all of them too, no border of a shadow is near. `None` if the light grazes the face.
+    /// Points on the plane of a face around a point of it, as far away as the map may confuse them. If the map
+    /// contradicts the ray at all of them too, no border of a shadow is near. `None` if the light grazes the face.
     fn around(&self, seen: &SeenPoint, light: &Light) -> Option<Vec<DVec3>> {
         let (to_light, _) = to_light(seen.point, light);
         let facing = to_light.dot(seen.normal);
@@ -417,7 +419,7 @@ impl Texels {
 }
 
 impl Counter {
-    /// The number of the opaque face at each pixel, from 1, as the figure's own order and format of depths decide.
+    /// The number of the opaque face at each pixel, from 1, according to the figure's own order and depth format.
     fn numbered(&mut self, spec: &ImageSpec<'_>, objects: &[usize]) -> Vec<u32> {
         let mut next = 1;
         let numbered_objects = objects.iter().map(|&place| {
@@ -435,8 +437,8 @@ impl Counter {
         numbers
     }
 
-    /// The colours of a scene, four bytes for each pixel, with one sample in it. `None` if there are too many faces to
-    /// be put in order.
+    /// The colours of a scene, four bytes for each pixel, with one sample per pixel. `None` if there are too many faces
+    /// to sort.
     fn colors(&mut self, scene: &Scene, spec: &ImageSpec<'_>, style: &Style) -> Option<Vec<u8>> {
         let mut bytes = Vec::new();
         let style = Style { hidden_lines: HiddenLines::Hidden, ..*style };

@@ -1,10 +1,10 @@
-//! Why is my picture empty? The parts of a scene that a camera does not show, the reasons, and the changes of the
-//! camera that would show them.
+//! Answers the question "Why is my picture empty?" It names the parts of a scene that a camera doesn't show, the
+//! reasons, and the changes of the camera that would show them.
 //!
-//! Visibility is counted in pixels that the pipeline really draws. The reason for a missing part is found from the
-//! sides of the planes of the volume on which its points lie. A repair is offered only after it was applied, and its
-//! picture was checked. Then the image is compared with exact visibility: only if that finds no wrong pixel either is
-//! there nothing to report.
+//! Visibility is counted in pixels that the pipeline really draws. The reason for a missing part follows from the sides
+//! of the planes of the volume on which its points lie. A repair is offered only after it was applied and its picture
+//! checked. Then the image is compared with exact visibility. Only if that finds no wrong pixel either is there nothing
+//! to report.
 
 mod camera;
 mod count;
@@ -32,16 +32,16 @@ use subject::NamedThing;
 
 /// Less than this share of the image is few pixels: 0.1 %, a square of 28 pixels in 1024 × 768.
 const FEW: f64 = 1e-3;
-/// Less than this share of an object is left where the border of the image cuts it.
+/// With less than this share of its box on the image, an object counts as cut off by the border.
 const SLIVER: f64 = 0.2;
 
 crate::worded! {
-    /// Why something is not in the picture, or not as it should be.
+    /// The reason why something isn't in the picture, or is wrong there.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub enum Cause {
         /// There is nothing to see.
         EmptyScene = "empty-scene",
-        /// The eye is inside of it.
+        /// The eye is inside it.
         CameraInsideObject = "camera-inside-object",
         /// Behind the plane of the eye.
         BehindCamera = "behind-camera",
@@ -61,9 +61,9 @@ crate::worded! {
         SmallerThanPixel = "smaller-than-pixel",
         /// Its colour has alpha 0.
         FullyTransparent = "fully-transparent",
-        /// The near plane opens it, so that its inside is seen instead of its front.
+        /// The near plane opens it, so that its inside is visible instead of its front.
         HiddenByNearCut = "hidden-by-near-cut",
-        /// The scene is seen, but on less than 0.1 % of the image.
+        /// The scene is visible, but on less than 0.1 % of the image.
         FewPixels = "few-pixels",
         /// VUP is along the view, or has no length.
         ViewUpAlongView = "view-up-along-view",
@@ -81,11 +81,11 @@ crate::worded! {
         WrongOrder = "wrong-order",
         /// Faces lie in their own shadow.
         ShadowAcne = "shadow-acne",
-        /// Shadows come off the thing that casts them.
+        /// Shadows are detached from the thing that casts them.
         ShadowDetached = "shadow-detached",
         /// A texture is interpolated without w.
         AffineTexture = "affine-texture",
-        /// The image is too large, or has too many faces, to be compared with exact visibility.
+        /// The image is too large, or has too many faces, for a comparison with exact visibility.
         NotCompared = "not-compared",
     }
     /// Its name in JSON.
@@ -103,19 +103,20 @@ impl Cause {
     }
 }
 
-/// One thing to say about a picture.
+/// One statement about a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// Why.
+    /// The reason.
     pub cause: Cause,
-    /// The names of the objects that are lost whole, in the order of the scene. Empty for an object without a name.
+    /// The names of the objects that are missing entirely, in the order of the scene. Empty for an object without a
+    /// name.
     pub whole: Vec<String>,
-    /// The names of those of which something is seen all the same.
+    /// The names of objects that are still partly visible.
     pub partly: Vec<String>,
-    /// The repair that shows the objects for which it is most useful: where there are any, those that this alone keeps
-    /// out of the picture. `None` if no change of the camera does.
+    /// The repair that shows the objects for which it's most useful. These are the objects that only this cause keeps
+    /// out of the picture, if there are any. `None` if no change of the camera does.
     pub repair: Option<Repair>,
-    /// The pixels that show something else than they should, if the cause is one of them.
+    /// The wrong pixels, if the cause concerns pixels.
     pub pixels: Option<WrongPixels>,
 }
 
@@ -124,42 +125,42 @@ pub struct Finding {
 pub struct ImageSpec<'a> {
     /// The scene in it.
     pub scene: &'a Scene,
-    /// From where it is seen.
+    /// Its camera.
     pub camera: &'a Camera,
-    /// How it is drawn.
+    /// Its style.
     pub style: &'a Style,
-    /// The inner work of the pipeline in it: textures without w and shadows without bias are drawn wrong on purpose.
+    /// The inner work of the pipeline in it. Textures without w and shadows without bias are drawn wrong on purpose.
     pub reveal: &'a Reveal,
     /// Its size.
     pub image: ImageSize,
-    /// The most of its pixels that are compared with exact visibility, evenly spread. See [`IN_A_WINDOW`].
+    /// The greatest number of its pixels compared with exact visibility, evenly spread. See [`IN_A_WINDOW`].
     pub compared: u64,
 }
 
-/// Pixels to compare while a user works: enough for the share of wrong ones, in a few hundredths of a second.
+/// Pixels to compare while a user works. They're enough for the share of wrong ones, in a few hundredths of a second.
 pub const IN_A_WINDOW: u64 = 1 << 16;
 
 impl Finding {
-    /// The names of all objects concerned: those that are lost whole, and the others.
+    /// The names of all objects concerned, first those that are missing entirely.
     pub fn objects(&self) -> impl Iterator<Item = &str> {
         self.whole.iter().chain(&self.partly).map(String::as_str).filter(|name| !name.is_empty())
     }
 }
 
-/// The visible share of a scene, and the reasons why it is not more.
+/// The visible share of a scene, and the reasons why it isn't larger.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
     /// Pixels of the image that the scene covers, without antialiasing.
     pub visible: u64,
     /// Their share of the image.
     pub covered: f64,
-    /// The most useful first. Empty only if the image was compared with exact visibility and is right.
+    /// The findings, the most useful first. Empty only if the image was compared with exact visibility and is right.
     pub findings: Vec<Finding>,
-    /// Why there is no image. The parameters make no camera.
+    /// The reason why there's no image: the parameters make no camera.
     pub camera_error: Option<CameraError>,
 }
 
-/// Looks at the image that a camera gives of a scene, and compares it with exact visibility. It pauses on the way.
+/// Examines the image that a camera makes of a scene, and compares it with exact visibility. It pauses on the way.
 ///
 /// # Errors
 /// [`NoDiagnosis`] if the image can't be drawn, or the work was cancelled.
@@ -178,11 +179,11 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
     for (index, subject) in subjects.iter().enumerate() {
         let report = subject.index.and_then(|i| drawn.objects.get(i).copied());
         let Judgement { causes, partly } = looked.judge(subject, report);
-        // In a picture of other things, a point beside them was put there.
+        // In a picture of other things, a point beside them is there on purpose.
         if subject.is_point() && covered >= FEW {
             continue;
         }
-        // Of something smaller than a pixel, its strokes are seen, which are never finer than one.
+        // If something is smaller than a pixel, its strokes are visible, because they're never thinner than one.
         let is_seen = causes.is_empty() || partly || causes[0] == Cause::SmallerThanPixel;
         if is_seen && subject.opacity > 0 && !subject.is_point() {
             seen.push(index);
@@ -217,7 +218,7 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
     Ok(Diagnosis { visible: drawn.pixels, covered, findings: found, camera_error: None })
 }
 
-/// Why there is no diagnosis.
+/// The reason why there's no diagnosis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoDiagnosis {
     /// The image can't be drawn.
@@ -232,24 +233,24 @@ pub enum NoDiagnosis {
 struct Member {
     /// Its place among the subjects.
     subject: usize,
-    /// As that of its group.
+    /// Like the rank of its group.
     rank: u8,
-    /// Something of it is seen all the same.
+    /// Part of it is visible all the same.
     partly: bool,
 }
 
 /// Subjects with the same cause.
 struct Group {
     cause: Cause,
-    /// The least of its members. 0: most important; 1: something is not shown, or wrongly; 2: it comes on top of
-    /// another cause, or is shown in part.
+    /// The least rank of its members. 0 is the most important, 1 means that something is missing or wrong, and 2 that
+    /// it comes on top of another cause, or is partly visible.
     rank: u8,
     /// In the order of the scene.
     members: Vec<Member>,
 }
 
 impl Group {
-    /// The members of which it has its rank.
+    /// The members that have its rank.
     fn leading(&self) -> impl Iterator<Item = &Member> {
         self.members.iter().filter(|member| member.rank == self.rank)
     }
@@ -271,7 +272,7 @@ impl Findings {
         }
     }
 
-    /// All that is seen is tiny. Where some of it is larger than a pixel, that some is smaller is not worth a word.
+    /// Everything visible is tiny. If some of it is larger than a pixel, smaller things aren't worth a word.
     fn few(&mut self, seen: &[usize]) {
         let tiny = |group: &Group| group.cause == Cause::SmallerThanPixel;
         if self.0.iter().filter(|group| tiny(group)).flat_map(|group| &group.members).count() < seen.len() {
@@ -280,7 +281,7 @@ impl Findings {
         }
     }
 
-    /// The most useful first: those that concern most objects, and are the first obstacle.
+    /// The most useful first: those that concern the most objects, and are the first obstacle.
     fn sorted(mut self) -> Vec<Group> {
         self.0.sort_by_key(|group| (group.rank, std::cmp::Reverse(group.leading().count()), group.cause));
         self.0
@@ -290,10 +291,9 @@ impl Findings {
 /// The causes that keep a subject out of the picture.
 #[derive(Debug, Default)]
 struct Judgement {
-    /// Empty if it is in the picture. The first is the one that alone would show it if it were undone, where there
-    /// is one.
+    /// Empty if it's in the picture. If undoing a single cause would show it, that cause comes first.
     causes: Vec<Cause>,
-    /// Something of it is in the picture all the same.
+    /// Part of it is in the picture all the same.
     partly: bool,
 }
 
@@ -323,7 +323,7 @@ impl Looked<'_> {
         judgement
     }
 
-    /// Finds the reason why a subject is not in the picture; `report`: its treatment by the pipeline.
+    /// Finds the reason why a subject isn't in the picture, given the pipeline's `report` on it.
     fn judge(&mut self, subject: &NamedThing, report: Option<ObjectReport>) -> Judgement {
         let place = Whereabouts::of(subject, self.camera, self.image);
         let sides = |sides: Vec<Side>| sides.into_iter().map(Cause::outside);
@@ -351,14 +351,14 @@ impl Looked<'_> {
         judgement
     }
 
-    /// Whether a subject is smaller than a pixel, or a face so thin that no centre of a pixel is on it.
+    /// True if a subject is smaller than a pixel, or is a face so thin that no pixel centre lies on it.
     fn is_between_pixels(&mut self, subject: &NamedThing, place: &Whereabouts) -> bool {
         place.is_smaller_than_pixel()
             || (place.is_thin() && subject.has_faces(self.style) && self.alone(subject) == Some(0))
     }
 
-    /// Judges a subject that no single plane keeps out of the volume, and that is still not drawn: a floor around an
-    /// eye that looks up, or a surface that shows only back faces to the eye.
+    /// Judges a subject that no single plane keeps out of the volume, but that still isn't drawn. Examples are a floor
+    /// around an eye that looks up, and a surface that shows only back faces to the eye.
     fn not_drawn(
         &mut self,
         subject: &NamedThing,
@@ -400,7 +400,7 @@ impl Looked<'_> {
         self.counter.draw(&subject.alone(self.scene), self.camera, self.style, self.image).map(|drawn| drawn.pixels)
     }
 
-    /// The subjects of which the inside is seen, because the near plane cuts their front away.
+    /// The subjects whose inside is visible because the near plane cuts their front away.
     fn opened_by_near(&mut self, subjects: &[NamedThing], reports: &[ObjectReport]) -> Vec<usize> {
         if self.style.shading == Shading::Wireframe {
             return Vec::new();
@@ -420,10 +420,10 @@ impl Looked<'_> {
     }
 }
 
-/// More pixels of a back face than this are seen only where a solid is open: at a silhouette, rounding makes a few.
+/// More pixels of a back face than this appear only if a solid is open. At a silhouette, rounding makes a few.
 const MANY_BACK_FACES: u64 = 6;
 
-/// The middle of a ball around points, and its radius.
+/// The centre and radius of a ball around points.
 #[derive(Clone, Copy, Debug)]
 struct Ball {
     center: DVec3,

@@ -24,11 +24,11 @@ pub(super) struct Whereabouts {
     /// Least and greatest distance from the eye along DOP.
     pub(super) depth: [f64; 2],
     range: [f64; 2],
-    /// All points are outside of these sides: bits in the order of [`SIDES`].
+    /// Sides that all points are outside of, as bits in the order of [`SIDES`].
     every: u8,
-    /// All points beyond the near plane are.
+    /// The same for all points beyond the near plane.
     every_beyond_near: u8,
-    /// The box on the image, in pixels from its middle; `None` if a point is not in front of the eye.
+    /// The box on the image, in pixels from its middle; `None` if a point isn't in front of the eye.
     box_on_image: Option<[DVec2; 2]>,
     image: DVec2,
     /// The middle of the box of depths and of window points.
@@ -78,7 +78,7 @@ impl Whereabouts {
         self.depth[0] > self.range[1]
     }
 
-    /// The sides that all of it is outside of, the one that it is farthest from first.
+    /// The sides that all of it is outside of, starting with the one that it's farthest from.
     pub(super) fn outside(&self) -> Vec<Side> {
         let of = |code: u8| (0..4).filter(|i| code & (1 << i) != 0).map(|i| SIDES[i]).collect::<Vec<_>>();
         let partly_before = self.depth[0] < self.range[0] && self.depth[1] >= self.range[0];
@@ -103,7 +103,7 @@ impl Whereabouts {
         (self.excess(side) > 0.0).then_some(side)
     }
 
-    /// Why something is not seen that no plane alone keeps out: by its middle.
+    /// The reason, judged by its middle, if no single plane keeps it out but it isn't visible.
     pub(super) fn aside(&self) -> Cause {
         match self.center_outside() {
             _ if self.center.z <= 0.0 => Cause::BehindCamera,
@@ -124,12 +124,12 @@ impl Whereabouts {
         self.size_on_image().is_some_and(|size| size.max_element() < 1.0)
     }
 
-    /// Whether it may lie between the centres of pixels.
+    /// True if it may lie between the centres of pixels.
     pub(super) fn is_thin(&self) -> bool {
         self.size_on_image().is_some_and(|size| size.min_element() < 2.0)
     }
 
-    /// The share of its box on the image; `None` if it is not known, or where its middle is.
+    /// The share of its box that's on the image; `None` if it's unknown, or if its middle is on the image.
     pub(super) fn share_inside(&self) -> Option<f64> {
         self.center_outside()?;
         let [least, most] = self.box_on_image?;

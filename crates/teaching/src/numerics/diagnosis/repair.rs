@@ -1,4 +1,5 @@
-//! Repairs: changes of the camera from small to large. The first one whose picture shows the lost objects is offered.
+//! Repairs: changes of the camera from small to large. The first one whose picture shows the missing objects is
+//! offered.
 
 use glam::DVec3;
 use serde::{Serialize, Serializer};
@@ -25,7 +26,7 @@ pub struct Repair {
     pub style: Style,
     /// The inner work of the pipeline in the image afterwards.
     pub reveal: Reveal,
-    /// The bias of shadow maps afterwards, in steps of the map; `None` means as it is.
+    /// The bias of shadow maps afterwards, in steps of the map; `None` leaves it as it is.
     pub shadow_bias: Option<f64>,
 }
 
@@ -64,7 +65,7 @@ impl Looked<'_> {
     }
 
     /// The repair of wrong pixels: the first change after which the image has none of them, or the one that leaves the
-    /// fewest, if that is less than half.
+    /// fewest, if that's less than half.
     pub(super) async fn repair_of_fault(
         &mut self,
         spec: &ImageSpec<'_>,
@@ -84,7 +85,7 @@ impl Looked<'_> {
             let after = ImageSpec { scene, camera: &camera, style: &repair.style, reveal: &repair.reveal, ..*spec };
             let wrong = match fault.cause {
                 Cause::DepthConflict | Cause::WrongOrder => wrong_faces(&after, &mut self.counter, progress).await?,
-                // Less acne must not cost shadows that come off.
+                // Less acne mustn't cost detached shadows.
                 Cause::ShadowAcne | Cause::ShadowDetached => {
                     shadows(&after, progress).await?.iter().map(|fault| fault.pixels.wrong).sum()
                 }
@@ -151,7 +152,7 @@ impl Looked<'_> {
             return drawn.pixels > 0;
         }
         let mut reports = drawn.objects.iter();
-        // Marks have their size, however near they are.
+        // Marks keep their size, however near they are.
         let marks_only = members.iter().all(|member| member.is_point());
         (covered >= FEW || marks_only && drawn.pixels > 0)
             && members.iter().all(|member| {
@@ -167,7 +168,7 @@ impl Looked<'_> {
             }
     }
 
-    /// The least that undoes a cause.
+    /// The smallest changes that undo a cause.
     fn small(&self, cause: Cause, members: &[&NamedThing]) -> Vec<Parameters> {
         let p = *self.camera.parameters();
         let places = members.iter().map(|member| Whereabouts::of(member, self.camera, self.image).depth);
@@ -193,7 +194,7 @@ impl Looked<'_> {
         Some(Ball { center, radius: if radius > 0.0 { radius } else { 0.05 * self.camera.distance() } })
     }
 
-    /// Cameras turned towards the subjects from where they are, or, in parallel projection, moved aside.
+    /// Cameras turned towards the subjects from their own position, or, in parallel projection, moved sideways.
     fn turned(&self, members: &[&NamedThing]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let Ball { center, radius } = ball;
@@ -221,8 +222,8 @@ impl Looked<'_> {
         all.iter().flat_map(|q| [*q, around(q, center, radius)]).collect()
     }
 
-    /// Cameras placed so that a ball around the subjects fills the window: in their own direction, or another one; with
-    /// their own lens, or an ordinary one.
+    /// Cameras placed so that a ball around the subjects fills the window, from their own direction or another one, and
+    /// with their own lens or an ordinary one.
     fn reframed(&self, members: &[&NamedThing]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let b = self.camera.basis();
@@ -252,7 +253,7 @@ fn radius(subject: &NamedThing) -> f64 {
     ball(&[subject]).map_or(0.0, |ball| ball.radius)
 }
 
-/// Near and far plane moved only where they would cut a ball.
+/// Moves the near and far planes only if they would cut a ball.
 fn around(p: &Parameters, center: DVec3, radius: f64) -> Parameters {
     let forward = (p.focal_point - p.position).normalize_or_zero();
     let depth = (center - p.position).dot(forward);
@@ -304,13 +305,13 @@ fn nice(x: f64) -> f64 {
     round_to(x, 1e-2 * x)
 }
 
-/// A point without digits that nobody can see; as it is where the rounding would be finer than an `f64`.
+/// A point without digits too small to see. It's unchanged if the rounding would be finer than an `f64`.
 fn rounded(p: DVec3, unit: f64) -> DVec3 {
     let far_out = p.abs().max_element() > 1e13 * unit;
     if far_out { p } else { DVec3::from_array(p.to_array().map(|x| round_to(x, unit))) }
 }
 
-/// VUP where it can stay, else **v**, or an axis.
+/// VUP if it can stay, else **v**, or an axis.
 fn upright(up: DVec3, forward: DVec3, v: DVec3) -> DVec3 {
     let aslant = |up: &DVec3| up.normalize_or_zero().cross(forward).length() > 0.02;
     [up, v, DVec3::Y, DVec3::Z].into_iter().find(aslant).unwrap_or(up)
@@ -331,7 +332,7 @@ pub enum Value {
     Absent,
 }
 
-/// The keys of `[camera]` that differ, with the values that they get.
+/// The keys of `[camera]` that differ, with their new values.
 pub fn changes(before: &Parameters, after: &Parameters) -> Vec<(&'static str, Value)> {
     let vectors = [
         ("position", before.position, after.position),
@@ -352,8 +353,8 @@ pub fn changes(before: &Parameters, after: &Parameters) -> Vec<(&'static str, Va
 }
 
 impl Repair {
-    /// The keys that it changes, with their new values: those of `[camera]` and `[style]` by their names, `texture` and
-    /// `shadows` of `[reveal]` and `shadow_bias` of the lights with their section.
+    /// The keys that it changes, with their new values. Keys of `[camera]` and `[style]` have their names alone, but
+    /// `texture` and `shadows` of `[reveal]` and `shadow_bias` of the lights have their section too.
     pub fn changes(&self, figure: &Figure) -> Vec<(&'static str, Value)> {
         let Figure { camera, style, reveal, .. } = figure;
         let word = |key, is_changed: bool, word| is_changed.then_some((key, Value::Word(word)));

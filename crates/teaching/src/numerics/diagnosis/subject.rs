@@ -9,7 +9,7 @@ use crate::appearance::{Shading, Style};
 use crate::geometry::Aabb;
 use crate::scene::{Line, Object, ObjectPaint, PointMark, Scene};
 
-/// Something that can be seen or not.
+/// Something that may be visible.
 pub(super) struct NamedThing<'a> {
     pub(super) name: &'a str,
     /// Its place among the objects of the scene.
@@ -28,7 +28,7 @@ enum ThingKind<'a> {
 }
 
 impl<'a> NamedThing<'a> {
-    /// All of a scene. What a preset adds to it counts only where it is all there is.
+    /// All of a scene. Additions of a preset count only if there's nothing else.
     pub(super) fn all(scene: &'a Scene) -> Vec<Self> {
         let objects = scene.objects.iter().enumerate().filter(|(_, object)| !object.mesh.positions.is_empty());
         let objects = objects.map(|(index, object)| Self {
@@ -67,7 +67,7 @@ impl<'a> NamedThing<'a> {
         }
     }
 
-    /// The segments that it is drawn with, where it has no faces.
+    /// The segments that it's drawn with, if it has no faces.
     pub(super) fn segments(&self) -> Box<dyn Iterator<Item = [DVec3; 2]> + '_> {
         match self.what {
             ThingKind::Object(object) => Box::new(object.mesh.edges.iter().filter_map(|edge| {
@@ -81,7 +81,7 @@ impl<'a> NamedThing<'a> {
         }
     }
 
-    /// Whether it is drawn as marks, which have their size whatever the camera.
+    /// True if it's drawn as marks, which keep their size with any camera.
     pub(super) fn is_point(&self) -> bool {
         match self.what {
             ThingKind::Object(object) => !object.faces && object.mesh.edges.is_empty(),
@@ -105,9 +105,9 @@ impl<'a> NamedThing<'a> {
         style.shading == Shading::Wireframe && self.can_be_wireframe()
     }
 
-    /// True if a point is inside a closed surface: the surface fills the whole sphere of directions around it (the
-    /// solid angles of its triangles add up to 4π; A. van Oosterom, J. Strackee, *The solid angle of a plane triangle*,
-    /// 1983).
+    /// True if a point is inside a closed surface, because then the surface fills the whole sphere of directions around
+    /// it (the solid angles of its triangles add up to 4π; A. van Oosterom, J. Strackee, *The solid angle of a plane
+    /// triangle*, 1983).
     pub(super) fn contains(&self, p_world: DVec3) -> bool {
         let ThingKind::Object(object) = self.what else { return false };
         if !(object.faces && object.mesh.closed) {
@@ -119,7 +119,7 @@ impl<'a> NamedThing<'a> {
         p.is_finite() && object.mesh.bounds().is_some_and(inside) && winding(object, p).abs() > 0.5
     }
 
-    /// The scene without all else.
+    /// The scene without everything else.
     pub(super) fn alone(&self, scene: &Scene) -> Scene {
         let mut alone = Scene { lights: scene.lights.clone(), ..Scene::default() };
         self.add_to(&mut alone, scene);

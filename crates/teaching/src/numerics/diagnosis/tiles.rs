@@ -1,8 +1,8 @@
 //! The nearest opaque face at any place of an image, in `f64`.
 //!
 //! The textbook way is a ray for each pixel and a tree of boxes over the triangles. All rays of a camera go through its
-//! image, so a grid over the image is enough: each tile lists the triangles whose projections touch it, and a ray tries
-//! those of its tile. That takes a tenth of the time, so that every pixel can be compared.
+//! image, so a grid over the image is enough. Each tile lists the triangles whose projections touch it, and a ray tries
+//! those of its tile. That takes a tenth of the time, so every pixel can be compared.
 
 use glam::DVec3;
 
@@ -30,7 +30,7 @@ pub(super) struct Tiles<'a> {
 struct Triangle {
     /// View space.
     corners: [DVec3; 3],
-    /// Only this side is drawn: `true` if its corners run counter-clockwise on it.
+    /// The only drawn side: `true` if its corners run counter-clockwise on it.
     side: Option<bool>,
 }
 
@@ -158,8 +158,8 @@ impl<'a> Tiles<'a> {
         nearest
     }
 
-    /// How far the plane of a triangle is behind a depth at a place of the image, in the error that the difference may
-    /// have; `None` if the ray runs along the plane.
+    /// The distance of the plane of a triangle behind a depth at a place of the image, in units of the error that the
+    /// difference may have; `None` if the ray runs along the plane.
     pub(super) fn behind(&self, triangle: usize, place: [f64; 2], depth: f64) -> Option<f64> {
         let Ray { origin, per_depth } = self.ray(place);
         let corners = self.triangles.get(triangle)?.corners;
@@ -183,7 +183,7 @@ impl<'a> Tiles<'a> {
 /// The intersection of a ray with a plane takes some ten roundings of 2⁻⁵³ of the largest number in it.
 const ROUNDING: f64 = 1e-14;
 
-/// The tile of a coordinate in pixels. Before the image the first.
+/// The tile of a coordinate in pixels. The first one for coordinates before the image.
 fn tile(coordinate: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, reason = "between 0 and an image's side")]
     let tile = (coordinate / TILE).max(0.0) as usize;

@@ -77,8 +77,8 @@ impl Setup {
             ..Parameters::default()
         };
         let camera = Camera::new(&parameters).ok()?;
-        // A whole number of 256ths of a pixel: the program places vertices there, which is not the subject of the
-        // study.
+        // A whole number of 256ths of a pixel, because the program places vertices there, which isn't the subject of
+        // the study.
         let grid = |p: DVec2| (p * 256.0).round() / 256.0;
         let middle = DVec2::splat(side / 2.0) + DVec2::new(random.unit(), random.unit());
         let turn = DVec2::from_angle(random.between(0.0, std::f64::consts::TAU));
@@ -92,7 +92,7 @@ impl Setup {
         Some(Self { parameters, camera, triangle, scene, exact })
     }
 
-    /// Pixels that are entirely inside or outside are right with any number of samples, and are left out.
+    /// Pixels that are entirely inside or outside are right with any number of samples, so they're left out.
     fn judge(&self, input: usize, coverage: &[f64], trial: &mut Trial) {
         for (&computed, &exact) in coverage.iter().zip(&self.exact) {
             if (exact > 0.0 && exact < 1.0) || computed != exact {
@@ -108,7 +108,7 @@ impl Setup {
     }
 }
 
-/// The exact share of pixel (i, j), rows from the top, that a triangle covers: I. Sutherland, G. Hodgman, *Reentrant
+/// The exact share of pixel (i, j), rows from the top, that a triangle covers, by I. Sutherland, G. Hodgman, *Reentrant
 /// polygon clipping* (1974), on the triangle against the pixel, and the area of the remaining polygon.
 fn covered(triangle: &Triangle, i: u32, j: u32) -> f64 {
     let (left, top) = (f64::from(i), f64::from(SIDE - j));

@@ -1,7 +1,7 @@
-//! **u** **v** **n** where VUP is almost along DOP, and of vectors whose squares leave the range of numbers.
+//! **u** **v** **n** with VUP almost along DOP, and for vectors whose squares leave the range of numbers.
 //!
-//! The error is the angle between an axis and the true one, the greatest of the three. What is not a number counts as
-//! the opposite direction, π.
+//! The error is the angle between an axis and the true one, the greatest of the three. NaN counts as the opposite
+//! direction, π.
 
 use std::f64::consts::PI;
 use std::mem::size_of;
@@ -53,8 +53,8 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::Basis, reference: "512 bits", working_set, rows }
 }
 
-/// C, PF and VUP with this angle between VUP and DOP, all of them times `size`. What [`Camera::new`] takes for
-/// collinear, since the components' own rounding could have made it so, is drawn again.
+/// C, PF and VUP with this angle between VUP and DOP, all of them times `size`. If [`Camera::new`] takes them for
+/// collinear, because the components' own rounding could have made them so, they're drawn again.
 fn input(random: &mut Random, angle: f64, size: f64) -> Parameters {
     loop {
         let towards_viewer = random.direction();
@@ -111,7 +111,7 @@ fn scaled<R: Real>(p: &Parameters) -> [DVec3; 3] {
     chain::scaled_basis::<R>(p.position, p.focal_point, p.view_up).map(|axis| axis.to_f64())
 }
 
-/// Scaled, and each difference of products with the error of its products: W. Kahan's algorithm with a fused
+/// Scaled, and each difference of products with the error of its products, by W. Kahan's algorithm with a fused
 /// multiply-add. See C.-P. Jeannerod, N. Louvet, J.-M. Muller, *Further analysis of Kahan's algorithm for the accurate
 /// computation of 2×2 determinants* (2013).
 fn compensated(p: &Parameters) -> [DVec3; 3] {
@@ -131,7 +131,7 @@ fn cross(a: DVec3, b: DVec3) -> DVec3 {
 }
 
 fn own(p: &Parameters) -> [DVec3; 3] {
-    // Every input was one before.
+    // Every input was a valid camera before.
     Camera::new(p).map_or([DVec3::NAN; 3], |camera| {
         let basis = camera.basis();
         [basis.u, basis.v, basis.n]

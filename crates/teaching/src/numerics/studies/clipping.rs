@@ -1,8 +1,8 @@
 //! Segments, some through the plane of the eye (w = 0), cut before the division or after it.
 //!
-//! The camera is at the origin and looks along −z, so that world and view space are the same. The error is the greatest
-//! distance between the ends found by a method and the true ones, in normalised device coordinates; where one of the
-//! two is empty, the diagonal of the canonical volume.
+//! The camera is at the origin and looks along −z, so world and view space are the same. The error is the greatest
+//! distance between the ends found by a method and the true ones, in normalised device coordinates. If one of the two
+//! is empty, it's the diagonal of the canonical volume.
 
 use std::mem::size_of;
 
@@ -19,7 +19,7 @@ use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::pipeline::canonical::clipped_segment_of;
 use crate::scene::{ObjectSpec, Shape};
 
-/// Distance of the second end from the plane of the eye: behind it, or, in the harmless case, in front of it.
+/// Distance of the second end from the plane of the eye, behind it or, in the harmless case, in front of it.
 const BEHIND: [f64; 6] = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6];
 /// The diagonal of the canonical volume.
 const WORST: f64 = 3.464_101_615_137_754_6;
@@ -112,7 +112,7 @@ fn divided<R: Real>(p: &[R; 4]) -> Vector<R> {
     Vector(std::array::from_fn(|i| p[i].clone() / p[3].clone()))
 }
 
-/// M. Cyrus, J. Beck (1978) in clip space: which part of the segment has −w ≤ x, y, z ≤ w; then the division.
+/// M. Cyrus, J. Beck (1978) in clip space: the part of the segment with −w ≤ x, y, z ≤ w, then the division.
 fn before_divide<R: Real>(matrix: &Matrix<R>, ends: &Ends) -> Option<Ends> {
     let [a, b] = ends.map(|p| clip(matrix, p));
     let distance = |p: &[R; 4], plane: usize| {
@@ -124,7 +124,7 @@ fn before_divide<R: Real>(matrix: &Matrix<R>, ends: &Ends) -> Option<Ends> {
     Some([at(&inside[0]).to_f64(), at(&inside[1]).to_f64()])
 }
 
-/// The division first, whatever w is, then the cube −1 … 1: wrong where a segment passes through w = 0.
+/// The division first, for any w, then the cube −1 … 1. This is wrong if a segment passes through w = 0.
 fn after_divide<R: Real>(matrix: &Matrix<R>, ends: &Ends) -> Option<Ends> {
     let [a, b] = ends.map(|p| divided(&clip(matrix, p)));
     let distance = |p: &Vector<R>, plane: usize| {

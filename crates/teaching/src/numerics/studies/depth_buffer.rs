@@ -1,12 +1,11 @@
 //! The formats of depth buffers: the distances that each resolves, by depth and by far/near.
 //!
-//! The program's own pictures spread their depths over the part of the volume in view, where F … B would not resolve
-//! it. Here the cubes of the figure are in view, which begin at the depths under test.
+//! The program's own pictures spread their depths over the visible part of the volume if F … B wouldn't resolve it.
+//! Here the cubes of the figure are in view, which begin at the depths under test.
 //!
-//! F is 1. The error is the length of the interval of depths that get the same value, in scene units: surfaces within
-//! it may flicker. Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N.
-//! Reed,
-//! *Depth precision visualized* (2015).
+//! F is 1. The error is the length of the interval of depths that get the same value, in scene units, because surfaces
+//! within it may flicker. Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012);
+//! N. Reed, *Depth precision visualized* (2015).
 
 use std::mem::size_of;
 
@@ -23,7 +22,7 @@ use crate::pipeline::depths::InView;
 use crate::scene::{ObjectSpec, Shape};
 
 const RATIOS: [f64; 7] = [10.0, 100.0, 1e3, 1e4, 1e5, 1e7, 1e9];
-/// Surfaces this share of their depth apart are tried for z-fighting.
+/// Surfaces that are this share of their depth apart are tested for z-fighting.
 const GAP: f64 = 1e-3;
 
 /// The place in the volume.
@@ -91,8 +90,8 @@ fn size_of_cube(depth: f64) -> f64 {
     depth / 8.0
 }
 
-/// Two cubes whose front faces are [`GAP`] of their depth apart, seen by a camera: where the depth buffer cannot tell,
-/// they flicker.
+/// Two cubes whose front faces are [`GAP`] of their depth apart, seen by a camera. They flicker if the depth buffer
+/// can't distinguish them.
 fn figure(camera: &Parameters, depth: f64) -> String {
     let size = size_of_cube(depth);
     let front =
@@ -109,7 +108,7 @@ impl DepthCase {
             Self::Near => random.between(1.0, 1.01),
             Self::Middle => random.between(middle, middle * 1.01),
             Self::Far => random.between(far * 0.98, far * 0.99),
-            // Every factor of depth as likely as every other.
+            // Every factor of depth is as likely as every other.
             Self::Everywhere => far.powf(random.unit()).min(far / (1.0 + 2.0 * GAP)),
         }
     }
@@ -132,7 +131,7 @@ impl DepthCase {
                 }
                 mean(&|z| step(z) * step(z)).sqrt()
             }
-            // The share of depths at which the farther of two is not held for the farther.
+            // The share of depths at which the farther of two isn't recognized as farther.
             Self::Everywhere => {
                 let fights = |z: f64| value(z * (1.0 + GAP)) <= value(z);
                 let first = depths.iter().position(|&z| fights(z)).unwrap_or(0);
@@ -149,7 +148,7 @@ impl DepthCase {
 fn interval(range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> f64 {
     let here = value(z);
     let edge = |towards: f64| {
-        // The least step that is seen, between a power of two that is not and one that is.
+        // The least visible step, between a power of two that isn't visible and one that is.
         let mut step = z * f64::EPSILON;
         while value(z + towards * step) == here {
             step *= 2.0;

@@ -26,7 +26,7 @@ const IMAGE: ImageSize = ImageSize { width: 4000, height: 3000 };
 const AXES: [(WorldAxis, DVec3); 2] = [(WorldAxis::X, DVec3::X), (WorldAxis::Z, DVec3::Z)];
 /// Lines of an axis.
 const LINES: usize = 4;
-/// Half the length of a line in pixels, where its vanishing point is far enough away.
+/// Half the length of a line in pixels, if its vanishing point is far enough away.
 const HALF: f64 = 600.0;
 
 /// θ in degrees and **n**.
@@ -129,13 +129,13 @@ fn lines(random: &mut Random, camera: &Camera, (axis, d): (WorldAxis, DVec3), an
         let way = DVec2::from_angle(turned).rotate(towards_middle / distance);
         let mut off = || random.between(-1.0, 1.0) * 3.0_f64.sqrt();
         let ends = [distance - half, distance + half].map(|r| vanishing + way * r + DVec2::new(off(), off()));
-        // A direction that goes away from the camera goes towards its vanishing point.
+        // A direction away from the camera leads towards its vanishing point.
         PhotographLine { axis, ends: if seen.z < 0.0 { [ends[1], ends[0]] } else { ends } }
     };
     (0..LINES).map(|k| line(k, random)).collect()
 }
 
-/// Where two lines meet, by Cramer's rule.
+/// The intersection of two lines, by Cramer's rule.
 fn intersection(a: &PhotographLine, b: &PhotographLine) -> DVec2 {
     let [p, q] = [a, b].map(|line| line.ends[1] - line.ends[0]);
     a.ends[0] + p * ((b.ends[0] - a.ends[0]).perp_dot(q) / p.perp_dot(q))
@@ -177,7 +177,7 @@ fn of_vanishing_points(input: &Input, point: impl Fn(&[PhotographLine]) -> Optio
     Some((theta, DVec3::new(x.z, y.z, z.z)))
 }
 
-/// Where θ cannot be known, it is that of the given camera, 45°.
+/// If θ is unknown, it's that of the given camera, 45°.
 fn own(input: &Input) -> Option<Found> {
     let given = Parameters { view_angle: 45.0, ..Parameters::default() };
     let found = camera_of_photograph(&input.marks, IMAGE, &given).ok()?;

@@ -1,4 +1,4 @@
-//! 10, 10³, 10⁶ small azimuths, one after the other: the errors of the basis, of D, and of C.
+//! 10, 10³, 10⁶ small azimuths, one after the other, with the errors of the basis, of D, and of C.
 //!
 //! The reference is one rotation by the sum of the angles, which is exact. Each angle has few enough digits for it.
 
@@ -73,13 +73,13 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
 }
 
 const CASES: [(&str, Unit); 3] = [
-    // The greatest entry of BᵀB − I, B being the basis.
+    // The greatest entry of BᵀB − I, with B the basis.
     ("orthonormality", Unit::Relative),
     ("distance", Unit::Relative),
     ("position", Unit::SceneUnits),
 ];
 
-/// A camera, and where it ends.
+/// A camera, and its final position.
 struct Start {
     parameters: Parameters,
     camera: Camera,
@@ -107,7 +107,7 @@ impl Start {
         const GRID: f64 = (1u64 << 24) as f64;
         let parameters = random_camera(random, DVec3::new(1.0, -2.0, 3.0));
         let camera = Camera::new(&parameters).ok()?;
-        // 24 bits after the point, 10 before: a million of them is still exact.
+        // 24 bits after the point, 10 before. A million of them are still exact.
         let angle = (random.between(0.01, 1.0) * GRID).round() / GRID;
         let [u, v, n] = basis::<Reference>(parameters.position, parameters.focal_point, parameters.view_up);
         let (sine, cosine) = Reference::sin_cos_degrees(angle * f64::from(steps));
@@ -149,8 +149,8 @@ impl Start {
     }
 }
 
-/// A method: the final camera after a number of steps; it pauses after each [`STRETCH`] of them, and ends there if it
-/// was cancelled.
+/// A method that gives the final camera after a number of steps. It pauses after each [`STRETCH`] of them, and ends
+/// there if it was cancelled.
 type Turned = for<'a> fn(&'a Start, u32, &'a Progress) -> Pin<Box<dyn Future<Output = End> + 'a>>;
 
 const METHODS: [(&str, Turned); 7] = [
@@ -177,8 +177,8 @@ async fn repeated<S>(mut state: S, steps: u32, progress: &Progress, step: impl F
     stretch(state, left, &step)
 }
 
-/// Steps without a pause. In a function of its own the compiler keeps the state in registers: inside a function that
-/// pauses it went through memory at each step, which took six times as long as the arithmetic of a matrix.
+/// Steps without a pause. In its own function, the compiler keeps the state in registers. Inside a function that
+/// pauses, the state went through memory at each step, which took six times as long as the arithmetic of a matrix.
 #[inline(never)]
 fn stretch<S>(mut state: S, steps: u32, step: &impl Fn(S) -> S) -> S {
     for _ in 0..steps {
@@ -200,8 +200,8 @@ fn end<R: Real>(start: &Start, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> 
     End { axes: [axes[0].to_f64(), axes[1].to_f64(), axes[2].to_f64()], position }
 }
 
-/// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step where
-/// `clean`.
+/// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step if
+/// `CLEAN`.
 async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32, progress: &Progress) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let step = rotation(&axes[1], start.angle);
@@ -228,7 +228,7 @@ async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32, progress:
     end(start, &[turned(&axes[0]), turned(&axes[1]), turned(&axes[2])], &turned(&to_viewer))
 }
 
-/// Rows of the matrix that turns about the unit vector `k`: O. Rodrigues (1840).
+/// Rows of the matrix that rotates about the unit vector `k`, O. Rodrigues (1840).
 fn rotation<R: Real>(k: &Vector<R>, degrees: f64) -> [Vector<R>; 3] {
     let (sine, cosine) = R::sin_cos_degrees(degrees);
     let versine = R::one() - cosine.clone();
@@ -270,7 +270,7 @@ async fn quaternion<R: Real>(start: &Start, steps: u32, progress: &Progress) -> 
 
 async fn own(start: &Start, steps: u32, progress: &Progress) -> End {
     let step = Operation::Azimuth(Angle::from_degrees(start.angle));
-    // A turned camera is a camera; if one were not, it would stay where it is, and the error would show it.
+    // A rotated camera is a camera. If one weren't, it would stay in place, and the error would show it.
     let turned = |camera: Camera| step.apply(&camera, Convention::RightHand).unwrap_or(camera);
     End::of(&repeated(start.camera.clone(), steps, progress, turned).await)
 }

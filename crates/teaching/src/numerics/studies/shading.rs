@@ -1,8 +1,8 @@
 //! Flat, Gouraud and Phong shading of a sphere and a torus of 8 … 512 segments, against the true surfaces under the
 //! same light.
 //!
-//! The error is that of the colours where both are seen, as a share of a channel's range; of the silhouettes, the share
-//! of the pixels that one covers and the other does not.
+//! The error is that of the colours in pixels that show both. For silhouettes, it's the share of the pixels that one
+//! covers and the other doesn't. Colours are a share of a channel's range.
 
 use std::mem::size_of;
 
@@ -94,7 +94,7 @@ impl Solid {
         }
     }
 
-    /// The function that is negative inside. The unit sphere, and the torus about y.
+    /// The function that's negative inside, for the unit sphere and the torus about y.
     fn value<R: Real>(self, p: &Vector<R>) -> R {
         let square = p.dot(p);
         match self {
@@ -130,7 +130,7 @@ struct Setup {
     solid: Solid,
     parameters: Parameters,
     camera: Camera,
-    /// Of each pixel's centre, rounded to bytes as pictures are; `None` means the ground.
+    /// The colour at each pixel's centre, rounded to bytes as pictures are; `None` means the background.
     exact: Vec<Option<[f64; 3]>>,
 }
 
@@ -211,8 +211,8 @@ impl Setup {
     }
 }
 
-/// Steps along the part of a ray that can meet a solid: between two of them a surface of the size of the tube is not
-/// jumped over but where it is grazed, and there the least value is looked for.
+/// Steps along the part of a ray that can meet a solid. Between two of them, a surface of the size of the tube can't be
+/// skipped unless the ray grazes it, and there we search for the least value.
 const STEPS: u32 = 256;
 
 /// The first point of the solid on a ray.
@@ -313,7 +313,7 @@ mod tests {
     fn rays_meet_the_true_surfaces_in_all_digits() {
         let meet = |solid, eye: DVec3, ray: DVec3| hit(solid, &Vector::of(eye), &Vector::<Reference>::of(ray).unit());
         let tiny = Reference::of(2f64.powi(-400));
-        // The sum of the two radii is not an f64.
+        // The sum of the two radii isn't an f64.
         let outer = Reference::of(TORUS_RADIUS) + Reference::of(TORUS_TUBE);
         for (solid, expected) in [(Solid::Sphere, Reference::one()), (Solid::Torus, outer)] {
             let p = meet(solid, DVec3::new(3.0, 0.0, 0.0), DVec3::NEG_X).expect("a hit");

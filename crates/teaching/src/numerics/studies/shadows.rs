@@ -1,7 +1,7 @@
 //! Shadow maps of several sizes, biases and soft edges against rays to the light.
 //!
-//! The error is the share of wrong pixels among those that take light: in all, those wrongly dark (acne), and those
-//! wrongly lit (detached shadows). Under a soft edge a pixel is lit where more than half of the light arrives. The time
+//! The error is the share of wrong pixels among those that receive light: in all, those wrongly dark (acne), and those
+//! wrongly lit (detached shadows). Under a soft edge, a pixel is lit if more than half of the light arrives. The time
 //! is that of a picture and its maps.
 
 use crate::camera::{Camera, ImageSize};
@@ -20,7 +20,7 @@ use crate::scene::{Light, Scene, SceneSpec, Shadows, build, no_files};
 const SIZE: ImageSize = ImageSize { width: 160, height: 120 };
 /// Sides of the map, texels.
 const MAPS: [u32; 4] = [256, 512, 1024, 2048];
-/// A lamp has so many maps.
+/// Number of maps of a lamp.
 const VIEWS: usize = 6;
 
 /// The shadows of a method; `None` means the default of a figure, whatever the size of the others' maps.
@@ -35,7 +35,7 @@ const METHODS: [(&str, Way); 6] = [
     (OWN, None),
 ];
 
-/// Figures of the program with a light each: three cases, and how far the light of an input is from it.
+/// Figures of the program with a light each, in three cases, and how far the light of an input is from it.
 const CASES: [Case; 3] = [
     Case {
         names: ["screen and ball", "screen and ball, acne", "screen and ball, detached"],
@@ -54,11 +54,11 @@ const CASES: [Case; 3] = [
     },
 ];
 const SUN: glam::DVec3 = glam::DVec3::new(1.3, -1.6, -0.3);
-/// The length of what is added to the vector of a light, in a random direction.
+/// The length of the vector added to a light's vector, in a random direction.
 const ASIDE: f64 = 0.2;
 
 struct Case {
-    /// Of all wrong pixels, of the dark ones, and of the lit ones.
+    /// The names for all wrong pixels, for the dark ones, and for the lit ones.
     names: [&'static str; 3],
     figure: &'static str,
     light: Light,
@@ -99,7 +99,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             }
             for (k, (methods, figures)) in methods.into_iter().zip(figures).enumerate() {
                 let (case, parameter) = (case.names[k].to_owned(), f64::from(map));
-                // Each method has a figure of its own: its shadows are in it.
+                // Each method has a figure of its own with its shadows.
                 let rows = Group { case, parameter, unit: Unit::Share, methods }.rows(|_| None);
                 let rows = rows.into_iter().zip(figures).map(|(row, figure)| Row { figure, ..row });
                 by_case[k * CASES.len() + c].extend(rows);
@@ -112,7 +112,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::Shadows, reference: "rays to the light in f64", working_set, rows }
 }
 
-/// A scene, its camera, a light, and what rays say of it.
+/// A scene, its camera, a light, and the results of rays.
 struct Setup {
     figure: Figure,
     camera: Camera,
@@ -138,7 +138,7 @@ impl Setup {
         let mut rasterizer = Rasterizer::default();
         let mut painted = None;
         trial.time_whole(watch, 1, || {
-            // A pipeline that has not seen the light: it makes the maps.
+            // A pipeline that hasn't seen the light, so it makes the maps.
             let drawing = arriving(&mut Pipeline::default(), &scene, &self.camera, SIZE);
             painted = rasterizer.paint(&drawing);
         });

@@ -1,7 +1,7 @@
 //! Filters of a chequered floor against the exact mean of the chequer over each pixel.
 //!
-//! The error is that of the light, as a share of the way from black to white: what a pixel should have is a share of
-//! white, and light adds up linearly, where bytes do not.
+//! The error is that of the light, as a share of the way from black to white. A pixel's correct value is a share of
+//! white, and light adds up linearly, while bytes don't.
 
 use std::mem::size_of;
 use std::sync::Arc;
@@ -53,7 +53,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             };
             let methods = lab.methods(&METHODS, std::slice::from_ref(&setup), measure).await;
             let group = Group { case: case.to_owned(), parameter: scale, unit: Unit::Color, methods };
-            // Each method has a figure of its own: its filter is in it.
+            // Each method has a figure of its own with its filter.
             let of_methods = METHODS.map(|(_, way)| Some(setup.figure(way)));
             rows.extend(group.rows(|_| None).into_iter().zip(of_methods).map(|(row, figure)| Row { figure, ..row }));
         }
@@ -137,7 +137,7 @@ impl Setup {
         Some(setup)
     }
 
-    /// The place on the chequer, in its squares, that is seen at a point of the picture; `None` above the horizon.
+    /// The place on the chequer, in its squares, at a point of the picture; `None` above the horizon.
     fn place(&self, [x, y]: [f64; 2]) -> Option<DVec2> {
         let (window, basis) = (self.camera.window(), self.camera.basis());
         let u = window.left + (window.right - window.left) * x / f64::from(SIZE[0]);
@@ -151,7 +151,7 @@ impl Setup {
         })
     }
 
-    /// The point of the picture where a place on the chequer, in its squares, is seen.
+    /// The point of the picture that shows a place on the chequer, in its squares.
     fn pixel(&self, place: DVec2) -> DVec2 {
         let (window, basis) = (self.camera.window(), self.camera.basis());
         let on_floor = (place / f64::from(TEXELS / SQUARE) - self.shift) / self.per_unit;
@@ -163,7 +163,7 @@ impl Setup {
         DVec2::new(x, y)
     }
 
-    /// The exact share of white of a pixel by its top left corner: its image on the floor, cut at the lines of the
+    /// The exact share of white of a pixel by its top left corner, from its image on the floor, cut at the lines of the
     /// chequer, and the areas of the white pieces back in the picture.
     fn white(&self, x: f64, y: f64) -> Option<f64> {
         let mut pixel = Vec::with_capacity(4);
@@ -227,11 +227,11 @@ impl Setup {
         if finer > 1 { light } else { pixels.iter().map(|pixel| pixel.luminance()).collect() }
     }
 
-    /// The picture that was measured, but for the colours. The squares of the program's own chequer lie where those of
-    /// the study do.
+    /// The measured picture, apart from its colours. The squares of the program's own chequer lie where those of the
+    /// study do.
     fn figure(&self, way: Way) -> String {
         let repeated = DVec2::splat(2.0 * HALF * self.per_unit * f64::from(TEXELS / SQUARE) / OWN_SQUARES);
-        // The middle of the floor, where the squares of a box are counted from its back left corner.
+        // The middle of the floor. The squares of a box are counted from its back left corner.
         let squares_from_middle = 0.5 * OWN_SQUARES * repeated;
         let squares_aside = DVec2::new(1.0, -1.0) * squares_from_middle - self.shift * f64::from(TEXELS / SQUARE);
         let middle = squares_aside.rem_euclid(DVec2::splat(2.0)) * HALF / squares_from_middle;
@@ -327,7 +327,7 @@ mod tests {
             let pixels = Painter::default().paint(&scene, &setup.camera, SIZE, &flat(Visibility::default(), 1));
             let is_wrong = |(i, j): (u32, u32)| {
                 let place = setup.place([f64::from(i) + 0.5, f64::from(j) + 0.5]).expect("the floor");
-                // Within a hundredth of a square of its sides the one or the other may be met.
+                // Within a hundredth of a square of its sides, either square may be hit.
                 let is_inside = [place.x, place.y].iter().all(|at| (at - at.round()).abs() > 0.01);
                 let white = (place.x.floor() + place.y.floor()).rem_euclid(2.0) == 0.0;
                 is_inside && white != (pixels[(j * SIZE[0] + i) as usize].luminance() > 0.2)

@@ -1,7 +1,7 @@
 //! World points to view space, in worlds 1 … 10¹² from the origin.
 //!
-//! The points lie in a scene of size 1 around PF. The error is that of the view-space position, in scene units; for a
-//! method that has only clip coordinates, that of the position they represent, by the exact inverse of M_p.
+//! The points lie in a scene of size 1 around PF. The error is that of the view-space position, in scene units. If a
+//! method has only clip coordinates, it's that of the position they represent, by the exact inverse of M_p.
 
 use std::mem::size_of;
 
@@ -46,7 +46,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::VertexTransform, reference: "512 bits", working_set, rows }
 }
 
-/// A camera, points around its PF, and where they truly are.
+/// A camera, points around its PF, and their true positions.
 struct Setup {
     parameters: Parameters,
     camera: Camera,
@@ -60,7 +60,7 @@ struct Setup {
 }
 
 impl Setup {
-    /// `None` if the coordinates are so large that C and PF fall together: such a camera does not exist.
+    /// `None` if the coordinates are so large that C and PF coincide, because such a camera doesn't exist.
     fn new(random: &mut Random, distance: f64, projection: Projection, count: usize) -> Option<Self> {
         let center = random.direction() * distance;
         let parameters = Parameters { projection, ..random_camera(random, center) };
@@ -144,8 +144,8 @@ fn view_outcomes(results: Vec<DVec3>) -> Vec<Outcome> {
     results.into_iter().map(Outcome::View).collect()
 }
 
-/// One matrix M_p M_v in the precision of `R`, made in `f64` and rounded, for points in the same precision: the usual
-/// input of a graphics card.
+/// One matrix M_p M_v in the precision of `R`, made in `f64` and rounded, for points in the same precision. This is the
+/// usual input of a graphics card.
 fn one_matrix<R: Real>(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let matrix = setup.projection.product(&setup.view).rounded::<R>();
     let points: Vec<[R; 4]> = setup.points.iter().map(|&p| column(p)).collect();
@@ -167,7 +167,7 @@ fn f32_stages(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     clip_outcomes(trial.time(watch, &points, |p| projection.transform(&view.transform(p))))
 }
 
-/// p − C in `f64`, all else in single precision: the way of engines with large worlds.
+/// p − C in `f64`, all else in single precision, as in engines with large worlds.
 fn f32_relative_to_eye(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let c = setup.parameters.position;
     let [u, v, n] = axes::<f32>(setup);
@@ -187,7 +187,7 @@ fn f64_stages(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     }))
 }
 
-/// p − C with its rounding error, and scalar products with theirs: T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and
+/// p − C with its rounding error, and scalar products with theirs, by T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and
 /// dot product* (2005), `Dot2`.
 fn compensated(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let c = setup.parameters.position;
@@ -206,13 +206,13 @@ fn compensated(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> 
     }))
 }
 
-/// The positions from which the pictures are drawn.
+/// The positions used for drawing pictures.
 fn pictures(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let view = view_of(&setup.camera);
     view_outcomes(trial.time(watch, &setup.points, |&p| view(p)))
 }
 
-/// The numbers that are printed: every station of the point, not only its place in view space.
+/// The printed numbers: every station of the point, not only its place in view space.
 fn own(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let image = ImageSize::default();
     let viewport = Viewport::whole(image);

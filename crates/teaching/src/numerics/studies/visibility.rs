@@ -1,7 +1,7 @@
 //! Visible surfaces: painter, BSP, depth buffers, against ray casting in high precision.
 //!
-//! The error is the share of pixels that show another surface than the ray through their centre meets first. B is 100;
-//! F is B over the parameter.
+//! The error is the share of pixels that show another surface than the one that the ray through their centre meets
+//! first. B is 100; F is B over the parameter.
 
 use std::mem::size_of;
 
@@ -83,7 +83,7 @@ fn interpenetrating(random: &mut Random) -> Vec<Triangle> {
     (0..12).map(|_| std::array::from_fn(|_| place(random))).collect()
 }
 
-/// Two walls, tilted alike, a ten-thousandth of their depth apart, each before the other in one half.
+/// Two walls, tilted alike, a ten-thousandth of their depth apart, each in front of the other in one half.
 fn close(random: &mut Random) -> Vec<Triangle> {
     let (a, b) = (random.between(-0.3, 0.3), random.between(-0.3, 0.3));
     let wall =
@@ -108,7 +108,7 @@ struct Setup {
 }
 
 impl Setup {
-    /// The camera is at the origin and looks along −z: world and view space are the same. Pauses after each row of
+    /// The camera is at the origin and looks along −z, so world and view space are the same. Pauses after each row of
     /// rays.
     async fn new(triangles: Vec<Triangle>, ratio: f64) -> Option<Self> {
         let [m, n] = SIZE.map(f64::from);
@@ -124,7 +124,7 @@ impl Setup {
         let camera = Camera::new(&parameters).ok()?;
         let objects = triangles.iter().enumerate().map(|(i, &t)| triangle(t, color(i))).collect();
         let scene = Scene { objects, ..Scene::default() };
-        // tan(θ/2) in the reference; the centres of pixels are fractions of few digits.
+        // tan(θ/2) in the reference. The centres of pixels are fractions of few digits.
         let (sine, cosine) = Reference::sin_cos_degrees(20.0);
         let half = sine / cosine;
         let solids: Vec<Solid> = triangles.iter().map(Solid::new).collect();
@@ -148,8 +148,8 @@ impl Setup {
     }
 
     fn off(&self, seen: &[Option<usize>]) -> Off {
-        // The two triangles of a wall or bar are one surface where they meet; which of them a pixel on their seam shows
-        // is no error.
+        // The two triangles of a wall or bar are one surface where they meet, so either of them is right in a pixel on
+        // their seam.
         let surface = |index: &Option<usize>| index.map(|i| color(i).g);
         let wrong = self.exact.iter().zip(seen).filter(|(a, b)| surface(a) != surface(b)).count();
         let error = wrong as f64 / self.exact.len() as f64;
@@ -176,7 +176,7 @@ fn color(index: usize) -> Rgba {
 /// A triangle ready for rays from the origin.
 struct Solid {
     corners: [Vector<Reference>; 3],
-    /// a × b, b × c, c × a: positive products with a ray have it inside, or all negative.
+    /// a × b, b × c, c × a. The ray is inside if its products with them are all positive or all negative.
     sides: [Vector<Reference>; 3],
     normal: Vector<Reference>,
     sides_f64: [DVec3; 3],
@@ -226,7 +226,7 @@ const METHODS: [(&str, Seen); 5] = [
     (OWN, |setup, trial, watch| picture(setup, Visibility::default(), trial, watch)),
 ];
 
-/// As the program draws it. The time is that of a pixel of the whole picture.
+/// The program's own picture. The time is that of a pixel of the whole picture.
 fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
     let mut painter = Painter::default();
     let style = flat(visibility, 1);
@@ -238,7 +238,7 @@ fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Wat
     pixels.iter().map(index).collect()
 }
 
-/// A depth buffer of another format, in double precision but for the depths that it keeps; of equal depths the first
+/// A depth buffer of another format, in double precision except for the stored depths. Of equal depths, the first
 /// stays.
 fn buffered(setup: &Setup, format: Format, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
     let (near, far) = (setup.parameters.near, setup.parameters.far);
@@ -269,7 +269,7 @@ fn buffered(setup: &Setup, format: Format, trial: &mut Trial, watch: &Watch) -> 
 mod tests {
     use super::*;
 
-    /// Two walls: the nearer one is seen; a corner that both hide behind each other is not confused.
+    /// Two walls: the nearer one is visible, and a corner that both hide behind each other isn't confused.
     #[test]
     fn the_ray_meets_the_nearer_wall() {
         let wall = |z: f64, x: f64| [DVec3::new(x - 5.0, -5.0, z), DVec3::new(x + 5.0, -5.0, z), DVec3::new(x, 9.0, z)];
