@@ -14,7 +14,7 @@ use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::View;
 
-/// The size of each picture where none is given.
+/// The size of each picture if none is given.
 const SIZE: ImageSize = ImageSize { width: 480, height: 360 };
 
 pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {

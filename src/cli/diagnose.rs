@@ -198,7 +198,7 @@ fn repaired(figure: &Figure, diagnosis: &Diagnosis, lang: Lang) -> (Figure, Opti
 fn sentences(answer: &Answer, health: &[Health], lang: Lang) -> String {
     let t = coach::texts(lang);
     let mut text = String::new();
-    // Writing to a String cannot fail.
+    // Writing to a String can't fail.
     if !health.is_empty() {
         let _ = writeln!(text, "{}\n", coach::seen(lang, answer.visible, answer.covered));
     }

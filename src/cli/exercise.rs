@@ -42,7 +42,7 @@ pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
     }
 }
 
-/// The output does not depend on the system's language.
+/// The output doesn't depend on the system's language.
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     #[derive(Serialize)]
     struct AskLine<'a> {
@@ -81,7 +81,7 @@ fn fault(bad: &BadExercise, lang: Lang) -> String {
     messages::file(lang, &sanitize::path(&bad.path), &bad.error)
 }
 
-/// Says which files of the folder are passed over.
+/// Reports which files of the folder are skipped.
 fn say_faults(own: &OwnExercises, lang: Lang) {
     own.faults.iter().for_each(|bad| say(&said::passed_over(lang, &fault(bad, lang))));
 }
@@ -200,7 +200,7 @@ fn answer_value(lang: Lang, ask: &Ask) -> Value {
 fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     let t = said::texts(lang);
     let mut text = format!("{}  ({})\n", texts::exercise_title(lang, exercise), exercise.id);
-    // Writing to a String cannot fail.
+    // Writing to a String can't fail.
     for paragraph in texts::statement(lang, exercise) {
         let _ = writeln!(text, "\n{}", plain(&paragraph));
     }
@@ -248,7 +248,7 @@ fn to_match(figure: &Figure, (written, size): (Lang, Size), name: &str, lang: La
     })
 }
 
-/// Writes the picture of a figure, without the figure, which tells the camera.
+/// Writes the picture of a figure, but not the figure in it, because that would reveal the camera.
 fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Result<(), Failure> {
     const SIZE: Size = Size { width: 960, height: 720, scale: 2.0 };
     let name = sanitize::path(path);
@@ -265,7 +265,7 @@ fn plain(markdown: &str) -> String {
     markdown.split('$').enumerate().map(part).collect()
 }
 
-/// Markdown without its marks. Mathematics stays as it is written.
+/// Markdown without its marks. Mathematics stays as written.
 fn unmarked(markdown: &str) -> String {
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { part.replace("**", "") };
     markdown.split('$').enumerate().map(part).collect::<Vec<_>>().join("$")
@@ -286,7 +286,7 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let unreadable = |ask: &Ask, error: &AnswerError| {
         Failure::BadInput(said::unreadable(lang, &ask.name, &texts::answer_error(lang, error)))
     };
-    // What is submitted together is one piece of work.
+    // Answers submitted together are one piece of work.
     let read = |(ask, text): &(&Ask, &str)| match exercises::read_answer(text, ask, &exercise.free) {
         Ok(answer) => Ok((ask.name.clone(), answer)),
         Err(error) => Err(unreadable(ask, &error)),

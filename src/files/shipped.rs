@@ -1,4 +1,4 @@
-//! The figures and meshes that are part of the program. They are there wherever it is, installed or not.
+//! The built-in figures and meshes, which are available wherever the program is, installed or not.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -77,7 +77,7 @@ pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
     "solar";
 ];
 
-/// The figures, read when the first is asked for what it says.
+/// The built-in figures, parsed when first needed.
 static FIGURES: LazyLock<Vec<Figure>> =
     LazyLock::new(|| SHIPPED_FIGURES.iter().map(|figure| parse(&figure.text()).unwrap_or_default()).collect());
 

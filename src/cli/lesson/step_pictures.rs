@@ -20,10 +20,10 @@ use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Size, Views, scene_of};
 
-/// The size of a picture of a step, where none is given; of several, each.
+/// The size of a picture of a step if none is given, or of each of several.
 const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
 
-/// A lesson, and where it comes from.
+/// A lesson and its origin.
 pub(in crate::cli) struct Found {
     pub(in crate::cli) lesson: Arc<Lesson>,
     /// `None` means one of the program.
