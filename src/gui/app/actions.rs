@@ -10,7 +10,7 @@ use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::gui::model::photograph::PhotographTool;
 
-/// Does what has been asked since the last call.
+/// Performs the actions requested since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {
     // One may bring others.
     while !state.model.actions.is_empty() {

@@ -1,9 +1,9 @@
 //! A frame of the window, in five phases: the input, the panels, the pictures, the dialogs, and the work in the
 //! background.
 //!
-//! Their order is the protocol between them. Keys change the figure before a panel shows it. The panels set what the
-//! pointer is on, and the pictures mark it in the same frame. Dialogs lie over both. What was done is committed, and
-//! handed to the threads that write files, after everything has been shown.
+//! Their order is the protocol between them. Keys change the figure before a panel shows it. The panels note the target
+//! of the pointer, and the pictures mark it in the same frame. Dialogs lie over both. After everything has been shown,
+//! the changes are committed and handed to the threads that write files.
 
 use std::time::Duration;
 
@@ -51,7 +51,7 @@ impl App {
         self.background(&ctx);
     }
 
-    /// Goes on with what moves by itself, and does what the keyboard asks for.
+    /// Advances animations, and performs the commands of the keyboard.
     fn input(&mut self, ctx: &egui::Context) {
         let os = ctx.os();
         ctx.input_mut(|input| {
@@ -78,7 +78,7 @@ impl App {
         {
             self.perform(ctx, command);
         }
-        // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
+        // Each key press acts in its turn. If one opens a dialog, later keys are for the dialog.
         while !self.state.file_flow.is_asking()
             && let Some(command) = self.keyboard(ctx)
         {
@@ -96,7 +96,7 @@ impl App {
         }
     }
 
-    /// Does what features have asked of each other.
+    /// Performs the requests of features to each other.
     pub(super) fn act(&mut self, ctx: &egui::Context) {
         actions::perform(ctx, &mut self.state);
     }
@@ -210,7 +210,7 @@ impl App {
         });
     }
 
-    /// The pictures; then the commands that they and the panels have called.
+    /// Shows the pictures, then performs the commands that they and the panels have called.
     fn pictures(&mut self, ui: &mut egui::Ui, called: Called) {
         let ctx = ui.ctx().clone();
         let pictures = egui::CentralPanel::no_frame().show(ui, |ui| pictures(ui, &mut self.canvas, &mut self.state));
@@ -225,7 +225,7 @@ impl App {
             self.perform(&ctx, command);
         }
         let of_speaker = lesson::speaker_window(&ctx, &self.state.model, &self.state.learn);
-        // Its window does not know of questions in this one.
+        // The speaker's window doesn't know of questions in this one.
         let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = called.of_lesson.or(of_speaker) {
             self.perform(&ctx, command);
@@ -308,13 +308,13 @@ pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
     actions::perform(ui.ctx(), state);
 }
 
-/// Names the handle of a panel in the language of the window: egui's own name for it is English.
+/// Names the handle of a panel in the language of the window, because egui's own name for it is English.
 fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
     let handle = ui.scope_id().with_salt(egui::IdSalt::new(panel)).with("__resize");
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
 }
 
-/// Tells the effect of dropping a file that is held over the window.
+/// Shows the effect of dropping a file held over the window.
 fn drop_hint(ctx: &egui::Context, model: &Model) {
     if ctx.input(|input| input.raw.hovered_files.is_empty()) {
         return;

@@ -1,4 +1,4 @@
-//! Launch options of one window, which are not stored: from the command line, or from the address of a page
+//! Launch options of one window, which aren't stored. They come from the command line, or from the address of a page
 //! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure
 //! inside a page.
 

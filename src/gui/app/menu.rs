@@ -24,13 +24,13 @@ const WORDS: f32 = 1000.0;
 /// From this width on, every switch of the bar has its word.
 const ALL_WORDS: f32 = 1500.0;
 
-/// The least room for the name of a figure that is longer, in points.
+/// The least room for a longer name of a figure, in points.
 const LEAST_NAME: f32 = 48.0;
 
 /// A switch at the right end of the bar.
 struct Switch {
     command: Command,
-    /// The sign in place of the word in a window that is narrower than a width, in points.
+    /// The sign that replaces the word if the window is narrower than a width, in points.
     sign: Option<(&'static str, f32)>,
     word: fn(&Texts) -> &'static str,
 }
@@ -73,7 +73,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         }
         let mut of_title = None;
         let middle = |ui: &mut egui::Ui| {
-            // News get the little space that there is on a telephone.
+            // On a telephone, news get the little space there is.
             if !is_phone {
                 title(ui, t, &state.model, &state.learn, &mut of_title);
             }
@@ -168,7 +168,7 @@ fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mu
             *chosen = Some(command);
         }
     }
-    // A letter or two of a name say nothing.
+    // A letter or two of a name are no help.
     let font = TextStyle::Body.resolve(ui.style());
     if ui.available_width() < elide::width(ui, &font, &text).min(LEAST_NAME) {
         return;

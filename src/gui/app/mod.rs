@@ -94,7 +94,7 @@ impl App {
         self.apply_first_settings(ctx);
     }
 
-    /// Goes on as the system wants it now, where the user has not chosen otherwise.
+    /// Follows the system's setting if the user hasn't chosen one.
     #[cfg(target_arch = "wasm32")]
     pub(in crate::gui) fn follow_system(&mut self, theme: Theme, reduce_motion: bool) {
         if let Some(preferences) = &mut self.preferences {
@@ -168,8 +168,8 @@ impl App {
             shortcuts.extend(presentation::PAGES);
         }
         shortcuts.retain(|(keys, _)| !writes(keys));
-        // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first, and also where their command can
-        // do nothing: Ctrl+Shift+Z with nothing to redo must not undo.
+        // Ctrl+Shift+S is Ctrl+S as well, so shortcuts with more keys are tested first, also if their command can do
+        // nothing. For example, Ctrl+Shift+Z must not undo if there is nothing to redo.
         shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
         let called_by = |event: &egui::Event| match event {
             egui::Event::Key { key, modifiers, pressed: true, .. } => shortcuts
@@ -226,7 +226,7 @@ impl App {
     }
 
     /// Theme and zoom before the first frame. [`egui::Context::set_zoom_factor`] would scale the size of the window in
-    /// the frame before, and before the first one that is 10,000 points: pictures as large would be drawn.
+    /// the frame before. Before the first one that's 10,000 points, and the program would draw pictures as large.
     fn apply_first_settings(&self, ctx: &egui::Context) {
         ctx.options_mut(|options| options.zoom_factor = self.zoom(Vec2::ZERO));
         self.apply_theme(ctx);
@@ -261,13 +261,13 @@ impl App {
     }
 }
 
-/// Whether a link may be opened outside of the window.
+/// True if a link may be opened outside the window.
 fn opens(link: &str) -> bool {
     let scheme = link.split_once(':').map(|(scheme, _)| scheme.to_ascii_lowercase());
     scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
 }
 
-/// The corner of a screen besides the one that the window is on, in points of the window's; `None` means there is none.
+/// The corner of a screen other than the window's, in points of the window's. `None` if there is no other.
 #[cfg(not(target_arch = "wasm32"))]
 fn other_screen(frame: &eframe::Frame) -> Option<egui::Pos2> {
     let window = frame.winit_window()?;
@@ -313,12 +313,12 @@ impl eframe::App for App {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.state.learn.save_text(&mut self.state.model);
-        // Once, whatever came of it.
+        // Only once, whatever the outcome.
         self.state.model.settings.welcomed = true;
         if let Some(preferences) = &mut self.preferences {
             preferences.finish(&mut self.state);
         }
-        // The user has been asked about unsaved changes. A system that ends the program has not done that.
+        // The program has asked the user about unsaved changes, but not if the system ended it.
         if let Some(sessions) = self.sessions.as_mut().filter(|_| self.state.file_flow.may_close) {
             sessions.forget();
         }

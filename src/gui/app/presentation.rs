@@ -22,7 +22,7 @@ use crate::i18n::{told, window};
 const SHOWN: f64 = 8.0;
 const FADES: f64 = 0.7;
 
-/// The enlargement of a presentation on the usual screen, and on one without a scale of its own that is finer.
+/// The enlargement of a presentation on the usual screen, and on a finer one without a scale of its own.
 const ENLARGEMENT: f32 = 1.6;
 const USUAL_SCREEN: egui::Vec2 = vec2(1920.0, 1080.0);
 const FINEST: f32 = 6.0;
@@ -53,13 +53,13 @@ pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
 /// The keys of a remote control, which turn the steps of a lesson without a presentation too.
 pub(in crate::gui) const PAGES: [(KeyboardShortcut, Command); 2] = [KEYS[0], KEYS[1]];
 
-/// The arrows of a remote control, where no picture and no field has the keyboard.
+/// The arrows of a remote control, when no picture and no field has the keyboard.
 pub(in crate::gui) const ARROWS: [(KeyboardShortcut, Command); 2] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight), Command::NextFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Command::PreviousFigure),
 ];
 
-/// Handles Esc, where it means nothing else: it clears annotations; without any it leaves the presentation. Returns the
+/// Handles Esc if it has no other meaning: it clears annotations, or without any leaves the presentation. Returns the
 /// command.
 pub(in crate::gui) fn escape(
     ctx: &Context,
@@ -78,8 +78,8 @@ pub(in crate::gui) fn escape(
 /// Seconds after which a pointer that rests is as good as gone.
 const REST: f64 = 3.0;
 
-/// The pointer of a presentation: if it rests, nothing of it remains, no bar, no hint, no cross hairs. If you
-/// use a remote control, you can't move it away.
+/// The pointer of a presentation. When it rests, it disappears with its bar, hint and cross hairs, because you can't
+/// move it away with a remote control.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::gui) struct RestingPointer {
     moved: f64,
@@ -87,7 +87,8 @@ pub(in crate::gui) struct RestingPointer {
 }
 
 impl RestingPointer {
-    /// Takes the pointer out of the input once it has rested. `is_free`: nothing is held, asked or open.
+    /// Takes the pointer out of the input once it has rested. `is_free` means that nothing is held or open, and no
+    /// question is pending.
     pub(in crate::gui) fn follow(&mut self, input: &mut RawInput, now: f64, is_free: bool) {
         let is_of_pointer = |event: &Event| {
             matches!(
@@ -152,7 +153,7 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
 /// Lines of a caption, at most.
 const CAPTION_ROWS: usize = 2;
 
-/// The title and the caption of the figure, large, above the pictures. Nothing where it has none.
+/// The title and the caption of the figure, large, above the pictures. Shows nothing if it has none.
 pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
     let figure = model.document.figure();
     let has_none = figure.title.is_none() && figure.caption.is_none();
@@ -207,7 +208,7 @@ pub(in crate::gui) fn show(ctx: &Context, model: &Model, annotations: &mut Annot
     }
 }
 
-/// The pointer draws over the pictures, which do not feel it meanwhile.
+/// The pointer draws over the pictures, which don't react to it meanwhile.
 fn pen(ctx: &Context, annotations: &mut Annotations, room: Rect) {
     let strokes = &mut annotations.strokes;
     Area::new(Id::unique("pen")).order(Order::Middle).fixed_pos(room.min).show(ctx, |ui| {
@@ -225,8 +226,8 @@ fn pen(ctx: &Context, annotations: &mut Annotations, room: Rect) {
     });
 }
 
-/// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away,
-/// that is said.
+/// The keys of a presentation while they are visible, with their opacity. While Esc would remove something, they say
+/// so.
 pub(in crate::gui) fn keys(
     ctx: &Context,
     model: &Model,
@@ -289,7 +290,7 @@ mod tests {
         assert!(after(vec![], 13.0, true), "it has rested for three seconds");
         assert!(!after(vec![], 14.0, true), "once");
         assert!(!after(moved(), 20.0, true) && !after(vec![], 22.0, true) && after(vec![], 23.1, true));
-        // While something is held or asked, it stays.
+        // While something is held or a question is open, it stays.
         assert!(!after(vec![], 30.0, false) && !after(vec![], 32.0, true) && after(vec![], 33.0, true));
     }
 }

@@ -1,9 +1,9 @@
 //! The search for anything in the window.
 
-/// The words of the search, and what was found by them.
+/// The words of the search, and its results.
 #[derive(Clone, Debug, Default)]
 pub struct Search {
-    /// The words, as typed.
+    /// The typed words.
     pub wanted: String,
     /// The place of the result that Enter goes to.
     pub chosen: usize,

@@ -1,4 +1,4 @@
-//! The rows of the commands: words, keys, when each can be done, and what it does.
+//! The rows of the commands: words, keys, conditions and effects.
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
@@ -26,8 +26,8 @@ use crate::i18n::window::{canvas, compare, labels, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
-/// A row: command, keys, the names of label and hint, and what it does: by a flag or by one of several values that
-/// stand in the state, else by a function. The names are those of texts of the window, or of the texts before `::`.
+/// A row: command, keys, the names of label and hint, and the effect: a flag, one of several values in the state, or
+/// otherwise a function. The names are those of texts of the window, or of the texts before `::`.
 macro_rules! row {
     ($command:expr, $keys:expr, $label:ident, $hint:ident, switch $($flag:tt)+) => {
         row!($command, $keys, $label, $hint, |s, _| s.$($flag)+ ^= true).on(|s| s.$($flag)+)
@@ -373,7 +373,7 @@ impl Row {
     }
 }
 
-/// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
+/// Adds the state on the screen to the lesson to which steps were added last. Without such a lesson, asks for a file.
 fn record_step(state: &mut State, ctx: &Context) {
     match state.learn.file.clone() {
         Some(path) => state.learn.add_step(&mut state.model, &path, Overwrite::Writable),
@@ -381,8 +381,8 @@ fn record_step(state: &mut State, ctx: &Context) {
     }
 }
 
-/// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
-/// were added last, or a new one that begins with what is on the screen.
+/// Writes the user's own lesson, or a copy of a built-in one. While no lesson is played, writes the one to which steps
+/// were added last, or a new one that begins with the state on the screen.
 fn write_lesson(state: &mut State, ctx: &Context) {
     if state.learn.lesson.is_none() && state.learn.file.is_none() {
         file_flow::ask(ctx, state, Purpose::NewLesson);
@@ -401,7 +401,7 @@ fn change_lesson(state: &mut State, change: impl FnOnce(&mut Playing)) {
     }
 }
 
-/// Saves what is typed in the lesson, or the figure.
+/// Saves the text typed in the lesson, or the figure.
 fn save(state: &mut State, ctx: &Context) {
     let writing =
         state.learn.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
@@ -460,7 +460,7 @@ fn copy_numbers(state: &mut State, ctx: &Context) {
     state.model.say(Message::NumbersCopied);
 }
 
-/// Shows the 3D pictures as they were seen at another time, where there is one.
+/// Shows the 3D pictures from an earlier or later viewpoint, if there is one.
 fn see_as(state: &mut State, back: bool) {
     if let Some(observers) = state.model.views.go(state.model.document.figure().observers, back) {
         *state.model.document.observers_mut() = observers;
@@ -512,7 +512,7 @@ fn zoom_by(state: &mut State, more: f32) {
 }
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {
-    // What the figure wants to be explained is open in the presentation too, where it is open now.
+    // An explanation that the figure requests is open in the presentation too, if it's open now.
     let explained =
         state.model.document.figure().screen.panel.flatten().filter(|panel| state.model.shows_explanation(*panel));
     state.model.layout.turn_presentation(!state.model.settings.presentation);

@@ -1,4 +1,4 @@
-//! Files that are opened: figures, lessons, and what a scene is made of.
+//! Opens files: figures, lessons, and the parts of a scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

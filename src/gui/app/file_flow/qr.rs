@@ -11,8 +11,8 @@ use crate::i18n::window::sharing;
 /// The free border around the code, in modules: as the standard asks for.
 const QUIET: usize = 4;
 
-/// Fills the window with the code, dark on light in every theme: cameras read nothing else well. `first`: it has just
-/// been opened.
+/// Fills the window with the code, dark on light in every theme, because cameras read nothing else well. `first` is
+/// true when it has just been opened.
 pub(in crate::gui) fn show(ctx: &egui::Context, state: &mut State, first: bool) {
     let t = sharing::texts(state.model.settings.lang);
     let address = state.own_address.clone().unwrap_or_else(|| state.page_address.clone());

@@ -30,7 +30,7 @@ pub enum Purpose {
     Open,
     /// To save the figure in it, and then to go on.
     Save(Option<AfterSave>),
-    /// For a feature that asks.
+    /// For the feature that requested it.
     For(FileFor),
     /// To write a picture.
     Export(Export),
@@ -42,19 +42,19 @@ pub enum Purpose {
     NewLesson,
     /// To copy a lesson of the program, which is written on from then.
     OwnLesson,
-    /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
+    /// To save the lesson with the text that can't be saved in its own file, and then to go on.
     LessonText(AfterSave),
     /// To write a lesson or exercises as pages to print.
     Handout(HandoutForm),
 }
 
 impl Purpose {
-    /// True if what is on the screen becomes a step of a lesson.
+    /// True if the state on the screen becomes a step of a lesson.
     pub(in crate::gui) const fn adds_step(&self) -> bool {
         matches!(self, Self::Step | Self::NewLesson)
     }
 
-    /// True if the file is for the figure that is shown.
+    /// True if the file is for the displayed figure.
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
         !matches!(
             self,
@@ -69,7 +69,7 @@ pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 /// The endings of the pictures that can be textures.
 pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
 
-/// The content that another program has written into the figure's file; `None` means unreadable.
+/// The content that another program has written into the figure's file. `None` if it's unreadable.
 pub type Theirs = Option<Vec<u8>>;
 
 /// Overwrites that the user has agreed to.
@@ -99,7 +99,7 @@ pub struct Changed {
     pub comparison: Option<Comparison>,
 }
 
-/// The words of a figure as they are typed.
+/// The typed words of a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TitleForm {
     pub(in crate::gui) title: Bilingual,
@@ -117,7 +117,7 @@ pub struct TitleForm {
 pub enum Dialog {
     /// Unsaved changes: save them?
     Unsaved(AfterSave),
-    /// The text of the lesson cannot be saved: forget it? The reason is in `FileFlow::refused`.
+    /// The text of the lesson can't be saved. Forget it? The reason is in `FileFlow::refused`.
     UnsavedText(AfterSave),
     /// The path of a file, as typed.
     Path(Purpose, String),
@@ -171,7 +171,7 @@ pub struct FileFlow {
     pub dialog: Option<Dialog>,
     /// The reason why the last typed file could not be opened or written, or a text not be saved. Shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
-    /// False: paths are typed in the window, as where the system has no dialogs.
+    /// If false, the user types paths in the window, because the system has no dialogs.
     pub native: bool,
     /// True from the moment when the window may close.
     pub may_close: bool,
@@ -179,7 +179,7 @@ pub struct FileFlow {
     pub theirs: Option<Theirs>,
     /// Messages about sessions, until the user has closed them.
     pub(in crate::gui) news: NewsList,
-    /// A reported content of the file, which is not reported again.
+    /// A reported content of the file, which isn't reported again.
     pub(in crate::gui) decided: Option<Theirs>,
     /// The session in this slot is to be restored now.
     pub(in crate::gui) restore: Option<usize>,
@@ -194,15 +194,15 @@ pub struct FileFlow {
     /// The dialog of a document that a question because of closing the window has covered.
     pub(in crate::gui) covered: Option<(Revision, Dialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
-    /// The document of the gallery whose title has been asked for, before its file is.
+    /// The gallery document whose title we have asked for before we ask for its file.
     pub(in crate::gui) titled: Option<Revision>,
     /// The content of the export dialog while it is open.
     pub preview: Option<Preview>,
-    /// The pages in the dialog that prints, as long as it is open.
+    /// The pages in the print dialog, as long as it's open.
     pub pages: Option<PagesPreview>,
 }
 
-/// A question for a file to the system, until it is answered.
+/// A request for a file to the system, until it's answered.
 #[derive(Debug)]
 pub(in crate::gui) struct Asking {
     /// The purpose of the file.
@@ -245,7 +245,7 @@ impl Dialog {
 }
 
 impl FileFlow {
-    /// Has a file opened in the next frame, as one that is dropped.
+    /// Opens a file in the next frame, like a dropped one.
     pub fn give(&mut self, path: PathBuf) {
         self.given.push(path);
     }
@@ -256,8 +256,8 @@ impl FileFlow {
         self.waits_for_system() || self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
     }
 
-    /// True while a dialog of the system is open. A browser holds its page back by itself, and some do not say when
-    /// their dialog is closed.
+    /// True while a dialog of the system is open. A browser blocks its page by itself, and some don't report when their
+    /// dialog is closed.
     pub(in crate::gui) fn waits_for_system(&self) -> bool {
         self.asking.is_some() && !cfg!(target_arch = "wasm32")
     }
@@ -285,7 +285,7 @@ impl FileFlow {
             }
             Some(Dialog::Title(form)) => form.then.as_ref().is_some_and(saves),
             Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
-            // Nothing comes after the answer to any other question.
+            // No action follows the answer to any other question.
             Some(_) | None => false,
         };
         asked || self.may_close || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
@@ -302,7 +302,7 @@ impl FileFlow {
         written.chain(read).collect()
     }
 
-    /// Gives up work with files if `which` says so.
+    /// Cancels the work with files for which `which` returns true.
     pub(in crate::gui) fn cancel(&mut self, which: impl Fn(Running) -> bool) {
         if self.reading.running().is_some_and(|(_, running)| which(running)) {
             self.reading.cancel();

@@ -67,7 +67,7 @@ impl ToRead {
 #[derive(Debug)]
 pub struct Reading {
     worker: Worker<ToRead, Content>,
-    /// Its path, and the document when it was asked for, with its state; `None` if the user doesn't want it.
+    /// Its path, and the document with its state when the file was requested. `None` if the user doesn't want it.
     asked: Option<(PathBuf, (Revision, Revision))>,
     /// Time that a frame waits for a file. Tests have more of it.
     pub patience: Duration,
@@ -86,7 +86,7 @@ fn now(model: &Model) -> (Revision, Revision) {
 }
 
 impl Reading {
-    /// Has something read. What was being read before isn't wanted any more.
+    /// Starts reading a file. The one being read before isn't wanted any more.
     pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, wanted: ToRead) {
         let path = match &wanted {
             ToRead::File(path) | ToRead::Compared(path) => path.clone(),
@@ -96,8 +96,8 @@ impl Reading {
         self.worker.ask(ctx, 0, wanted);
     }
 
-    /// The content once it's there, and whether the window's figure has changed since it was asked for. Nothing if
-    /// another figure is shown by now: the user has gone on.
+    /// The content once it's there, and if the window's figure has changed since the request. Nothing if the user has
+    /// gone on to another figure.
     pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Content, bool)> {
         let [done] = self.worker.take(patience);
         let content = done?.outcome?;
@@ -112,7 +112,7 @@ impl Reading {
         Some((path, self.worker.running()?))
     }
 
-    /// Gives it up. Nothing stops the system, but the window doesn't take what it brings.
+    /// Gives it up. The system can't be stopped, but the window ignores the result.
     pub(super) fn cancel(&mut self) {
         self.asked = None;
     }

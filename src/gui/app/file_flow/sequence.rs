@@ -1,7 +1,7 @@
-//! A sequence of figures, as in a lecture: those of the folder of the open one in natural order, or the built-in ones;
-//! also after a figure whose folder cannot be read, as in a page.
+//! A sequence of figures, as in a lecture: those of the folder of the open one in natural order, or the built-in ones.
+//! The latter also follow a figure whose folder can't be read, as in a page.
 //!
-//! There are no questions on the way. A figure with changes is kept, and is as it was left when one comes back to it.
+//! There are no questions on the way. A figure with changes is kept, and has them when the user comes back to it.
 //! Closing the window asks about it.
 
 use std::path::Path;
@@ -76,7 +76,7 @@ impl Search {
         (places, at)
     }
 
-    /// Opens the next figure. Files that cannot be opened are passed over.
+    /// Opens the next figure. Skips files that can't be opened.
     pub(super) fn find(self) -> Found {
         let (places, mut at) = self.places();
         let mut faults = Vec::new();
@@ -131,7 +131,7 @@ pub(super) fn show(state: &mut State, found: Found) {
     let mut left = model.document.clone();
     annotations.turn_page(here.clone(), source.as_ref());
     learn.take_over(model, document);
-    // What was behind it is kept already.
+    // The document behind it is kept already.
     left.take_behind();
     if left.is_changed() {
         model.kept.push((here, left));
@@ -144,7 +144,7 @@ pub(super) fn show(state: &mut State, found: Found) {
     model.say(passed_over(faults).unwrap_or(step));
 }
 
-/// The message about files that cannot be opened: the reason for the first, and the number of others.
+/// The message about files that can't be opened, with the reason for the first, and the number of others.
 fn passed_over(faults: Vec<Message>) -> Option<Message> {
     let mut faults = faults.into_iter();
     let first = faults.next()?;

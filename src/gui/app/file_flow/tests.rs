@@ -7,7 +7,7 @@ use crate::gui::export::{Export, Exported};
 use crate::i18n::Lang;
 use crate::progress::Progress;
 
-/// The window as it is while a picture is being written by `make`, and frames of it.
+/// The window while `make` writes a picture, and frames of it.
 fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
     let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
     let export = Export::new([[4, 3]; 3], 1.0);
@@ -57,7 +57,7 @@ fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let path = folder.join("copy.toml");
     for is_same in [false, true] {
-        // The title of the figure has been asked for.
+        // The user has already been asked for the title of the figure.
         state.file_flow.titled = Some(state.model.document.id());
         ask(&ctx, &mut state, Purpose::Save(None));
         assert!(state.file_flow.is_asking());

@@ -38,7 +38,7 @@ const LESSONS: &str = "lessons";
 /// The done steps of lessons.
 const LESSONS_DONE: &str = "lessons_done";
 
-/// A key of the file: its value in a window, and its effect on one; an impossible value has none.
+/// A key of the file, with its value in a window and its effect on one. An impossible value has none.
 struct Key {
     name: &'static str,
     of: fn(&State) -> Value,
@@ -128,7 +128,7 @@ const KEYS: [Key; 42] = [
             put(&mut state.model.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
         },
     },
-    // Width and height, whether it's maximized, and its corner, if that is known; empty: not known.
+    // Width and height, whether it's maximized, and its corner if known. Empty if unknown.
     Key {
         name: "window",
         of: |state| state.model.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
@@ -229,7 +229,7 @@ const KEYS: [Key; 42] = [
         of: |state| family_of(&state.family, 1),
         apply: |state, value| set_family(&mut state.family, value, 1),
     },
-    // 0: as many as there is room for.
+    // 0 means as many as there is room for.
     Key {
         name: "family_columns",
         of: |state| state.family.columns.and_then(|n| i64::try_from(n).ok()).unwrap_or_default().into(),
@@ -331,7 +331,7 @@ fn values(state: &State) -> impl Iterator<Item = (&'static str, String)> {
     values.map(|(key, value)| (key, value.to_string()))
 }
 
-/// Sets a window up as the file says. A value that a key cannot have counts as none.
+/// Sets up a window as in the file. An invalid value counts as none.
 fn apply(document: &DocumentMut, state: &mut State) {
     let value = |key: &str| document.get(key).and_then(|item| item.as_value());
     for key in &KEYS {

@@ -82,7 +82,7 @@ fn what_preferences_kept_before_is_read_once() {
     let (mut next, mut preferences) = folder.window();
     assert_eq!(next.learn.exercises.stage("basis"), Stage::Solved);
     assert_eq!(next.learn.exercises.typed[&basis()].answers["u"], ["1", ""]);
-    // Deleted, it does not come back; the file stays under another name.
+    // Once deleted, it doesn't come back. The file stays under another name.
     let kept = file(&folder, "progress.toml");
     next.learn.exercises.forgets = true;
     preferences.keep(&egui::Context::default(), &mut next);

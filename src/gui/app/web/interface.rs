@@ -64,8 +64,8 @@ fn pictures(page: &Page) -> Result<Object, JsValue> {
     Ok(all)
 }
 
-/// Says that the first picture is there: `cameraLab.ready`, a mark of that name on the page's time line, and an event
-/// of the window.
+/// Signals that the first picture is there, with `cameraLab.ready`, a mark of that name on the page's time line, and an
+/// event of the window.
 pub(in crate::gui) fn say_ready() {
     let Some(window) = crate::gui::app::web::window() else { return };
     if let Ok(lab) = Reflect::get(&window, &"cameraLab".into()) {
