@@ -62,7 +62,7 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
     }
 }
 
-/// The values take the keyboard, if they are typed.
+/// Gives the keyboard to the values, if they are typed.
 pub(in crate::gui) fn take_keyboard(ctx: &egui::Context, t: &Texts, family: &FamilyChoice) {
     if family.first.subject != Subject::Nothing && words_of(family.first.subject, t).is_empty() {
         number_field::take_keyboard(ctx, families::texts(t.lang).values);
@@ -87,7 +87,8 @@ fn subjects(t: &'static Texts, nothing: &'static str) -> Vec<(Subject, &'static 
     [(Subject::Nothing, nothing)].into_iter().chain(ready).chain([(Subject::Typed, words.typed)]).collect()
 }
 
-/// The values of a key: those that have words are switched, the others are typed. True if Enter is pressed in them.
+/// The values of a key. Those that have words are switched, and the others typed. Returns true if Enter is pressed in
+/// them.
 fn values(ui: &mut egui::Ui, t: &'static Texts, varied: &mut Varied, name: &str) -> bool {
     let hint = families::texts(t.lang).values_hint;
     let words = words_of(varied.subject, t);

@@ -9,13 +9,13 @@ use web_time::Instant;
 use crate::limits::MAX_COMPARED_LINES;
 use crate::sanitize;
 
-/// Equal lines that are shown around those that differ.
+/// Equal lines shown around differing ones.
 const AROUND: usize = 2;
 
-/// For texts with little in common a rough comparison does: the window waits for it.
+/// For texts with little in common a rough comparison is enough, because the window waits for it.
 const MAX_WAIT: Duration = Duration::from_millis(300);
 
-/// Whose line it is.
+/// The texts that have the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineOrigin {
     /// In both texts.
@@ -68,7 +68,7 @@ impl Comparison {
     }
 }
 
-/// A line as it is shown: without its end.
+/// The displayed part of a line, without its end.
 fn shown(line: &str) -> String {
     sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
 }

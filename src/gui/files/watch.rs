@@ -18,7 +18,7 @@ struct Watched {
     stamp: Option<Stamp>,
 }
 
-/// Checks the figure's file when it is requested to.
+/// Checks the figure's file on request.
 #[derive(Debug)]
 pub(in crate::gui) struct Watch {
     worker: Worker<Watched, (PathBuf, String, FileChange)>,
@@ -39,7 +39,7 @@ impl Default for Watch {
 }
 
 impl Watch {
-    /// Looks at the file of the document, if it has one; `ctx` is woken when that is done.
+    /// Looks at the file of the document, if it has one. Wakes `ctx` when that's done.
     pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context, document: &Document) {
         let Some(path) = document.path().cloned() else { return };
         let source = document.source().to_owned();

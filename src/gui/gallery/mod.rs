@@ -45,9 +45,9 @@ const MOST_FILES: usize = 300;
 pub struct Gallery {
     /// The part that is shown.
     pub part: Part,
-    /// There are no files to show, as in a page of a browser.
+    /// True if there are no files to show, as in a page of a browser.
     pub examples_alone: bool,
-    /// The figure that is chosen in each part; `None`, or one that is not there: the first.
+    /// The chosen figure in each part. `None`, or one that isn't there, means the first.
     chosen: [Option<Source>; 3],
     /// The words that cards are searched for.
     wanted: String,
@@ -58,7 +58,7 @@ pub struct Gallery {
     /// The files that were used last, and which of them are gone.
     recent: Vec<PathBuf>,
     gone: HashSet<PathBuf>,
-    /// The folder, and its figure files or why it cannot be read.
+    /// The folder, and its figure files or the reason why it can't be read.
     folder: Option<PathBuf>,
     files: Result<Vec<PathBuf>, String>,
     cards: BTreeMap<Source, Card>,
@@ -72,9 +72,9 @@ pub struct Gallery {
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    /// Its words about itself; `None` means not read yet.
+    /// Its title and caption. `None` if not read yet.
     told: Option<CardText>,
-    /// Why it cannot be drawn. Empty if it can, or has not been tried.
+    /// The reason why it can't be drawn. Empty if it can, or if that hasn't been tried.
     fault: String,
     /// False: it may have changed since, and is looked at again.
     fresh: bool,
@@ -108,7 +108,7 @@ impl Default for Gallery {
 }
 
 impl Gallery {
-    /// Collects the figures anew. `beside`: the folder of the open figure, which is `here` and chosen wherever it is.
+    /// Collects the figures anew. `beside` is the folder of the open figure, which is `here` and chosen in any part.
     pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>, here: Option<&Source>) {
         if here.is_some() {
             self.chosen.fill(here.cloned());
@@ -148,7 +148,7 @@ impl Gallery {
         self.worker.cancel();
     }
 
-    /// The figures of the part that is shown, and how many more there are.
+    /// The figures of the displayed part, and the number of remaining ones.
     fn sources(&self) -> (Vec<Source>, usize) {
         let files = |paths: &[PathBuf]| paths.iter().take(MOST_FILES).cloned().map(Source::File).collect();
         match self.part {
@@ -161,8 +161,8 @@ impl Gallery {
         }
     }
 
-    /// How well a figure fits the words that are wanted, first the typed ones, then their other names: 0 if they are in
-    /// its title, more if only in its sentence; `None` means not at all.
+    /// The match of a figure with the search words, first the typed ones, then their other names: 0 if they are in its
+    /// title, more if only in its caption. `None` if they don't match.
     fn rank(&self, source: &Source, called: &[String]) -> Option<usize> {
         let told = self.cards.get(source).and_then(|card| card.told.as_ref());
         let (title, sentence) = told.map_or_else(
@@ -198,7 +198,7 @@ impl Gallery {
         let next = if self.waiting.is_empty() { read.or(draw) } else { Some(self.waiting.remove(0)) };
         if let Some(job) = next {
             if let CardJob::Draw { source, .. } = &job {
-                // Also where drawing panics, it is not requested again.
+                // Even if drawing panics, it isn't requested again.
                 self.cards.entry(source.clone()).or_default().fresh = true;
             }
             self.worker.ask(ctx, 0, job);

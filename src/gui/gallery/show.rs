@@ -52,7 +52,7 @@ fn card_size() -> Vec2 {
     picture_size() + vec2(2.0 * MARGIN, 2.0 * MARGIN + TEXT)
 }
 
-/// Shows the gallery in a theme and a language; `first`. It has just been opened.
+/// Shows the gallery in a theme and a language. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, Lang), first: bool) -> Option<Chosen> {
     let t = words::texts(style.1);
     let mut asked = None;
@@ -119,7 +119,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     asked
 }
 
-/// The headings of the cards as links. The one that was clicked.
+/// The headings of the cards as links. Returns the clicked one.
 fn headings(ui: &mut Ui, lang: Lang, sources: &[Source]) -> Option<Topic> {
     let mut topics: Vec<Topic> = sources.iter().filter_map(topic).collect();
     topics.dedup();
@@ -132,7 +132,7 @@ fn headings(ui: &mut Ui, lang: Lang, sources: &[Source]) -> Option<Topic> {
     links.inner
 }
 
-/// The names of the parts; Ctrl+Tab goes to the next one.
+/// The names of the parts. Ctrl+Tab goes to the next one.
 fn parts(ui: &mut Ui, t: &Texts, part: &mut Part) {
     for of in Part::ALL {
         let name = match of {
@@ -160,7 +160,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
             input.events.iter().filter_map(text).collect::<String>()
         });
         if !typed.trim().is_empty() {
-            // The field takes what is typed in this frame already.
+            // The field takes the text typed in this frame already.
             ui.memory_mut(|memory| memory.request_focus(id));
         }
     }
@@ -181,7 +181,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     if entered { best().map(Chosen::Open) } else { None }
 }
 
-/// The cards in rows, under their headings. The figure of the one that was pressed.
+/// The cards in rows, under their headings. Returns the figure of the pressed one.
 fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes_to: Option<Topic>) -> Option<Source> {
     if sources.is_empty() {
         let text = match (gallery.part, &gallery.files) {
@@ -199,7 +199,7 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of columns")]
     let columns = (((ui.available_width() + GAP) / (card.x + GAP)) as usize).max(1);
     let part = gallery.part;
-    // What was searched for is in the order in which it fits, without headings.
+    // Search results are sorted by how well they match, without headings.
     let topic = if gallery.wanted.trim().is_empty() { topic } else { |_: &Source| None };
     let rows = rows(sources, columns, topic);
     let is_chosen = |source: &Source| gallery.chosen[part as usize].as_ref() == Some(source);

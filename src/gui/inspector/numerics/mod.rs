@@ -1,5 +1,5 @@
-//! The panel of studies: which to measure, the chart of errors, and the methods with their numbers; each opens the
-//! camera on which it was worst.
+//! The panel of studies: the choice of studies, the chart of errors, and the methods with their numbers. Each method
+//! opens the camera with its largest error.
 
 mod plot;
 pub(in crate::gui) mod state;
@@ -67,7 +67,7 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
     }
 }
 
-/// The studies, each with a mark where it has been measured, and the button that measures.
+/// The studies, each with a mark if it has been measured, and the button that measures.
 fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
     let lang = model.settings.lang;
     let t = words::texts(lang);
