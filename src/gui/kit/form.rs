@@ -99,7 +99,7 @@ pub(in crate::gui) struct VectorField<'a> {
     pub(in crate::gui) hint: &'static str,
     /// The name of its fields for screen readers, before the axis.
     pub(in crate::gui) field: &'static str,
-    /// Whose vector it is, where there are several of the same name.
+    /// The owner of the vector, if there are several of the same name.
     pub(in crate::gui) owner: &'a str,
     /// The step of an arrow key.
     pub(in crate::gui) step: f64,
@@ -188,13 +188,13 @@ pub(in crate::gui) fn choice<T: PartialEq + Clone, S: AsRef<str>>(
     *value != old
 }
 
-/// A quiet mark of an erratum in the notes; `text` is the erratum and its correction.
+/// A quiet mark of an erratum in the notes. `text` is the erratum and its correction.
 pub(in crate::gui) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
     let mark = RichText::new(t.erratum).small().weak();
     ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).explained(text);
 }
 
-/// A line with a fault, with a sign, so that the colour is not alone.
+/// A line with a fault, with a sign, so that it doesn't depend on colour alone.
 pub(in crate::gui) fn complaint(ui: &mut egui::Ui, text: &str) {
     let color = ui.visuals().error_fg_color;
     ui.add(egui::Label::new(RichText::new(format!("⚠ {text}")).color(color)).wrap());

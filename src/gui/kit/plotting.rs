@@ -1,4 +1,4 @@
-//! Common parts of the plots of the window. They do not move, and their logarithmic axes are marked at powers of ten.
+//! Common parts of the plots of the window. They don't move, and their logarithmic axes are marked at powers of ten.
 
 use std::ops::RangeInclusive;
 
@@ -25,7 +25,7 @@ pub(in crate::gui) fn logarithmic_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) ->
     plot.custom_x_axes(vec![axis(Axis::X, label)]).x_grid_spacer(decades(ROOM[0] * type_size(ui)))
 }
 
-/// A plot with an even axis across, marked as closely as there is room.
+/// A plot with a linear horizontal axis, with as many marks as there is room for.
 pub(in crate::gui) fn linear_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     let room = 2.2 * type_size(ui);
     plot.custom_x_axes(vec![AxisHints::new_x().label(label).label_spacing(room..=1.2 * room)])
@@ -72,8 +72,8 @@ fn decades(room: f32) -> impl Fn(GridInput) -> Vec<GridMark> {
 /// More marks than an axis has room for.
 const MOST_MARKS: usize = 200;
 
-/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
-/// lightened. Grey without.
+/// The colours of the charts on paper, by their place, which the table shows too. On a dark ground the darkest are
+/// lightened. `None` is grey.
 pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
     let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
     let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);

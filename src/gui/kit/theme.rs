@@ -87,7 +87,7 @@ pub fn sentence(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) ->
     lowered(ui, &marked, style, color)
 }
 
-/// A label with such a sentence, which wraps. Screen readers say it as it is written.
+/// A label with such a sentence, which wraps. Screen readers read it as written.
 pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
     let job = sentence(ui, text, &TextStyle::Body, ui.visuals().text_color());
     let response = ui.add(egui::Label::new(job).wrap().selectable(false));
@@ -95,7 +95,7 @@ pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
     response
 }
 
-/// A label that wraps, with subscripts as in the pictures. Screen readers say it as it is written.
+/// A label that wraps, with subscripts as in the pictures. Screen readers read it as written.
 pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32) -> egui::Response {
     let job = lowered(ui, text, style, color);
     let response = ui.add(egui::Label::new(job).wrap());
@@ -104,7 +104,7 @@ pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32)
     response
 }
 
-/// Makes the header of a section a quiet bar, so that it is not taken for a field.
+/// Makes the header of a section a quiet bar, so that it doesn't look like a field.
 pub fn tint_header(ui: &mut egui::Ui) {
     let visuals = ui.visuals_mut();
     visuals.collapsing_header_frame = true;

@@ -1,4 +1,4 @@
-//! Tooltips: when, where, and with the titles of the notes that they cite.
+//! Tooltips: their time, their place, and the titles of the notes that they cite.
 
 use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
 
@@ -27,17 +27,17 @@ pub(in crate::gui) fn beside_panel(ui: &Ui, align: RectAlign) {
     ui.ctx().data_mut(|data| data.insert_temp(key(), beside));
 }
 
-/// Ends a panel: tooltips appear where there is room.
+/// Ends a panel. From here on, tooltips appear in any free room.
 pub(in crate::gui) fn beside_nothing(ctx: &egui::Context) {
     ctx.data_mut(|data| data.remove::<Beside>(key()));
 }
 
-/// Says more when the pointer rests on a control.
+/// Shows a tooltip when the pointer rests on a control.
 pub(in crate::gui) trait Explained {
-    /// Says `text`.
+    /// Shows `text`.
     fn explained(self, text: impl AsRef<str>) -> Self;
 
-    /// Says `text` where the control is greyed.
+    /// Shows `text` if the control is greyed.
     fn explained_disabled(self, text: impl AsRef<str>) -> Self;
 
     /// Shows a tooltip with this content.
@@ -68,14 +68,14 @@ impl Explained for Response {
     }
 }
 
-/// Shows `content` beside a control as long as it is called, in its row, so that no other row is covered.
+/// Shows `content` beside a control in every frame that calls it, in its row, so that no other row is covered.
 pub(in crate::gui) fn beside(response: &Response, content: impl FnOnce(&mut Ui)) {
     let mut tooltip = Tooltip::always_open(response.ctx.clone(), response.layer_id, response.id, response.rect);
     tooltip.popup = tooltip.popup.align(RectAlign::RIGHT);
     show(response, tooltip, content);
 }
 
-/// Its description for screen readers, and its name where it has none.
+/// Its description for screen readers, and its name if it has none.
 fn describe(response: &Response, text: &str) {
     if !response.ctx.has_accesskit_node(response.id) {
         return;

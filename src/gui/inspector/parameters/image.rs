@@ -69,8 +69,8 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
     more(ui, t, t.viewport, |ui| viewport(ui, model, t));
 }
 
-/// The note on a row; while it is under the pointer, or has the focus, the explanations mark the entries that depend on
-/// it.
+/// The note on a row. While the row is under the pointer, or has the focus, the explanations mark the entries that
+/// depend on it.
 fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: &[Symbol]) {
     if let Some(symbol) = symbols.first() {
         help_topic_row(ui, row, notes::of_symbol(*symbol));

@@ -23,7 +23,7 @@ struct Kept {
 enum Change {
     /// θ, for a symmetric window.
     Form(LensForm),
-    /// The window becomes smaller by this factor. It is free, or the form has no place in a figure file.
+    /// The window becomes smaller by this factor. It's free, or the form has no place in a figure file.
     Zoom(f64),
     /// The middle of the window, as shares of the side that the sensor spans.
     Shift([f64; 2]),
@@ -33,7 +33,7 @@ enum Change {
 pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = lens::texts(form.lang);
     let shown = egui::Button::new("▾");
-    // Its identity is the menu's, which stays open whatever comes or goes above.
+    // Its identity is the menu's, which stays open while rows above it come or go.
     let place = egui::UiBuilder::new().scope_id(egui::Id::unique("button of the lens menu"));
     let button = ui.scope_builder(place, |ui| ui.add_enabled(form.error.is_none(), shown)).inner;
     let button = button.explained(t.lens_hint).accessible_name(t.lens);
@@ -71,7 +71,7 @@ fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> 
     let mut pixels = lens.focal_length_pixels;
     let fields = ["f_x", "f_y"].map(|name| NumberField::new(name, Step::Multiply(1.1)).positive());
     if pair(ui, form, (t.pixels, t.pixels_hint), fields, &mut pixels) {
-        // Pixels keep their shape: the one that was typed counts.
+        // Pixels keep their shape, so the typed one counts.
         let typed = usize::from(pixels[0].to_bits() == lens.focal_length_pixels[0].to_bits());
         change = Some(Change::Zoom(pixels[typed] / lens.focal_length_pixels[typed]));
     }
@@ -182,13 +182,13 @@ fn apply(form: &mut ParameterForm, change: Change, sensor: Sensor) {
         Change::Zoom(factor) => form.parameters = zoomed(&parameters, &form.good, factor),
         Change::Shift(shift) => {
             let moved = Parameters { window: Some(form.good.window_with_shift(sensor, shift)), ..parameters };
-            // In the middle it is the symmetric one again.
+            // In the middle the window is the symmetric one again.
             form.parameters = if shift == [0.0; 2] { closed(&moved) } else { moved };
         }
     }
 }
 
-/// The parameters with a window that is smaller by a factor.
+/// The parameters with a window smaller by a factor.
 fn zoomed(parameters: &Parameters, good: &Camera, factor: f64) -> Parameters {
     match parameters.window {
         Some(window) => Parameters { window: Some(window.map(|side| side / factor)), ..*parameters },

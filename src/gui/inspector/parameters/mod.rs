@@ -1,4 +1,5 @@
-//! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
+//! The panel on the left: every parameter of the figure, in three tabs for the camera, the scene, and the way it's
+//! drawn.
 
 mod camera;
 mod cameras;
@@ -123,7 +124,7 @@ struct ParameterForm {
     good: Camera,
     /// The form in which θ was given.
     lens: Option<LensForm>,
-    /// The form in which it is given now.
+    /// The new form, if it changes in this frame.
     new_lens: Option<LensForm>,
     image: ImageSize,
     /// A camera that knows more than its parameters.
@@ -133,10 +134,10 @@ struct ParameterForm {
     measured: Vec<Measured>,
     /// The parameter under the pointer, or that has the keyboard.
     pointed: Vec<Symbol>,
-    /// The measures that the figure shows as labels, and the one that it is to show or to hide now.
+    /// The measures that the figure shows as labels, and the one that it's to show or hide now.
     kept: Vec<Measure>,
     keeps: Option<Measure>,
-    /// The point of the world that is to be followed.
+    /// The point of the world to follow.
     follows: Option<DVec3>,
 }
 
@@ -174,7 +175,7 @@ impl ParameterForm {
         }
     }
 
-    /// Why the parameters are not a camera, and the buttons that mend them.
+    /// The reason why the parameters aren't a camera, and the buttons that mend them.
     fn problem(&mut self, ui: &mut egui::Ui) {
         let Some(error) = &self.error else { return };
         self.said = true;
@@ -230,7 +231,7 @@ impl ParameterForm {
         self.complain(ui, key, &[output.inner]);
     }
 
-    /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
+    /// While the pointer is on the row of a parameter, the world shows its length or angle. Then, and while its field
     /// has the focus, the explanations mark the entries that depend on it.
     fn point_at(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
         self.menu(ui, key, row);
