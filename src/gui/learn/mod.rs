@@ -1,4 +1,4 @@
-//! Exercises and lessons, with what they remember.
+//! Exercises and lessons, with the state that they remember.
 
 pub mod exercises;
 pub mod handout;
@@ -21,10 +21,11 @@ use crate::lessons::Lesson;
 use exercises::state::Exercises;
 use lesson::state::Playing;
 
-/// The exercises, the lesson that is played, and what was done of them.
+/// The exercises, the lesson being played, and the progress in them.
 #[derive(Debug, Default)]
 pub struct Learn {
-    /// The corner of another screen, in points, for the speaker's notes; `None` means not looked for yet, inside: none.
+    /// The corner of another screen, in points, for the speaker's notes. `None` if not looked for yet, and inside if
+    /// there is none.
     pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The exercises.
     pub exercises: Exercises,
@@ -57,7 +58,7 @@ impl Learn {
         (self.welcome, self.goes_on, model.settings.welcomed) = (false, false, true);
     }
 
-    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
+    /// Goes on with another document. The one before is lost, unless the caller has it, so ask first. Work behind it is
     /// kept.
     pub(in crate::gui) fn take_over(&mut self, model: &mut Model, document: Document) {
         self.keep_behind(model);
@@ -89,12 +90,12 @@ impl Learn {
         model.tree.follow(&before, &model.document.figure().scene);
     }
 
-    /// True if there is something to undo (`back`), or to redo.
+    /// True if there is a step to undo (`back`), or to redo.
     pub(in crate::gui) fn can_undo(&self, model: &Model, back: bool) -> bool {
         model.document.can_undo(back) || self.can_undo_lesson(model, back)
     }
 
-    /// The question for a place in the image that is asked now.
+    /// The present question for a place in the image.
     pub fn placing(&mut self, model: &Model) -> Option<Placing> {
         self.placing_of_question(model).or_else(|| model.placing_of_operation())
     }

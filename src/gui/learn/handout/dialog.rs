@@ -116,7 +116,7 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
     }
 }
 
-/// The lessons of the program, those of the folder, and the one that is played.
+/// The built-in lessons, those of the folder, and the one being played.
 fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut OpenLesson) {
     let lang = model.settings.lang;
     let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
@@ -164,7 +164,7 @@ fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut Handou
     });
 }
 
-/// The page as it will be, and the ways to the others.
+/// The preview of the page, and the ways to the others.
 fn page(ui: &mut Ui, t: &Texts, learn: &Learn, shown: &mut Option<PagesPreview>, form: &mut HandoutForm, height: f32) {
     let mut pages = shown.take().unwrap_or_default();
     let height = height - ui.spacing().interact_size.y - ui.spacing().item_spacing.y;

@@ -38,9 +38,9 @@ pub struct PagesPreview {
     asked: Option<(Choices, usize)>,
     /// The page, once there is one.
     pub(in crate::gui) texture: Option<TextureHandle>,
-    /// The number of pages; 0 as long as it isn't known.
+    /// The number of pages. 0 as long as it isn't known.
     pub count: usize,
-    /// Why there are no pages.
+    /// The reason why there are no pages.
     pub(in crate::gui) fault: Option<ExportError>,
 }
 

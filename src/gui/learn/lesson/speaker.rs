@@ -24,7 +24,7 @@ pub(super) fn has_window(ctx: &Context, model: &Model, learn: &Learn) -> bool {
     !ctx.embed_viewports() && !is_alone
 }
 
-/// Shows the notes of the step, where they are wanted. Gives a command that is to be done.
+/// Shows the notes of the step, if wanted. Returns a command to perform.
 pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &Learn) -> Option<Command> {
     let is_wanted = learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
     if !is_wanted || !has_window(ctx, model, learn) {
@@ -66,7 +66,7 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, model: &Model, learn: &Learn) -> O
     let lang = t.lang;
     let playing = learn.lesson.as_ref()?;
     let step = playing.now()?;
-    // The numbers are those of what is on the screen.
+    // The numbers of the figure on the screen.
     let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let filled =
         |text| report.as_ref().map_or_else(|| told(lang, text).to_owned(), |r| words::filled_from(lang, text, r));

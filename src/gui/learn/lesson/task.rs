@@ -76,7 +76,7 @@ pub(super) fn show(
     }
 }
 
-/// Says that the task is done, once it is.
+/// Reports that the task is done, once it is.
 fn said(ui: &mut Ui, t: &Texts, is_done: bool) {
     if is_done {
         ui.label(RichText::new(format!("✓ {}", t.done)).strong().color(theme::verdict_color(ui, true)));

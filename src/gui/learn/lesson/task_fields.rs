@@ -98,7 +98,7 @@ impl Fields<'_> {
         self.is_left |= response.lost_focus();
     }
 
-    /// A line that says in itself what it holds.
+    /// A line that names its content in itself.
     fn line(&mut self, ui: &mut Ui, width: f32, (name, place): (&'static str, usize), text: &mut String) {
         let id = Id::unique(("line of a task", name, place, self.lang));
         let field = TextField::line(text, MAX_TITLE);
