@@ -13,13 +13,13 @@ use crate::lessons::{Lesson, OpenLesson};
 /// A request of one feature to another. The window does it once the panels of the frame are drawn.
 #[derive(Clone, Debug)]
 pub enum Action {
-    /// Ask for a file, or where to write one.
+    /// Ask for a file to read or to write.
     File(FileFor),
     /// Do this once nothing can be lost any more.
     Begin(AfterSave),
     /// Play the lesson that the line above the window offers.
     Offered(OpenLesson),
-    /// Ask whether the objects below those that are deleted go too.
+    /// Ask if the objects below the deleted ones go too.
     Delete {
         /// Their names.
         names: BTreeSet<String>,
@@ -34,7 +34,7 @@ pub enum Action {
     PutMark(Mark, [f64; 2]),
     /// Show the camera check.
     Coach,
-    /// Forget what belonged to the figure before this one.
+    /// Forget the state that belonged to the figure before this one.
     ForgetFigure,
     /// Show the comparison.
     Compare,
@@ -67,7 +67,8 @@ pub enum FileFor {
     Photograph,
     /// To compare the figure with the one in it.
     CompareWith,
-    /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
+    /// To write the way to the canonical volume, by these steps, as an animation or a strip, depending on the ending of
+    /// the name.
     Animation(Decomposition),
     /// To write a chart.
     Chart(Box<Block>),
@@ -96,7 +97,7 @@ pub enum AfterSave {
     LeaveLesson,
     /// Write the lesson to which steps were added last.
     WriteRecorded,
-    /// Read the file of the lesson that is written again.
+    /// Read the file of the lesson being written again.
     ReadLesson,
     /// Read the figure's own file again.
     Reload,
@@ -109,7 +110,7 @@ pub enum AfterSave {
 impl AfterSave {
     /// True if the figure of the window is lost with it.
     pub fn replaces_figure(&self) -> bool {
-        // Work in the steps of a lesson is kept where its file is read again.
+        // Work in the steps of a lesson is kept if its file is read again.
         !matches!(self, Self::LeaveLesson | Self::ReadLesson)
     }
 }

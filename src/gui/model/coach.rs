@@ -74,7 +74,7 @@ impl Coach {
         self.advice.poll(patience);
     }
 
-    /// The advice for the last request; `None` until it is known.
+    /// The advice for the last request. `None` until it's known.
     pub fn advice(&self) -> Option<&Advice> {
         self.advice.answer()
     }
@@ -92,7 +92,7 @@ impl Model {
         if ctx.input(|input| input.pointer.any_down()) || self.motion.is_some() {
             return;
         }
-        // Until then the scene is not whole.
+        // Until then the scene isn't whole.
         if self.scene_cache.loading().is_empty() {
             let Figure { style, reveal, image, .. } = *self.document.figure();
             let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
@@ -108,8 +108,8 @@ impl Model {
         }
     }
 
-    /// Whether nothing is visible although there's something to see. With an impossible camera the last good image
-    /// stays, and a photograph without a scene is an image too.
+    /// True if nothing is visible although the scene isn't empty. With an impossible camera the last good image stays,
+    /// and a photograph without a scene is an image too.
     pub(in crate::gui) fn is_image_empty(&self, diagnosis: &Diagnosis) -> bool {
         let is_photograph = self.scene_cache.scene().photograph.is_some()
             && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);

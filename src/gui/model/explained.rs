@@ -43,13 +43,13 @@ impl Question {
     }
 }
 
-/// The explanation that is shown. Its visibility is in [`Panels`](super::layout::Panels).
+/// The displayed explanation. Its visibility is in [`Panels`](super::layout::Panels).
 #[derive(Debug)]
 pub struct Explained {
     question: Question,
     /// The explanation that each question showed last, in the order of [`Question::ALL`].
     last: [Explanation; 4],
-    /// Objects where the explanation of order puts them in this frame.
+    /// Objects in the places where the explanation of order puts them in this frame.
     pub placed: Vec<TransformPreview>,
     /// The explanation of matrices.
     pub matrices: Matrices,
@@ -60,12 +60,12 @@ pub struct Explained {
 }
 
 impl Explained {
-    /// The question that is open.
+    /// The open question.
     pub fn question(&self) -> Question {
         self.question
     }
 
-    /// The explanation that is shown.
+    /// The displayed explanation.
     pub fn shown(&self) -> Explanation {
         self.last[self.question as usize]
     }
@@ -75,7 +75,7 @@ impl Explained {
         self.last
     }
 
-    /// Opens a question where it was left.
+    /// Opens a question at its last explanation.
     pub fn ask(&mut self, question: Question) {
         self.question = question;
     }

@@ -25,7 +25,7 @@ pub(in crate::gui) enum ExportError {
     /// A picture without background, in a format that has no transparency.
     #[error("{} has no transparency", .0.name())]
     NoTransparency(PictureFormat),
-    /// The user does not want it any more.
+    /// The user doesn't want it any more.
     #[error("cancelled")]
     Cancelled,
     /// The export panicked.

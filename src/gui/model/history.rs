@@ -8,21 +8,21 @@ use crate::figure::{Figure, Screen, Show, ShownTriangle};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
-/// large. Different numbers mean nothing.
+/// The number of a scene or of a document. Equal numbers mean equal content, without comparing it, which can be large.
+/// Different numbers have no meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) struct Revision(u64);
 
 impl Revision {
-    /// One that nothing has.
+    /// A number that nothing else has.
     pub(in crate::gui) fn new() -> Self {
         static LAST: AtomicU64 = AtomicU64::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed))
     }
 }
 
-/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices.
-/// All of it where the figure was another one.
+/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices, or all of it if the
+/// figure was another one.
 #[derive(Clone, Debug)]
 struct Snapshot {
     scene: Arc<SceneSpec>,
@@ -47,7 +47,7 @@ pub(in crate::gui) struct Moment {
 }
 
 impl Snapshot {
-    /// `before`: whose scene is shared where it is the same.
+    /// Shares the scene of `before` if it's the same.
     fn new(
         (figure, revision): (&Figure, Revision),
         camera: &Camera,
@@ -77,7 +77,8 @@ impl Snapshot {
             && self.has_scene(&figure.scene, revision)
     }
 
-    /// The figure then, seen and laid out as `now`; `all`: what was explained then takes its place as a whole.
+    /// The figure then, with the viewpoints and layout of `now`. If `all`, the explanations of then replace the present
+    /// ones as a whole.
     fn moment(&self, now: &Figure, all: bool) -> Moment {
         let Self { scene, revision, rest, camera, draft, show: then, replaces: _ } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
@@ -88,7 +89,7 @@ impl Snapshot {
     }
 }
 
-/// All that is edited but the scene, which snapshots share. The layout is stored in the file and is no step.
+/// The edited parts except the scene, which snapshots share. The layout is stored in the file and isn't a step.
 fn edited(figure: &Figure) -> Figure {
     Figure { screen: Screen::default(), ..figure.without_scene() }
 }
@@ -99,11 +100,11 @@ fn chosen(show: &Show) -> impl PartialEq {
     (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
 }
 
-/// `[show]` as it is now, with the choices of then.
+/// The present `[show]`, with the choices of then.
 fn with_chosen(now: &Show, then: &Show) -> Show {
     let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
     let is_of = |triangle: &ShownTriangle| (triangle.object.clone(), triangle.index);
-    // Of the same triangle, its step and its pixel stay.
+    // For the same triangle, its step and its pixel stay.
     let triangle =
         if now.triangle.as_ref().map(is_of) == triangle.as_ref().map(is_of) { now.triangle.clone() } else { triangle };
     Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }
@@ -123,7 +124,7 @@ impl History {
         Self { now, past: Vec::new(), future: Vec::new() }
     }
 
-    /// Makes a step of the changes since the last one. False if there are none.
+    /// Makes a step of the changes since the last one. Returns false if there are none.
     pub(in crate::gui) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
@@ -156,7 +157,7 @@ impl History {
         self.past.drain(..self.past.len() - steps);
     }
 
-    /// Number of the last steps within the bounds; at least one.
+    /// Number of the last steps within the bounds, at least one.
     fn affordable(&self) -> usize {
         let mut newer = &self.now;
         let mut bytes = 0_usize;
@@ -174,7 +175,7 @@ impl History {
         steps
     }
 
-    /// Drops what could be redone.
+    /// Drops the steps to redo.
     pub(in crate::gui) fn forget_future(&mut self) {
         self.future.clear();
     }

@@ -36,7 +36,7 @@ pub enum Message {
     LastFigure,
     /// A step was added to the lesson in a file: its number.
     StepAdded(PathBuf, usize),
-    /// The texts of a step cannot be written into the file of its lesson.
+    /// The texts of a step can't be written into the file of its lesson.
     StepNotKept(PathBuf, FileError),
     /// The file of the lesson was changed by another program.
     LessonChanged(PathBuf),
@@ -58,13 +58,13 @@ pub enum Message {
     WentBack(View),
     /// A file has been opened.
     Opened(PathBuf),
-    /// Of several files dropped at once, this one was opened.
+    /// Several files were dropped at once, and this one was opened.
     FirstOfDropped(PathBuf, usize),
     /// A file has been written.
     Saved(PathBuf),
     /// A file was handed to the browser.
     Downloaded(PathBuf),
-    /// A file was chosen for a figure that the window no longer shows. Nothing was done with it.
+    /// A file was chosen for a figure that the window no longer shows. It wasn't used.
     OtherFigure(PathBuf),
     /// A link with this number of characters is in the clipboard.
     LinkCopied(usize),
@@ -72,7 +72,7 @@ pub enum Message {
     LinkOpened,
     /// A text has this link, which leads neither to a page nor to mail.
     LinkRefused(String),
-    /// A file cannot be read or written.
+    /// A file can't be read or written.
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
     NotOpened(PathBuf, CameraError),
@@ -82,9 +82,9 @@ pub enum Message {
     Impossible(PathBuf, CameraError),
     /// An operation leads to no camera.
     Camera(CameraError),
-    /// The scene cannot be built.
+    /// The scene can't be built.
     Scene(SceneError),
-    /// The photograph under the image cannot be used.
+    /// The photograph under the image can't be used.
     NoPhotograph(MeshNotice),
     /// A picture has a shortfall.
     OverBudget(OverBudget),
@@ -96,7 +96,7 @@ pub enum Message {
     NotExported(PathBuf, NotExported),
     /// A named scene is a list of objects now.
     WrittenOut(Preset),
-    /// An object that hangs on another one now is sheared, and did not stay where it was.
+    /// An object with a new parent is sheared now, and didn't stay in place.
     Shear,
     /// An object is deleted.
     Deleted {
@@ -109,7 +109,7 @@ pub enum Message {
     },
     /// The light with this place in the list, from 0, is deleted.
     LightDeleted(usize),
-    /// Objects that cannot be selected together.
+    /// Objects that can't be selected together.
     SelectedAlone,
     /// No more points can be followed.
     TooManyPoints,
@@ -127,7 +127,7 @@ impl Message {
         self.row(Lang::En).0 == Tone::Error
     }
 
-    /// Whether the message disappears by itself. Errors, and lasting states, stay.
+    /// True if the message disappears by itself. Errors, and lasting states, stay.
     pub fn passes(&self) -> bool {
         self.row(Lang::En).0 == Tone::News
     }
@@ -213,7 +213,7 @@ impl Message {
 enum Tone {
     /// It has been read soon.
     News,
-    /// It is said as long as it is so.
+    /// Shown as long as it holds.
     Lasting,
     /// Something went wrong.
     Error,

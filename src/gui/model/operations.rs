@@ -1,4 +1,4 @@
-//! Steps, signs and the slider that is held.
+//! Steps, signs and the held slider.
 
 pub mod motion;
 pub mod placing;
@@ -24,7 +24,7 @@ pub struct Operations {
     open: Freedom,
     /// Those above it that are still open, because the pointer is over the rows: none moves under it.
     open_above: Vec<Freedom>,
-    /// Predictions of what an operation does, before it's done.
+    /// Predictions of the effect of an operation, before it's done.
     pub predict: Predict,
     /// Whose signs.
     pub convention: Convention,
@@ -43,7 +43,7 @@ impl Operations {
         self.open == freedom || self.open_above.contains(&freedom)
     }
 
-    /// Shows the slider of an operation. Its row stays where it is.
+    /// Shows the slider of an operation. Its row stays in place.
     pub(in crate::gui) fn open(&mut self, freedom: Freedom) {
         self.open_above.push(self.open);
         self.open_above.retain(|other| (*other as usize) < freedom as usize);
@@ -55,7 +55,7 @@ impl Operations {
         self.open_above.clear();
     }
 
-    /// The operation that led to this camera, by the notes' signs; `None` if something else did.
+    /// The operation that led to this camera, by the notes' signs. `None` if it has another origin.
     pub(in crate::gui) fn led_to(&self, camera: &Camera) -> Option<(Operation, &Camera)> {
         let Ghost { before, operation, convention } = self.last.as_ref()?;
         let after = operation.apply(before, *convention).ok()?;
@@ -68,8 +68,8 @@ impl Operations {
         (after.parameters() == camera.parameters()).then_some((operation, before))
     }
 
-    /// Adds the operation that led to a camera to those that its figure shows, if it goes on from them, else it is
-    /// alone there.
+    /// Adds the operation that led to a camera to those that its figure shows, if it continues them. Otherwise it
+    /// replaces them.
     pub(in crate::gui) fn keep(&mut self, camera: &Camera, shown: &mut Vec<Operation>) {
         let Some((operation, before)) = self.led_to(camera) else { return };
         if self.kept_at.as_ref().is_none_or(|kept| kept.parameters() != before.parameters()) {
@@ -86,11 +86,11 @@ impl Operations {
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct DoneStep {
     pub(in crate::gui) ghost: Ghost,
-    /// When it was done, in seconds; `None` means with the next frame.
+    /// When it was done, in seconds. `None` for the next frame.
     pub(in crate::gui) since: Option<f64>,
 }
 
-/// A slider that is being held.
+/// A held slider.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct Scrub {
     pub(in crate::gui) freedom: Freedom,
@@ -117,7 +117,7 @@ impl Default for Operations {
 }
 
 impl Model {
-    /// Does an operation to the camera, by the signs that are chosen. If it can't be done, a message says why.
+    /// Applies an operation to the camera, by the chosen signs. If that's impossible, a message says why.
     pub fn operate(&mut self, operation: Operation) {
         let done = self.document.operate(operation, self.operations.convention);
         self.say_camera_error(done);
@@ -139,7 +139,7 @@ impl Model {
         })
     }
 
-    /// Has an operation ask what it will do, if that is wanted. False if it's to be done at once.
+    /// Makes an operation ask about its effect, if that's wanted. Returns false if it's to be done at once.
     pub(in crate::gui) fn predict_first(&mut self, freedom: Freedom, amount: f64) -> bool {
         let predict = &mut self.operations.predict;
         predict.asked = None;

@@ -40,13 +40,13 @@ pub struct SceneTree {
     /// The gizmo for dragging the selection in the world.
     pub(in crate::gui) transforming: Transforming,
     pub(in crate::gui) folded: BTreeSet<String>,
-    /// The scene as the fields show it while it is impossible.
+    /// The scene as in the fields while it's impossible.
     pub(in crate::gui) draft: Option<Draft>,
-    /// An object that is hung elsewhere moves with its new parent.
+    /// True if an object with a new parent moves to it.
     pub(in crate::gui) moves_with_parent: bool,
 }
 
-/// A scene that is being typed and impossible.
+/// A scene being typed that is impossible.
 #[derive(Debug)]
 pub(in crate::gui) struct Draft {
     /// The scene of the figure that it was made from. Another one makes it void.
@@ -65,7 +65,7 @@ impl SceneTree {
         })
     }
 
-    /// Selects something, or nothing, once all panels have been shown in this frame.
+    /// Selects an object, or none, once all panels have been shown in this frame.
     pub fn select(&mut self, selected: Option<Selected>) {
         self.select_all(selected, BTreeSet::new());
     }
@@ -136,7 +136,7 @@ impl SceneTree {
         }
     }
 
-    /// Applies the last [`select`](Self::select); returns whether there was one.
+    /// Applies the last [`select`](Self::select). Returns true if there was one.
     pub fn settle(&mut self) -> bool {
         let next = self.next.take();
         let asked = next.is_some();
@@ -147,7 +147,7 @@ impl SceneTree {
     }
 }
 
-/// The objects of a preset. Their colours do not matter here.
+/// The objects of a preset. Their colours don't matter here.
 pub(in crate::gui) fn preset_objects(preset: Preset) -> Vec<ObjectSpec> {
     crate::scene::preset_objects(preset, &SceneColors::of(Theme::Light))
 }

@@ -28,7 +28,7 @@ pub struct Settings {
     pub conventions: Conventions,
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
-    /// The ground of the window and of its pictures. What a figure file asks for counts where pictures are written.
+    /// The ground of the window and of its pictures. The theme that a figure file asks for counts in written pictures.
     pub theme: Theme,
     /// Skip animations.
     pub reduce_motion: bool,
@@ -38,7 +38,7 @@ pub struct Settings {
     pub welcomed: bool,
     /// The views alone, without menus: a figure in another page.
     pub bare: bool,
-    /// The place of the window, once it's known; at first, that of the last one.
+    /// The place of the window, once it's known. At first, that of the last one.
     pub window: Option<WindowPlace>,
 }
 

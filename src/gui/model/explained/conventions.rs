@@ -1,4 +1,4 @@
-//! The display of matrices and the numbers that follow from them. The figure does not depend on it.
+//! The display of matrices and the numbers that follow from them. The figure doesn't depend on it.
 
 use crate::camera::Ndc;
 
@@ -7,7 +7,7 @@ use crate::camera::Ndc;
 pub struct Conventions {
     /// Whose NDC the numbers, the probe and the canonical volume are in.
     pub ndc: Ndc,
-    /// With whose they are compared.
+    /// The convention compared with.
     pub compared: Option<Ndc>,
     /// Points are rows: matrices are transposed.
     pub row_vectors: bool,

@@ -18,7 +18,8 @@ pub(in crate::gui) struct Placed {
 }
 
 impl Placed {
-    /// The layout `now`, with the user's own wherever it is still the one that a figure asked for.
+    /// The layout `now`, with the user's own values in place of those that a figure asked for and that haven't changed
+    /// since.
     fn given_back(self, own: &Self, asked: &Self) -> Self {
         fn back<T: PartialEq>(now: T, own: T, asked: &T) -> T {
             if now == *asked { own } else { now }
@@ -37,7 +38,7 @@ pub(in crate::gui) struct AskedLayout {
     /// The user's own, before.
     own: Placed,
     asked: Placed,
-    /// In a presentation, whose panels are not those of the window.
+    /// True in a presentation, whose panels aren't those of the window.
     presentation: bool,
 }
 
@@ -50,7 +51,7 @@ impl Model {
         }
     }
 
-    /// The layout that the user has chosen: what the figure asked for is not remembered.
+    /// The layout that the user has chosen. Layouts that figures ask for aren't remembered.
     pub(in crate::gui) fn preferred_layout(&self) -> Placed {
         let now = Placed { is_open: self.settings.panels.wanted[Side::Explain as usize], ..self.placed() };
         let Some(AskedLayout { own, asked, presentation }) = self.asked_layout else { return now };
@@ -59,7 +60,7 @@ impl Model {
         if presentation { Placed { is_open, ..given_back } } else { given_back }
     }
 
-    /// Gives back the layout that was there before a figure asked for its own. What the user has changed since stays.
+    /// Gives back the layout from before a figure asked for its own. The user's changes since then stay.
     pub(in crate::gui) fn give_back_layout(&mut self) {
         let Some(AskedLayout { own, asked, presentation }) = self.asked_layout.take() else { return };
         let Placed { arrangement, is_open, explanation } = self.placed().given_back(&own, &asked);

@@ -7,7 +7,7 @@ use crate::exercises::Ask;
 pub struct Placing {
     /// The question.
     pub(in crate::gui) of: Mark,
-    /// The point that is followed, where it is now.
+    /// The present place of the followed point.
     pub from: Option<[f64; 2]>,
     /// The place that was chosen.
     pub mark: Option<[f64; 2]>,
