@@ -11,20 +11,20 @@ pub struct Annotations {
     pub pen: bool,
     /// The strokes of the pen, in points of the window.
     pub strokes: Vec<Vec<Pos2>>,
-    /// The strokes over other figures of a lecture, by where those come from.
+    /// The strokes over other figures of a lecture, by the sources of those.
     others: Vec<(Option<Source>, Vec<Vec<Pos2>>)>,
-    /// A spot shows where the pointer is.
+    /// True if a spot marks the pointer.
     pub spot: bool,
     /// The pictures stay as they are while one edits.
     pub frozen: bool,
     /// The screen is black.
     pub blank: bool,
-    /// When the keys of a presentation were shown, in seconds; `None` means they are not.
+    /// When the keys of a presentation were shown, in seconds. `None` if they aren't.
     pub keys_since: Option<f64>,
 }
 
 impl Annotations {
-    /// True if there is something that [`clear`](Self::clear) takes away.
+    /// True if [`clear`](Self::clear) has something to remove.
     pub fn any(&self) -> bool {
         self.pen || self.spot || self.frozen || self.blank || !self.strokes.is_empty()
     }

@@ -12,7 +12,7 @@ use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, observer_in};
 
 impl Canvas {
-    /// Decides from where the three-dimensional pictures are seen in this frame.
+    /// Decides the observers of the three-dimensional pictures in this frame.
     pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model: &mut Model, panes: &mut [Pane]) {
         let wanted = model.observer_change.take();
         let asked = self.asked.take();
@@ -44,7 +44,7 @@ impl Canvas {
         }
     }
 
-    /// From where a picture is seen.
+    /// The observer of a picture.
     pub(in crate::gui::pictures) fn seen(&self, picture: usize) -> Option<Observer> {
         self.shot.pictures.get(picture)?.observer
     }

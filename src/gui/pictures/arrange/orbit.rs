@@ -21,8 +21,8 @@ pub(in crate::gui::pictures) fn changed(request: &Request, change: ObserverChang
     }
 }
 
-/// The observer after the pointer went by `motion` points from where it turned `pressed`. The picture follows the
-/// pointer.
+/// The observer after the pointer moved by `motion` points from the one at the press, `pressed`. The picture follows
+/// the pointer.
 pub(in crate::gui::pictures) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
     pressed.orbit(f64::from(motion.x) * DEGREES_PER_POINT, f64::from(motion.y) * DEGREES_PER_POINT)
 }

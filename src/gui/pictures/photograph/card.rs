@@ -1,4 +1,4 @@
-//! The card of the tool: what is drawn, and the camera that follows, step by step.
+//! The card of the tool: the mark to draw, and the resulting camera, step by step.
 
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
@@ -119,7 +119,7 @@ fn length(ui: &mut Ui, model: &Model, photograph: &mut PhotographTool, t: &Texts
     }
 }
 
-/// The arithmetic, as the command line prints it, and what the photograph doesn't say.
+/// The arithmetic, as the command line prints it, and the values that the photograph doesn't give.
 fn account(ui: &mut Ui, model: &Model, found: &PhotographCamera) {
     let lang = model.settings.lang;
     for (number, step) in steps::steps(lang, found).iter().enumerate() {

@@ -68,7 +68,7 @@ fn draw(ui: &Ui, photograph: &mut PhotographTool, pane: &Pane, place: &ImagePlac
     }
 }
 
-/// Begins what is drawn when a drag of `response` starts, at `from`, and follows the pointer.
+/// Begins a mark when a drag of `response` starts, at `from`, and follows the pointer.
 fn new_line(tool: &mut PhotographTool, response: &Response, place: &ImagePlace, from: Option<DVec2>) {
     if let Some(from) = from.filter(|_| response.drag_started()) {
         tool.begin(from);
@@ -111,7 +111,7 @@ fn drag(
         response.request_focus();
     }
     match (grip, photograph.drawn) {
-        // From a corner where another edge ends, a line along the chosen axis begins.
+        // At a corner that ends another edge, a line along the chosen axis begins.
         (Grip::End(line, _), Drawn::Line(axis)) if photograph.marks.lines[line].axis != axis => {
             new_line(photograph, &response, place, Some(at));
         }

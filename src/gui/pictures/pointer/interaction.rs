@@ -54,7 +54,7 @@ impl Canvas {
         }
         let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
         if escape && label_mode.on {
-            // A field that is being typed in gives the key up first.
+            // A field that the user types in gives the key up first.
             if !label_mode.is_typing {
                 label_mode.step_back();
             }
@@ -136,7 +136,7 @@ impl Canvas {
             self.stop_probing();
             let unanswered = self.hover_pick.take().filter(|pick| hovered.is_none() && pick.is_heavy());
             match unanswered.filter(|pick| self.picker.found(&response.ctx, pick).is_none()) {
-                // It is pinned when it is found.
+                // It's pinned when it's found.
                 Some(pick) => self.clicked_pick = Some(pick),
                 None => model.pin(hovered),
             }

@@ -25,7 +25,7 @@ fn put(model: &mut Model, placing: &mut Placing, place: DVec2) {
 }
 
 impl Canvas {
-    /// Puts the cross under the pointer, where a place is asked for. False if none is.
+    /// Puts the cross under the pointer, if a question asks for a place. Returns false if none does.
     pub(in crate::gui::pictures) fn place(
         ui: &Ui,
         model: &mut Model,

@@ -52,8 +52,8 @@ struct OfMesh {
 }
 
 impl VertexNames {
-    /// The vertex at a point of the world, if one is exactly there. In a heavy scene it is found beside the window's
-    /// thread. A frame is requested of `ctx` then.
+    /// The vertex at a point of the world, if one is exactly there. In a heavy scene it's found beside the window's
+    /// thread, which then requests a frame of `ctx`.
     pub(in crate::gui::pictures) fn at(
         &mut self,
         ctx: &egui::Context,
