@@ -13,8 +13,8 @@ use super::{FileAnswer, FileQuestion};
 use crate::files::disk::page;
 use crate::limits::MAX_FILE_BYTES;
 
-/// Reads a file, gives it to the page, and says under which path. One that cannot be read, or is larger than any, is
-/// not given: opening it says so.
+/// Reads a file, gives it to the page, and returns its path there. A file that is unreadable, or larger than any, isn't
+/// given. Opening it reports that.
 pub(in crate::gui) fn read(ctx: &egui::Context, file: File, then: impl FnOnce(PathBuf) + 'static) {
     let ctx = ctx.clone();
     wasm_bindgen_futures::spawn_local(async move {
@@ -98,8 +98,8 @@ fn first_of(paths: Vec<PathBuf>, endings: &[&str]) -> Option<PathBuf> {
     paths.iter().find(|path| is_asked_for(path)).or(paths.first()).cloned()
 }
 
-/// Calls `then` at each event of this name, as long as the page is there. A dialog does not say when nobody needs it
-/// any more.
+/// Calls `then` at each event of this name, as long as the page exists, because a dialog doesn't report when it's no
+/// longer needed.
 fn listen(input: &HtmlInputElement, event: &str, mut then: impl FnMut() + 'static) -> Option<()> {
     let closure = Closure::<dyn FnMut(Event)>::new(move |_| then());
     input.add_event_listener_with_callback(event, closure.as_ref().unchecked_ref()).ok()?;
