@@ -1,4 +1,4 @@
-//! Stages: each stage of the pipeline with what it did; a click shows its input and output in the picture.
+//! Stages: each stage of the pipeline with its report. A click shows its input and output in the picture.
 
 use eframe::egui::{self, RichText, Ui};
 
@@ -19,7 +19,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     ui.checkbox(&mut model.layout.strip, t.strip).explained(t.strip_hint);
 }
 
-/// The stage that is shown. Its name, its purpose, and its report, or the reason why it was left out.
+/// The displayed stage: its name, its purpose, and its report, or the reason why it was left out.
 fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
     let Some(stage) = model.shown_stage() else {
         ui.label(RichText::new(t.none_shown).weak());

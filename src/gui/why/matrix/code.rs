@@ -32,7 +32,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
     field.show(ui, lang).accessible_name(t.code);
 }
 
-/// The code for the camera as it is, in the language of the window.
+/// The code for the present camera, in the language of the window.
 fn written(model: &Model, explain: &Explain) -> String {
     let camera = model.document.camera();
     let figure = model.document.figure();
