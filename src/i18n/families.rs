@@ -1,4 +1,4 @@
-//! The words about families of pictures: what cannot be varied, and why.
+//! The words about families of pictures, with the reasons why some keys can't be varied.
 
 use super::{Lang, messages};
 use crate::figure::variation::VariationError;
@@ -35,7 +35,7 @@ texts! {
     square: "square", "quadrado";
 }
 
-/// Why there is no family.
+/// The reason why there is no family.
 pub fn error(lang: Lang, error: &VariationError) -> String {
     match error {
         VariationError::NoValues => both!(lang;

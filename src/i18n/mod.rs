@@ -94,7 +94,7 @@ pub fn told(lang: Lang, text: &Bilingual) -> &str {
     pick!(lang; &text.en, &text.pt_br)
 }
 
-/// A text of a file that is changed in a language.
+/// A text of a file, to change it in a language.
 pub fn told_mut(lang: Lang, text: &mut Bilingual) -> &mut String {
     pick!(lang; &mut text.en, &mut text.pt_br)
 }

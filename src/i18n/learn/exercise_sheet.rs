@@ -50,7 +50,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
     text
 }
 
-/// A sheet in LaTeX, which compiles with nothing but amsmath and amssymb, and graphicx where it has pictures.
+/// A sheet in LaTeX, which compiles with only amsmath and amssymb, and graphicx if it has pictures.
 pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
     let babel = pick!(lang; "english", "brazil");
@@ -99,7 +99,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
     text
 }
 
-/// The right answer, as it would be typed.
+/// The right answer, in typed form.
 pub fn answer(lang: Lang, ask: &Ask) -> String {
     let mark = lang.mark();
     match (ask.expected(), ask.expected().table(), &ask.kind) {
@@ -259,7 +259,7 @@ fn inert(markdown: &str) -> String {
     inert
 }
 
-/// Words as inert Markdown, in which nothing is mathematics.
+/// Words as inert Markdown, without any mathematics.
 fn of_words(text: &str) -> String {
     text.split('$').map(|part| inert(&part.replace('\\', "\\\\"))).collect::<Vec<_>>().join("\\$")
 }

@@ -13,12 +13,12 @@ use crate::i18n::Lang;
 use crate::inspect::InspectError;
 use crate::sanitize::escaped;
 
-/// The reason why parameters are not a camera, with the keys concerned and the values allowed.
+/// The reason why parameters aren't a camera, with the keys concerned and the values allowed.
 pub fn camera(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).full
 }
 
-/// Why parameters are not a camera. The full form in English is the error's own.
+/// The reason why parameters aren't a camera. The full form in English is the error's own.
 pub(in crate::i18n) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
     let english = |in_symbols: &str| Wording::new(error.to_string(), in_symbols);
     match (lang, error) {
@@ -59,7 +59,7 @@ pub(in crate::i18n) fn camera_wording(lang: Lang, error: &CameraError) -> Wordin
     }
 }
 
-/// How to get what a value out of its range asks for, in Portuguese.
+/// The remedy for a value out of its range, in Portuguese.
 fn way_out(key: Checked, value: f64) -> &'static str {
     if is_infinite_far(key, value) { "; para B → ∞, deixe far finito e use --ndc NOME-infinite" } else { "" }
 }
@@ -94,7 +94,7 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
     }
 }
 
-/// Why a text is not an operation.
+/// The reason why a text isn't an operation.
 pub fn operation(lang: Lang, error: &OperationError) -> String {
     let names = || Operation::names().join(", ");
     translated! { lang, error;
@@ -139,7 +139,7 @@ pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
     }
 }
 
-/// Why there are no numbers to report.
+/// The reason why there are no numbers to report.
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
     translated! { lang, error;
         InspectError::Camera(error) => "{}" (camera(lang, error));

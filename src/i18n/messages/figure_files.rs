@@ -11,13 +11,13 @@ use crate::i18n::Lang;
 use crate::limits::{MAX_FORMULA, MAX_TEXTURE_SCALE};
 use crate::sanitize::escaped;
 
-/// The reason why a text is not a figure: line, key, the value found, the values allowed.
+/// The reason why a text isn't a figure: line, key, the value found, the values allowed.
 pub fn figure(lang: Lang, error: &FigureError) -> String {
     let line = both!(lang; "line {}", "linha {}"; error.line);
     format!("{line}: {}", without_line(lang, error))
 }
 
-/// The same for a text that is in no file.
+/// The same for a text that isn't in a file.
 pub fn without_line(lang: Lang, error: &FigureError) -> String {
     let FigureError { key, problem, .. } = error;
     let what = self::problem(lang, problem);

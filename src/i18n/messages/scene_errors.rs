@@ -85,7 +85,7 @@ pub(in crate::i18n) fn scene_wording(lang: Lang, error: &SceneError) -> Wording 
     }
 }
 
-/// The reason why a mesh file cannot be used, after its name, which is not repeated.
+/// The reason why a mesh file can't be used, after its name, which isn't repeated.
 fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
     match error {
         MeshError::Unreadable(error) if error.file == path => format!(" {}", read_problem(lang, &error.problem)),

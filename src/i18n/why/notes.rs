@@ -1,8 +1,8 @@
 //! The notes: a short text for each symbol, operation, equation, step and stage, in both languages, written in
 //! `assets/notes`.
 //!
-//! A file is read line by line: `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ `
-//! begins an erratum of the lecture notes, `[` the place in them, `→ ` the identifiers of other notes; every other line
+//! A file is read line by line. `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ `
+//! begins an erratum of the lecture notes, `[` the place in them, `→ ` the identifiers of other notes. Every other line
 //! is a paragraph, with mathematics between `$`.
 
 use std::sync::LazyLock;
@@ -41,12 +41,12 @@ pub struct Note {
     pub source: &'static str,
     /// The identifiers of other notes.
     pub links: Vec<&'static str>,
-    /// Everything that it says, as [`folded`].
+    /// Its whole text, as [`folded`].
     searched: String,
 }
 
 impl Note {
-    /// Whether it says all words of `wanted`, however they are accented and capitalised. No words: it does.
+    /// True if it contains all words of `wanted`, ignoring accents and case. Without words, it does.
     pub fn says(&self, wanted: &str) -> bool {
         has_words(&self.searched, wanted)
     }
@@ -56,7 +56,7 @@ impl Note {
         &self.searched
     }
 
-    /// Whether all words of `wanted` are in its heading.
+    /// True if all words of `wanted` are in its heading.
     pub fn is_headed(&self, wanted: &str) -> bool {
         has_words(&folded(self.title), wanted)
     }
@@ -80,7 +80,7 @@ impl Note {
     }
 }
 
-/// The page that says what the texts `[0]` … `[4]` and the spaces are.
+/// The page that describes the texts `[0]` … `[4]` and the spaces.
 pub const SOURCES: &str = "sources";
 
 static EN: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/en.md")));

@@ -38,7 +38,7 @@ texts! {
     no_lines: "nothing but faces is in view", "só há faces no campo de visão";
 }
 
-/// Why a stage runs, or why it is skipped.
+/// The reason why a stage runs, or why it's skipped.
 pub fn reason(lang: Lang, reason: Reason) -> String {
     let t = texts(lang);
     let objects = |n: usize| match n {

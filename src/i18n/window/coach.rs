@@ -13,7 +13,7 @@ use crate::sanitize::escaped;
 use crate::scene::SceneSpec;
 
 texts! {
-    // Of the command line.
+    // For the command line.
     health: "Health", "Saúde";
     findings: "Problems", "Problemas";
     no_problems: "No problems found. The image agrees with exact visibility.", "Nenhum problema encontrado. A imagem concorda com a visibilidade exata.";
@@ -23,7 +23,7 @@ texts! {
     no_repair: "no change to the figure repairs this", "nenhuma mudança na figura corrige isto";
     nothing_repaired: "there's nothing to repair, so the figure is written unchanged", "não há nada a corrigir, e a figura é gravada sem mudança";
     cannot_repair: "no change to the figure repairs this, so it's written unchanged", "nenhuma mudança na figura corrige isto, e ela é gravada como está";
-    // Of the window.
+    // For the window.
     coach: "Camera check", "Diagnóstico da câmera";
     coach_hint: "How close the camera is to numerical trouble, and why something is missing from the image", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
     camera_is: "Camera check:", "Diagnóstico da câmera:";
@@ -135,7 +135,7 @@ fn vup_angle(lang: Lang, degrees: f64) -> String {
         n(10f64.powf(lost)), n(lost))
 }
 
-/// A number with three digits; where an `f64` has none so large, that.
+/// A number with three digits. If it's beyond the greatest `f64`, the text says so.
 fn length(lang: Lang, x: f64) -> String {
     if x < f64::MAX { lang.mark().number(x, 3) } else { both!(lang; "more than 10³⁰⁸", "mais de 10³⁰⁸") }
 }
@@ -171,7 +171,7 @@ fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
         "θ é {angle}° (5.4). Na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio.")
 }
 
-/// In whose NDC depths are.
+/// The owner of the NDC of depths.
 pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     let name = conventions::name(lang, ndc);
     let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
@@ -180,8 +180,8 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
         "Nas NDC de {name}, z_n é {near} em F e {far} em {back}.")
 }
 
-/// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is
-/// seen.
+/// The verdict of a depth buffer on two planes. `share` is the part of their common area in which the farther one is
+/// visible.
 pub fn two_planes(lang: Lang, share: f64) -> String {
     let percent = lang.mark().number(100.0 * share, 2);
     if share == 0.0 {

@@ -1,4 +1,4 @@
-//! The words of *Predict first*: an operation asks what it will do before it does it.
+//! The words of *Predict first*: an operation asks about its effect beforehand.
 
 texts! {
     switch: "Predict first", "Prever antes";
