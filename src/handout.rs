@@ -96,7 +96,7 @@ pub fn of_lesson<E>(
     Ok(Handout { title, language: lang.tag(), entries, columns })
 }
 
-/// Whether a step only shows the answer to the question of the step before it.
+/// True if a step only shows the answer to the question of the step before it.
 fn answers(lesson: &Lesson, step: usize) -> bool {
     let before = step.checked_sub(1).and_then(|before| lesson.steps.get(before));
     let is_shown = before.is_some_and(|before| matches!(before.see, See::Next));
@@ -261,7 +261,7 @@ fn questions(lang: Lang, exercise: &Exercise, room: [usize; 2]) -> Vec<Paragraph
     paragraphs
 }
 
-/// The answers to the questions of a step, with their worked steps; `None` if nothing is asked.
+/// The answers to the questions of a step, with their worked steps. `None` if it asks none.
 fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
     let exercise = match step.task.as_ref()? {
         Task::Question(entry) => entry.exercise(0, &Default::default()),
@@ -315,7 +315,7 @@ fn set(markdown: &str) -> Vec<Paragraph> {
             continue;
         }
         for text in part.split("\n\n") {
-            // A matrix needs more than a line: what is before it is a paragraph, and what comes after it.
+            // A matrix needs more than a line, so the text before and after it gets paragraphs of its own.
             let mut line = String::new();
             for (k, part) in text.split('$').enumerate() {
                 match (k % 2, part.contains(MATRIX[0])) {
@@ -334,7 +334,7 @@ fn set(markdown: &str) -> Vec<Paragraph> {
     paragraphs
 }
 
-/// A line of a worked step: what is lowered is lowered whole, `p_11`.
+/// A line of a worked step, in which subscripts are lowered as a whole, as in `p_11`.
 fn lowered(line: &str) -> String {
     let mut text = String::with_capacity(line.len() + 8);
     let mut rest = line;
@@ -380,7 +380,7 @@ fn formula(latex: &str) -> Vec<FormulaPart> {
     parts
 }
 
-/// LaTeX as signs on a line; of a matrix, what notes in plain text have.
+/// LaTeX as signs on a line. For a matrix, the plain text of the notes.
 fn formula_in_line(latex: &str) -> String {
     if latex.trim().is_empty() {
         return String::new();

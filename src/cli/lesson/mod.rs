@@ -290,7 +290,7 @@ fn faults_of_goal(
     }
     let Ok(camera) = Camera::new(&figure.camera) else { return faults };
     if !faults.is_empty() {
-        // Without a scene, visibility is unknown.
+        // A goal about unknown objects can't be checked any further.
         return faults;
     }
     if goal.is_reached(Subject { figure, camera: &camera, scene }, seen) {

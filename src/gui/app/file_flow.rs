@@ -109,7 +109,7 @@ fn quit(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// Closes the window, even while files are read or written.
+/// Closes the window, regardless of running work.
 pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
     file_flow.may_close = true;
     ctx.send_viewport_cmd(ViewportCommand::Close);

@@ -129,7 +129,7 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
                     give_other_projection(model, &mut figure);
                 }
                 let before = figure.compare.take().unwrap_or_default();
-                // If there are two boxes, each has to be visible as a whole.
+                // The two boxes are side by side, so that each is visible as a whole.
                 let beside = key == "show.ndc";
                 chosen = Some(Comparison { beside, differences, ..before }.of_pair(&figure, key, pair));
             }

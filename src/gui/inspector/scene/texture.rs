@@ -79,7 +79,7 @@ fn source(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) 
         Some(TextureSource::File(_)) => t.texture_file,
     };
     let is_file = |source: &Option<TextureSource>| matches!(source, Some(TextureSource::File(_)));
-    // Without a file there is no texture to change.
+    // Without a mesh file there is no texture that `None` could replace.
     let is_listed =
         |source: &TextureSource| is_mesh || *source != TextureSource::None || chosen.as_ref() == Some(source);
     let named = TextureSource::NAMED.into_iter().map(|(_, source)| source).filter(is_listed).map(Some);

@@ -79,7 +79,7 @@ pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
         return progress::ui(ui, t, model, learn);
     };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
-    // One thing after the other: the next Esc releases the pin in the pictures.
+    // One thing after the other: the next Esc releases the probe pinned in the pictures.
     if learn.exercises.described.is_some() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
         learn.exercises.described = None;
     }

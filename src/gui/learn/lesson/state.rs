@@ -44,7 +44,7 @@ pub struct Playing {
     pub shows_notes: bool,
     /// The writing of the step, in a lesson of the user's own.
     pub writing: Option<Writing>,
-    /// True if the lesson has been written since it's being played.
+    /// True if the lesson has been written since it was opened.
     pub(in crate::gui) was_written: bool,
     /// True if a link holds the whole lesson, if it's the user's own, instead of the figure of the step.
     pub links_whole: bool,
@@ -301,8 +301,8 @@ impl Learn {
         self.show_step(model, playing, step, moves);
     }
 
-    /// Goes on to the next step, or back to the one before. A message mentions an open task once, and the next call
-    /// skips it.
+    /// Goes on to the next step, or back to the one before. A message mentions an open task once, and the next
+    /// call skips it.
     pub fn step_lesson(&mut self, model: &mut Model, forwards: bool) {
         if self.end_move(model) && forwards {
             return;
