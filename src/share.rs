@@ -51,8 +51,8 @@ pub enum ShareError {
     TooLarge,
 }
 
-/// The link to the figure or lesson with this text. `address` is that of the page which opens it. Empty means only the
-/// part after the address.
+/// The link to the figure or lesson with this text. `address` is that of the page which opens it. If it's empty, the
+/// result is only the part after the address.
 ///
 /// # Errors
 /// [`ShareError::TooLong`].

@@ -1,5 +1,5 @@
 //! `camera-lab animate`: the view volume becomes the canonical one, step by step, as an animation or as a strip of
-//! stills; families and ways to other cameras are in `sweep`.
+//! stills. Families and ways to other cameras are in `sweep`.
 
 use super::args::AnimateArgs;
 use super::render::{no_picture, save};

@@ -107,7 +107,7 @@ fn impossible(args: &DiagnoseArgs, lang: Lang) -> Result<Option<(Opened, CameraE
     if !args.common.operations(lang)?.is_empty() {
         return Ok(None);
     }
-    // Other errors of the file are reported when it is opened as usual.
+    // Other errors of the file are reported when it's opened as usual.
     let opened = files::open_figure_with_any_camera(&args.figure).ok();
     Ok(opened.and_then(|(opened, error)| Some((opened, error?))))
 }

@@ -26,7 +26,7 @@ struct Explanation<'a> {
     view: &'a str,
     stages: Vec<StageLine>,
     total_micros: f64,
-    /// The stages whose operations are not counted.
+    /// The stages whose operations aren't counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_counted: Option<Vec<&'static str>>,
     /// Only for the image, whose objects are those of the scene.

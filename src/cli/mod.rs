@@ -1,7 +1,8 @@
 //! The command line: one file per subcommand, and their shared parts.
 //!
-//! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
-//! the language of `--lang` or of the system. Standard output and pictures never depend on the system.
+//! The exit status is 0 for success, 1 if the work couldn't be completed, and 2 for bad input. Errors go to standard
+//! error, one paragraph, in the language of `--lang` or of the system. Standard output and pictures never depend on the
+//! system.
 
 mod accuracy;
 mod animate;
@@ -80,7 +81,7 @@ pub enum Asked {
 pub struct Opening {
     /// The figure. Its camera is possible.
     pub figure: Figure,
-    /// Its file; `None` means a new figure.
+    /// Its file. `None` for a new figure.
     pub file: Option<SourceFile>,
     /// The user allows the figure to name any file.
     pub allow_files: bool,

@@ -140,7 +140,7 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
     }
 }
 
-/// Width and height in pixels of a picture `width` centimetres wide; by default, as high as the figure's image, or as
+/// Width and height in pixels of a picture `width` centimetres wide. By default, as high as the figure's image, or as
 /// `count` of them side by side.
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, count: usize) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);

@@ -24,7 +24,7 @@ pub struct OwnLessons {
 /// Reads a lesson, and the text of its file or link.
 ///
 /// # Errors
-/// [`FileError`] if the file or link cannot be read, or holds no lesson.
+/// [`FileError`] if the file or link can't be read, or holds no lesson.
 pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
     let bytes = match share::link_of(path).and_then(share::text_in) {
         Some(text) => text?,

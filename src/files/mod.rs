@@ -83,13 +83,13 @@ pub enum FileError {
 /// Permission to replace files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overwrite {
-    /// A file that may be written. Another one is [`FileError::ReadOnly`].
+    /// A file that may be written. For other files, saving returns [`FileError::ReadOnly`].
     Writable,
     /// Also a read-only file: the user has agreed. It stays read-only.
     ReadOnlyToo,
 }
 
-/// A figure and the text that it was read from, which [`update`](crate::figure::update) wants.
+/// A figure and its source text, for [`update`](crate::figure::update).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
     /// The figure.
@@ -301,7 +301,7 @@ mod tests {
         let pipe = directory.path().join("pipe.toml");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status();
         assert!(made.is_ok_and(|status| status.success()));
-        // Would wait for ever if it were opened.
+        // Would wait for ever if it was opened.
         assert!(matches!(open_figure(&pipe), Err(FileError::NotRegular)));
     }
 }

@@ -24,7 +24,7 @@ pub struct BadExercise {
     pub path: PathBuf,
     /// Why not.
     pub error: FileError,
-    /// The identifier of the exercise that it seems to be.
+    /// The probable identifier of the exercise.
     pub id: Option<String>,
 }
 

@@ -97,7 +97,7 @@ fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<
     }
 }
 
-/// Puts the new file in the place of the old one, which Windows wants to be writable for that.
+/// Puts the new file in the place of the old one, which Windows requires to be writable for that.
 fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -> io::Result<()> {
     #[cfg(windows)]
     if before.permissions().readonly() {
@@ -395,7 +395,7 @@ mod tests {
             let names = [".camera-lab-1-0.tmp", ".camera-lab-1-1.tmp", ".camera-lab-1-2.tmp"].map(place);
             let long_ago = std::process::Command::new("touch").args(["-h", "-d", "2001-01-01"]).args(names).status();
             assert!(long_ago.is_ok_and(|status| status.success()));
-            // Would wait for ever if the pipe were opened.
+            // Would wait for ever if the pipe was opened.
             save_writable(&place("a.toml"), b"x").unwrap();
             assert_eq!(directory.names().len(), 5);
             assert_eq!(fs::read(place("mine")).unwrap(), b"mine");

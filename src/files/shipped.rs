@@ -29,7 +29,7 @@ pub enum Topic {
     Limits,
 }
 
-/// A figure that is part of the program.
+/// A built-in figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ShippedFigure {
     /// Its name, without an ending.
@@ -49,7 +49,7 @@ macro_rules! shipped {
     };
 }
 
-/// All of them, in the order in which they are shown. Every named scene is among them.
+/// All of them, in the order of display. Every named scene is among them.
 pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at", "two-eyes";
@@ -106,7 +106,7 @@ impl ShippedFigure {
     }
 }
 
-/// The bytes of a built-in file named by a scene, or by a built-in mesh; `None` for files.
+/// The bytes of a built-in file named by a scene, or by a built-in mesh. `None` for files.
 pub(super) fn shipped_file(path: &str, named_by: Option<&str>) -> Option<&'static [u8]> {
     let by_mesh = named_by.is_some_and(|mesh| mesh.starts_with(SHIPPED));
     let name =

@@ -32,7 +32,7 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
 }
 
 texts_with_values! {
-    /// A command that does not exist.
+    /// A command that doesn't exist.
     unknown_command(lang, name: &str, commands: &[String]): "there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help",
         "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
         (name = escaped(name), commands = commands.join(", "));

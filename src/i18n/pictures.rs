@@ -81,7 +81,7 @@ words! {
         samples: "samples per pixel", "amostras por pixel";
     }
     parts {
-        // The planes, outside of which an object is.
+        // The planes that an object can be outside of.
         plane_left: "left", "esquerda";
         plane_right: "right", "direita";
         plane_bottom: "bottom", "baixo";

@@ -358,7 +358,7 @@ impl AnimateArgs {
         number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
     }
 
-    /// The number of images, if it is given.
+    /// The number of images, if it's given.
     pub(super) fn frames(&self, lang: Lang) -> Result<Option<usize>, Failure> {
         let Some(text) = &self.frames else { return Ok(None) };
         let frames = text.trim().parse().ok().filter(|frames| (2..=MAX_FRAMES).contains(frames));

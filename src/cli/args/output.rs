@@ -99,7 +99,7 @@ impl OutputArgs {
         Ok([side("--width-cm", &self.width_cm)?, side("--height-cm", &self.height_cm)?])
     }
 
-    /// The arguments in units of paper; `None` if there are none.
+    /// The arguments in units of paper. `None` if there are none.
     pub(in crate::cli) fn on_paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
         let letters = option("--letters", &self.letters, (&PAPER_LETTERS, 9.0), lang)?;
         let lines = option("--lines", &self.lines, (&PAPER_LINES, 0.6), lang)?;

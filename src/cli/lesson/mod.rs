@@ -316,7 +316,7 @@ fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let size = size(args.size.as_deref(), lang)?;
     let found = find(&args.which, lang)?;
-    // A handout is wanted, and not a folder of pictures.
+    // The output is a handout, and not a folder of pictures.
     let is_handout = args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"));
     if let Some(option) = args.unused(is_handout) {
         return Err(Failure::BadInput(texts::unused_option(lang, option, is_handout)));

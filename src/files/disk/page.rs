@@ -26,7 +26,7 @@ pub struct Page {
     pub download: fn(&str, &[u8]) -> io::Result<()>,
     /// True if another page of this origin holds the lock of this name.
     pub held_elsewhere: fn(&str) -> bool,
-    /// Takes the lock of this name, or gives it back.
+    /// Takes or releases the lock of this name.
     pub hold: fn(&str, bool),
     /// The seconds since the beginning of 1970.
     pub clock: fn() -> u64,
@@ -57,7 +57,7 @@ pub fn begin(page: Page) {
     files().page = Some(page);
 }
 
-/// Gives a file to the page. It can be read from now on, under its name.
+/// Gives a file to the page. From now on it can be read under its name.
 pub fn give(path: PathBuf, bytes: Vec<u8>) {
     files().given.insert(path, bytes);
 }
@@ -150,7 +150,7 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     remove(from)
 }
 
-/// A page has no folders to be made.
+/// A page has no folders to create.
 ///
 /// # Errors
 /// None.
@@ -166,7 +166,7 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     Ok(path.to_owned())
 }
 
-/// A name means the same from everywhere. There is one folder.
+/// True for a path with a file name. There is one folder, so a name means the same from everywhere.
 pub fn is_whole(path: &Path) -> bool {
     path.file_name().is_some()
 }

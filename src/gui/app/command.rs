@@ -10,7 +10,7 @@ use crate::gui::model::command::Command;
 use crate::i18n::window::Texts;
 pub use table::MENUS;
 
-/// A menu: its title, and its commands in groups, between which is a line.
+/// A menu: its title, and its commands in groups with lines between them.
 #[derive(Debug)]
 pub struct Menu {
     pub(in crate::gui) title: fn(&Texts) -> &'static str,

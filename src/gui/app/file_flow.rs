@@ -127,7 +127,7 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// Asks for a file, with the system's dialog or with a text field if there is none. A page in a browser has no folders
 /// to choose from, so it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
-    // A figure that was made of a card has words of its own.
+    // A figure made from a card has words of its own.
     let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.document.shipped_name().is_some();
     if asks_title && state.file_flow.titled != Some(state.model.document.id()) {
         let form = TitleForm::of(&state.model, Some(purpose));
@@ -187,7 +187,7 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     }
 }
 
-/// Goes on with the file that was chosen. Asks before a file is replaced.
+/// Goes on with the chosen file. Asks before it replaces a file.
 pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
     let kind = FileKind::of(state, &purpose);
     let path = kind.with_ending(files::whole(&path));
@@ -351,7 +351,7 @@ pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSav
     file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
 }
 
-/// The figure as it is written to `path`.
+/// The figure in the form for `path`.
 fn for_folder(model: &Model, path: &Path) -> Figure {
     files::for_folder(&model.figure_to_save(), model.document.folder(), path.parent())
 }

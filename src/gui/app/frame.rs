@@ -30,7 +30,7 @@ use crate::gui::storage::session_news;
 use crate::gui::why;
 use crate::i18n::window::{self, Texts};
 
-/// Below this width, in points, there is room for one panel beside the pictures.
+/// Below this width, in points, there is room for only one panel beside the pictures.
 const NARROW: f32 = 960.0;
 
 /// Commands that the panels have called, done when the pictures have been shown.
@@ -41,7 +41,7 @@ struct Called {
 }
 
 impl App {
-    /// One frame; `ui` is the whole window.
+    /// Shows one frame. `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
         self.input(&ctx);

@@ -135,7 +135,7 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Comm
         .clicked()
 }
 
-/// The keys of a command as they are written, if it has any here.
+/// The written keys of a command, if it has any here.
 fn keys(ui: &egui::Ui, model: &Model, command: Command) -> Option<String> {
     command.keys(model).next().map(|keys| written(ui.ctx(), &keys, model.settings.lang))
 }

@@ -131,7 +131,7 @@ impl App {
         }
     }
 
-    /// Collects notices about sessions and preferences. Each stays until dismissed, write failures as long as they
+    /// Collects notices about sessions and preferences. Each stays until dismissed. Write failures stay as long as they
     /// last.
     fn show_notices(&mut self) {
         let said = &mut self.state.file_flow.news;
@@ -147,7 +147,7 @@ impl App {
         }
     }
 
-    /// Takes the first key press out of the input that calls a command, and gives the command.
+    /// Removes from the input the first key press that calls a command, and returns the command.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
         let typing = ctx.text_edit_focused();
         // On a Mac, Option writes accents and signs.

@@ -27,8 +27,8 @@ const ENLARGEMENT: f32 = 1.6;
 const USUAL_SCREEN: egui::Vec2 = vec2(1920.0, 1080.0);
 const FINEST: f32 = 6.0;
 
-/// The zoom of a presentation in a window of this size in points without any zoom: letters have at least the share of a
-/// large screen that they have of the usual one, also if the system gives the screen no scale.
+/// The zoom of a presentation in a window of this size in points without any zoom. Letters have at least the share of a
+/// large screen that they have of the usual one, even if the system gives the screen no scale.
 pub(in crate::gui) fn zoom(window: egui::Vec2) -> f32 {
     ENLARGEMENT * (window / USUAL_SCREEN).min_elem().clamp(1.0, FINEST)
 }
@@ -104,7 +104,7 @@ impl RestingPointer {
         }
     }
 
-    /// Hides the arrow too, or looks again when it has rested.
+    /// Hides the arrow too, or requests a frame for the time when it will have rested.
     pub(in crate::gui) fn show(self, ctx: &Context, presents: bool) {
         if self.gone {
             ctx.set_cursor_icon(CursorIcon::None);

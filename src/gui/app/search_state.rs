@@ -10,7 +10,7 @@ pub struct Search {
 }
 
 impl Search {
-    /// Begins anew.
+    /// Starts again.
     pub(in crate::gui) fn begin(&mut self) {
         *self = Self::default();
     }

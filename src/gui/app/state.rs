@@ -36,7 +36,7 @@ pub struct State {
     pub own_address: Option<String>,
     /// The address of a page with this program, for links, as entered by the user.
     pub page_address: String,
-    /// The files that were opened or saved last.
+    /// The recent files.
     pub recent: Recent,
     /// The figures that one can begin with.
     pub gallery: Gallery,
@@ -44,7 +44,7 @@ pub struct State {
     pub search: Search,
     /// The last export settings.
     pub export: Export,
-    /// The family that is exported.
+    /// The exported family.
     pub family: FamilyChoice,
     /// The figure whose camera was kept as A.
     pub camera_a: Option<Arc<Figure>>,

@@ -145,7 +145,7 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         self.asked.as_ref().filter(|_| self.waits)
     }
 
-    /// The work that is being done.
+    /// The running work.
     pub(in crate::gui) fn running(&self) -> Option<Running> {
         self.worker.running()
     }

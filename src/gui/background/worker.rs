@@ -64,13 +64,13 @@ enum Backend<Job, Outcome, const SLOTS: usize> {
 
 /// A job that has been done.
 pub(in crate::gui) struct Done<Outcome> {
-    /// The result; `None` if the work panicked.
+    /// The result. `None` if the work panicked.
     pub(in crate::gui) outcome: Option<Outcome>,
     /// Its duration.
     pub(in crate::gui) time: Duration,
 }
 
-/// A job that is being done.
+/// A running job.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::gui) struct Running {
     pub(in crate::gui) slot: usize,
@@ -176,7 +176,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self
     }
 
-    /// Requests a job. Requests a frame of `ctx` when it is done.
+    /// Requests a job. Requests a frame of `ctx` when it's done.
     pub(in crate::gui) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
         if let Backend::Threads(begun) = &mut self.place
             && !begun[slot]
@@ -293,7 +293,7 @@ fn work<Job, Outcome, const SLOTS: usize>(
         drop(mailbox);
 
         let start = clock();
-        // A panic here is a bug, but not one for which the window should freeze: half-done parts are made anew.
+        // A panic here is a bug, but not one for which the window should freeze. Half-done parts are created again.
         let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, progress.clone())))).ok().flatten();
         if outcome.is_none() {
             work = make();

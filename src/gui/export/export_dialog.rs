@@ -38,11 +38,11 @@ const LEAST_PICTURE: f32 = 120.0;
 
 /// The parts of the window's state that the dialog changes.
 pub(in crate::gui) struct Choices<'a> {
-    /// The family that is exported.
+    /// The exported family.
     pub(in crate::gui) family: &'a mut FamilyChoice,
     /// The settings of the last export.
     pub(in crate::gui) last: &'a mut Export,
-    /// The picture as it will be.
+    /// The preview.
     pub(in crate::gui) preview: &'a mut Option<Preview>,
 }
 
@@ -350,7 +350,7 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, enter: &mut 
     errors
 }
 
-/// A place that the picture is made for, which sets its size and its letters.
+/// A destination of the picture, which sets its size and its letters.
 fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
     let words = families::texts(t.lang);
     let names = PaperPreset::ALL.map(|preset| match preset {

@@ -1,4 +1,4 @@
-//! The family that is exported: one or two keys or operations, with their values.
+//! The exported family: one or two keys or operations, with their values.
 
 use crate::figure::variation::{Variation, VariationError};
 
@@ -120,7 +120,7 @@ impl FamilyChoice {
         self
     }
 
-    /// Takes a subject. Nothing ends the family, which is remembered.
+    /// Takes a subject. [`Subject::Nothing`] ends the family, which is remembered.
     pub fn choose(&mut self, subject: Subject) {
         if subject == Subject::Nothing {
             self.last = self.remembered();

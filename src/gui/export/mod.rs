@@ -211,7 +211,7 @@ const STEP_SECONDS: f64 = 2.0;
 /// The result of an export: a shortfall, or the reason why no file was written.
 pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
 
-/// A picture that is being written.
+/// A picture being written.
 #[derive(Debug)]
 pub(super) struct Exporting {
     path: PathBuf,
@@ -337,12 +337,12 @@ impl Exporting {
         self.worker.running()
     }
 
-    /// Gives it up. It still comes to its end, but soon.
+    /// Gives it up. It still ends, but soon.
     pub(super) fn cancel(&self) {
         self.worker.cancel();
     }
 
-    /// The result and its path, once it has ended.
+    /// The result and its path, once it's done.
     pub(super) fn take(&mut self) -> Option<(PathBuf, Exported)> {
         let [done] = self.worker.take(Duration::ZERO);
         Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))

@@ -38,7 +38,7 @@ pub struct Preview {
     pub(in crate::gui) copied: Option<Result<(), ExportError>>,
 }
 
-/// A picture that is wanted.
+/// A requested picture.
 struct PreviewJob {
     subject: ExportSource,
     export: Export,

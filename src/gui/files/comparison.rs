@@ -36,7 +36,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the text of the file with the one that saving would write.
+    /// Compares the text of the file with the text that saving would write.
     pub fn new(theirs: &str, mine: &str) -> Self {
         let [theirs, mine] = [theirs, mine].map(|text| text.split_inclusive('\n').collect::<Vec<_>>());
         let mut found = Compact::new(Replace::new(Capture::new()), &theirs[..], &mine[..]);

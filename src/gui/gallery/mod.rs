@@ -26,7 +26,7 @@ pub enum Part {
     /// The figures of the program.
     #[default]
     Examples,
-    /// The figures that were opened or saved last.
+    /// The recent figures.
     Recent,
     /// The figures of a folder.
     Folder,
@@ -37,13 +37,13 @@ impl Part {
     pub const ALL: [Self; 3] = [Self::Examples, Self::Recent, Self::Folder];
 }
 
-/// Number of files of a folder that are shown.
+/// Number of displayed files of a folder.
 const MOST_FILES: usize = 300;
 
 /// The content of the gallery, and its thumbnails.
 #[derive(Debug)]
 pub struct Gallery {
-    /// The part that is shown.
+    /// The displayed part.
     pub part: Part,
     /// True if there are no files to show, as in a page of a browser.
     pub examples_alone: bool,
@@ -123,12 +123,12 @@ impl Gallery {
         self.waiting.extend(self.folder.clone().map(CardJob::List));
     }
 
-    /// The folder whose figures are shown.
+    /// The folder of the displayed figures.
     pub(super) fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
 
-    /// The folder that was chosen when the program ran last.
+    /// Sets the folder chosen in the last run of the program.
     pub(super) fn remember(&mut self, folder: PathBuf) {
         self.folder = Some(folder);
     }

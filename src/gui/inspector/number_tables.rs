@@ -1,4 +1,4 @@
-//! The numbers of a report as tables: their symbols, names and rows, as they are shown.
+//! The numbers of a report as tables, with their symbols, names and rows, ready for display.
 
 use std::borrow::Cow;
 

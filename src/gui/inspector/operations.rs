@@ -107,7 +107,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: F
     }
 }
 
-/// The effect of the open operation, or how far it has been pulled, and its slider.
+/// The effect of the open operation, or the position of its slider, and the slider.
 fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Freedom) {
     let amount = model.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
     ui.scope(|ui| {

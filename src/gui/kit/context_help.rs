@@ -7,7 +7,7 @@ use eframe::egui::{self, Id, Rect, Response, Ui};
 struct Noted {
     pointed: Option<&'static str>,
     focused: Option<&'static str>,
-    /// A symbol was clicked: the note under the pointer is wanted.
+    /// True if a symbol was clicked, so that the note under the pointer has to open.
     called: bool,
 }
 

@@ -18,7 +18,7 @@ pub(in crate::gui) enum Region {
     Picture(usize),
     /// The stages of the pipeline.
     Strip,
-    /// The lesson that is played.
+    /// The lesson being played.
     Lesson,
     /// The studies of error against run time.
     Numerics,
@@ -111,7 +111,7 @@ impl Focus {
         }
     }
 
-    /// Ends a frame: closes a list in which something was chosen, and marks the focused widget.
+    /// Ends a frame: closes a list after a choice in it, and marks the focused widget.
     pub(in crate::gui) fn end(&mut self, ctx: &Context) {
         if ctx.data(|data| data.get_temp::<bool>(close_id())).unwrap_or(false) {
             ctx.data_mut(|data| data.insert_temp(close_id(), false));
@@ -267,8 +267,8 @@ pub(in crate::gui) fn keep_in_sight(ui: &Ui) {
     }
 }
 
-/// Controls at the right end of a row, in the order in which they are read, which is the order in which Tab goes
-/// through them. A layout from right to left would turn it round.
+/// Controls at the right end of a row, in reading order, which is the order of Tab. A layout from right to left would
+/// reverse it.
 pub(in crate::gui) fn at_right<R>(ui: &mut Ui, controls: impl FnOnce(&mut Ui) -> R) -> R {
     with_room_before(ui, |_| (), controls)
 }

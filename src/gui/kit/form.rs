@@ -1,4 +1,4 @@
-//! The few shapes that panels and dialogs are made of.
+//! The basic shapes of panels and dialogs.
 
 use eframe::egui::{self, CollapsingHeader, RichText};
 use glam::DVec3;
@@ -11,7 +11,7 @@ use super::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 
-/// A group of controls under a title that opens and closes it. Gives the title.
+/// A group of controls under a title that opens and closes it. Returns the title.
 pub(in crate::gui) fn section(
     ui: &mut egui::Ui,
     title: &str,

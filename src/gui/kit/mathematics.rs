@@ -133,7 +133,7 @@ impl ComputerMut<&str, Option<Arc<Ink>>> for Typesetter {
     }
 }
 
-/// A formula of a size, ready to be painted.
+/// A formula of a size, ready to paint.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct Formula {
     set: Set,

@@ -11,8 +11,8 @@ use crate::export::plot::COLORS;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::{Lang, window};
 
-/// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer are shown
-/// beside it.
+/// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer appear beside
+/// it.
 pub(in crate::gui) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.show_x(false).show_y(false).allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false)
 }

@@ -36,7 +36,7 @@ impl<'t> TextField<'t> {
         Self { edit: TextEdit::singleline(text).align(Align2::LEFT_CENTER), most: usize::MAX, says: false }
     }
 
-    /// As [`Self::fixed_line`], of several lines.
+    /// As [`Self::fixed_line`], with several lines.
     pub(in crate::gui) fn fixed_lines(text: &'t mut &str) -> Self {
         Self { edit: TextEdit::multiline(text), most: usize::MAX, says: false }
     }
@@ -138,7 +138,7 @@ pub(in crate::gui) fn drop_letters_with_alt(events: &mut Vec<Event>, os: Operati
     });
 }
 
-/// The rest of the caret after a while without input: to blink, it draws the whole window anew twice a second.
+/// Stops the caret after a while without input, because its blinking redraws the whole window twice a second.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct CaretRest {
     last_input: f64,

@@ -22,7 +22,7 @@ pub fn bold(size: f32) -> FontId {
     FontId::new(size, bold_family())
 }
 
-/// `DejaVu` first: it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
+/// `DejaVu` first, because it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
 pub fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::default();
     let faces: [(&str, &'static [u8], FontFamily); 3] = [
@@ -117,7 +117,7 @@ pub fn tint_header(ui: &mut egui::Ui) {
     }
 }
 
-/// Gives a slider a rail that can be seen.
+/// Gives a slider a visible rail.
 pub fn strengthen_rail(ui: &mut egui::Ui) {
     let border = ui.visuals().widgets.noninteractive.bg_stroke.color;
     let widgets = &mut ui.visuals_mut().widgets;

@@ -93,7 +93,7 @@ fn describe(response: &Response, text: &str) {
 
 fn show(response: &Response, mut tooltip: Tooltip<'_>, content: impl FnOnce(&mut Ui)) {
     let ctx = &response.ctx;
-    // A dialog has come before it.
+    // A dialog has opened in front of it.
     if !ctx.memory(|memory| memory.is_above_modal_layer(response.layer_id)) {
         return;
     }
@@ -104,7 +104,7 @@ fn show(response: &Response, mut tooltip: Tooltip<'_>, content: impl FnOnce(&mut
         tooltip.popup = tooltip.popup.anchor(place).align(beside.align);
     }
     tooltip.show(|ui| {
-        // It has the width of every tooltip: egui's own has that of the one before, and breaks numbers.
+        // It has the width of every tooltip, because egui's own has that of the one before, and breaks numbers.
         ui.set_max_width(ui.spacing().tooltip_width);
         content(ui);
     });

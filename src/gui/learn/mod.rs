@@ -29,7 +29,7 @@ pub struct Learn {
     pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The exercises.
     pub exercises: Exercises,
-    /// The lesson that is played.
+    /// The lesson being played.
     pub lesson: Option<Playing>,
     /// The lessons of a lecturer's folder, as they were when the list was opened.
     pub own: Vec<(PathBuf, Arc<Lesson>)>,
@@ -37,7 +37,8 @@ pub struct Learn {
     pub file: Option<PathBuf>,
     /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
     pub taken: BTreeMap<String, usize>,
-    /// The steps of each lesson whose task was done, from 0: an answer of one's own, and not a way that was shown.
+    /// The steps of each lesson whose task was done, from 0, by an answer of the user's own, and not by a way that was
+    /// shown.
     pub done: BTreeMap<String, BTreeSet<usize>>,
     /// The way on from the last time is offered, in one line.
     pub goes_on: bool,

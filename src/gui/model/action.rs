@@ -26,7 +26,7 @@ pub enum Action {
         /// Number of other objects below them.
         below: usize,
     },
-    /// Ask whether the progress in exercises is to be deleted.
+    /// Ask if the progress in exercises is to be deleted.
     DeleteProgress,
     /// Look through another camera of the figure: its place in the list.
     LookThrough(usize),
@@ -78,7 +78,7 @@ pub enum FileFor {
     Exercises,
 }
 
-/// An action to be done once nothing can be lost any more.
+/// An action to perform once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AfterSave {
     /// The default figure.

@@ -1,5 +1,5 @@
-//! The coach's findings about the figure: computed beside the window's thread, and anew only when their inputs have
-//! changed.
+//! The coach's findings about the figure. They are computed beside the window's thread, and again only if their inputs
+//! have changed.
 
 use std::time::Duration;
 
@@ -33,9 +33,9 @@ struct HealthRequest {
 /// The faults of the picture, and the health of the camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
-    /// The camera that it is about.
+    /// The camera examined.
     pub camera: Camera,
-    /// `None` if the image is too large to be drawn.
+    /// `None` if the image is too large to draw.
     pub diagnosis: Option<Diagnosis>,
     /// Six quantities. None of an impossible camera.
     pub health: Vec<Health>,
@@ -86,7 +86,7 @@ impl Coach {
 }
 
 impl Model {
-    /// Has the coach look at the figure, if it has changed. Not while the hand moves.
+    /// Makes the coach examine the figure, if it has changed, but not during a drag.
     pub(in crate::gui) fn check_camera(&mut self, ctx: &egui::Context) {
         self.coach.take(Duration::ZERO);
         if ctx.input(|input| input.pointer.any_down()) || self.motion.is_some() {

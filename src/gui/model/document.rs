@@ -20,7 +20,7 @@ pub struct Document {
     draft: Parameters,
     problem: Option<CameraError>,
     path: Option<PathBuf>,
-    /// The name of the figure of the program that it began as, while it has no file.
+    /// The name of the built-in figure that it began as, while it has no file.
     shipped: Option<&'static str>,
     folder: Option<PathBuf>,
     reach: FileAccess,
@@ -36,9 +36,9 @@ pub struct Document {
     is_changed: bool,
     opened: Parameters,
     history: History,
-    /// The document in front of which this one was shown: undoing past the first step leads back to it.
+    /// The document behind this one. Undoing past the first step leads back to it.
     behind: Option<Box<Self>>,
-    /// The document that was shown in front of this one, until undoing led back: redoing leads to it again.
+    /// The document that was in front of this one until undoing led back. Redoing leads to it again.
     in_front: Option<Box<Self>>,
     /// See [`Self::has_stand_in_camera`].
     stands_in: bool,
@@ -430,7 +430,7 @@ impl Document {
         }
     }
 
-    /// The name of the figure of the program that it began as, while it has no file.
+    /// The name of the built-in figure that it began as, while it has no file.
     pub fn shipped_name(&self) -> Option<&'static str> {
         self.shipped
     }

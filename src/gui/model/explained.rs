@@ -1,4 +1,4 @@
-//! The part of the explanations that views and figure files share: which is shown, its matrix entry and its steps.
+//! The part of the explanations that views and figure files share: the displayed one, its matrix entry and its steps.
 
 pub mod conventions;
 pub mod matrices;
@@ -47,7 +47,7 @@ impl Question {
 #[derive(Debug)]
 pub struct Explained {
     question: Question,
-    /// The explanation that each question showed last, in the order of [`Question::ALL`].
+    /// The last explanation of each question, in the order of [`Question::ALL`].
     last: [Explanation; 4],
     /// Objects in the places where the explanation of order puts them in this frame.
     pub placed: Vec<TransformPreview>,

@@ -94,7 +94,7 @@ fn edited(figure: &Figure) -> Figure {
     Figure { screen: Screen::default(), ..figure.without_scene() }
 }
 
-/// The parts of `[show]` that are choices: not pointed at, played, or made by a panel.
+/// The parts of `[show]` that are choices. Parts set by pointing, playing, or a panel aren't.
 fn chosen(show: &Show) -> impl PartialEq {
     let triangle = show.triangle.as_ref().map(|triangle| (&triangle.object, triangle.index));
     (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
@@ -136,7 +136,7 @@ impl History {
         true
     }
 
-    /// True if something else was chosen to be explained than at the last step.
+    /// True if the choice of explanation has changed since the last step.
     pub(in crate::gui) fn shows_other(&self, show: &Show) -> bool {
         chosen(&self.now.show) != chosen(show)
     }
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn what_has_the_same_number_is_not_compared() {
         let (mut history, figure, camera) = history(3);
-        // A scene that only says that it is the same: nobody has looked.
+        // A scene that is only declared the same, because it hasn't been compared.
         let mut other = figure.clone();
         other.scene.objects.clear();
         history.commit((&other, history.now.revision), &camera, &figure.camera);

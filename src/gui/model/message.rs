@@ -1,4 +1,4 @@
-//! Messages at the bottom of the window, as values. Their words are made when they are shown, in the language of that
+//! Messages at the bottom of the window, as values. Their words are chosen when they are shown, in the language of that
 //! moment.
 
 use std::path::{Path, PathBuf};
@@ -52,7 +52,7 @@ pub enum Message {
     FirstStep,
     /// No step of the lesson after this one.
     LastStep,
-    /// A step of the lesson has something to be done first.
+    /// A step of the lesson has an open task.
     TaskFirst,
     /// The observer of a picture went back, so that everything stays in it.
     WentBack(View),
@@ -78,7 +78,7 @@ pub enum Message {
     NotOpened(PathBuf, CameraError),
     /// A figure can't be saved before its impossible camera is repaired.
     NotSaved(CameraError),
-    /// A file was opened whose camera is impossible. Its numbers are in the fields.
+    /// The opened file has an impossible camera. Its numbers are in the fields.
     Impossible(PathBuf, CameraError),
     /// An operation leads to no camera.
     Camera(CameraError),
@@ -211,7 +211,7 @@ impl Message {
 /// The tone of a message.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tone {
-    /// It has been read soon.
+    /// Short news, which disappear by themselves soon.
     News,
     /// Shown as long as it holds.
     Lasting,

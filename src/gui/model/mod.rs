@@ -89,7 +89,7 @@ pub struct Model {
     pub hover: PanelHover,
     /// The last observers of the pictures. `None` if they haven't been shown.
     pub seen: Observers,
-    /// The observers that [`as_seen`](Self::as_seen) found last.
+    /// The last observers found by [`as_seen`](Self::as_seen).
     pub(in crate::gui) observers_shown: Memo<SeenBy, Observers>,
     /// The panels open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
@@ -113,7 +113,7 @@ pub struct Model {
     pub kept: Vec<(Option<Source>, Document)>,
     /// Those of them that the user, closing the window, has decided not to save. Kept again if it isn't closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
-    /// Requests of features to others, to be done once this frame's panels are drawn.
+    /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,
 }
 
@@ -240,7 +240,7 @@ impl Model {
     }
 
     /// Removes news that have been shown long enough (`now` is a time in seconds). Returns the seconds left until then.
-    /// Errors stay until they are closed, and lasting states as long as they hold.
+    /// Errors stay until the user closes them, and lasting states as long as they hold.
     pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
         self.message.as_ref().filter(|message| message.passes())?;
         let left = *self.shown_since.get_or_insert(now) + NEWS_SECONDS - now;
@@ -273,7 +273,7 @@ impl Model {
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         let shown = self.document.show_in_front(figure);
         self.say_camera_error(shown);
-        // Its objects are to be seen, without frames and handles.
+        // Its objects are shown without frames and handles.
         self.tree = SceneTree::default();
         self.observer_change = Some(ObserverChange::Fit);
     }

@@ -20,7 +20,7 @@ use crate::views::View;
 pub struct Operations {
     /// The step of each button: degrees, factor or scene units, in the order of [`OPERATIONS`].
     pub steps: [f64; OPERATIONS.len()],
-    /// The one whose slider is shown.
+    /// The operation whose slider is shown.
     open: Freedom,
     /// Those above it that are still open, because the pointer is over the rows: none moves under it.
     open_above: Vec<Freedom>,

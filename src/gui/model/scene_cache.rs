@@ -32,7 +32,7 @@ pub(in crate::gui) fn is_heavy(scene: &Scene) -> bool {
     scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
 }
 
-/// The scene of the figure, or the last one that could be made.
+/// The scene of the figure, or the last one that could be built.
 #[derive(Debug, Default)]
 pub struct SceneCache {
     made_from: Option<MadeFrom>,
@@ -91,7 +91,7 @@ struct BuiltScene {
     unread: Vec<ReadError>,
 }
 
-/// A file to be read.
+/// A file to read.
 #[derive(Clone, Debug, PartialEq)]
 struct SceneFile {
     path: String,
@@ -188,7 +188,7 @@ impl SceneCache {
         self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
     }
 
-    /// A number that stays while one and the same scene is changed, and is another one after another scene has come.
+    /// A number that stays the same while one scene is edited, and changes when another scene replaces it.
     pub fn subject(&self) -> u64 {
         self.subject
     }
@@ -235,7 +235,7 @@ impl SceneCache {
         std::mem::take(&mut self.lacks_photograph.1).then(|| self.lacks_photograph.0.clone()).flatten()
     }
 
-    /// Tries the files again that could not be read, and reads the others anew.
+    /// Tries unreadable files again, and rereads the others.
     pub fn read_again(&mut self) {
         self.forget_files();
         self.made_from = None;
@@ -377,7 +377,7 @@ impl SceneCache {
             if matches!(&object.shape, Some(Shape::Mesh { path }) if !self.files.knows(path)) {
                 object.shape = None;
             }
-            // Its colour is shown until the texture is there.
+            // Its colour is shown until the texture is loaded.
             if matches!(&object.texture, Some(TextureSource::File(path)) if !self.files.knows_texture(path)) {
                 object.texture = None;
             }

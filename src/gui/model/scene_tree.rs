@@ -49,7 +49,7 @@ pub struct SceneTree {
 /// A scene being typed that is impossible.
 #[derive(Debug)]
 pub(in crate::gui) struct Draft {
-    /// The scene of the figure that it was made from. Another one makes it void.
+    /// The scene of the figure that it came from. With another one, it's void.
     pub(in crate::gui) base: SceneSpec,
     pub(in crate::gui) now: SceneSpec,
     pub(in crate::gui) error: SceneError,
@@ -90,7 +90,7 @@ impl SceneTree {
         self.select_all(primary, names);
     }
 
-    /// The figure's objects that are selected beside [`selected`](Self::selected). Some may be gone.
+    /// The figure's objects selected together with [`selected`](Self::selected). Some may be gone.
     pub fn also(&self) -> &BTreeSet<String> {
         &self.also
     }
@@ -104,7 +104,7 @@ impl SceneTree {
         own.filter(|name| is_selected(name)).cloned().collect()
     }
 
-    /// Updates the selection after undo or redo has made `after` of `before`: restored objects are selected, and
+    /// Updates the selection after undo or redo has turned `before` into `after`. Restored objects become selected, and
     /// renamed ones stay so.
     pub(in crate::gui) fn follow(&mut self, before: &SceneSpec, after: &SceneSpec) {
         let has = |scene: &SceneSpec, name: &str| scene.objects.iter().any(|o| o.name == name);

@@ -22,7 +22,7 @@ pub struct Settings {
     pub presentation_panels: Panels,
     /// A is kept at m / n.
     pub aspect_follows_image: bool,
-    /// The inverse matrices are shown instead of the matrices.
+    /// True if the inverse matrices replace the matrices.
     pub inverse: bool,
     /// The display of matrices, and the convention of NDC.
     pub conventions: Conventions,
@@ -43,12 +43,12 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The panels as they are wanted now.
+    /// The panels requested now.
     pub fn panels(&self) -> &Panels {
         if self.presentation { &self.presentation_panels } else { &self.panels }
     }
 
-    /// The panels as they are wanted now.
+    /// The panels requested now.
     pub fn panels_mut(&mut self) -> &mut Panels {
         if self.presentation { &mut self.presentation_panels } else { &mut self.panels }
     }

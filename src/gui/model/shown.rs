@@ -1,4 +1,4 @@
-//! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the shot made of it.
+//! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the resulting shot.
 
 use std::sync::Arc;
 
@@ -122,7 +122,7 @@ impl Model {
         is_lasting && is_other
     }
 
-    /// Gives the figure its layout before another one takes its place.
+    /// Stores the layout in the figure before another one takes its place.
     pub(in crate::gui) fn settle_layout(&mut self, in_lesson: bool) {
         if self.is_rearranged(in_lesson) {
             let screen = self.screen();
@@ -299,7 +299,7 @@ impl Model {
         (rest != *show).then_some(rest)
     }
 
-    /// True if [`release_shown`](Self::release_shown) would let go of something.
+    /// True if [`release_shown`](Self::release_shown) has an explanation to release.
     pub(in crate::gui) fn can_release_shown(&self) -> bool {
         self.without_shown().is_some()
     }

@@ -29,7 +29,7 @@ impl Annotations {
         self.pen || self.spot || self.frozen || self.blank || !self.strokes.is_empty()
     }
 
-    /// Takes everything away from this figure. The keys that are shown stay.
+    /// Removes everything from this figure. Displayed keys stay.
     pub fn clear(&mut self) {
         *self = Self { keys_since: self.keys_since, others: std::mem::take(&mut self.others), ..Self::default() };
     }

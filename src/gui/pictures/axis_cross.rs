@@ -20,7 +20,7 @@ const INSET: f32 = LENGTH + END + 6.0;
 /// The cross is left out of a smaller picture.
 const LEAST: [f32; 2] = [260.0, 170.0];
 
-/// Draws the cross in the lower left corner of a picture. Gives the viewpoint of the axis that was clicked.
+/// Draws the cross in the lower left corner of a picture. Returns the viewpoint of the clicked axis.
 pub(super) fn show(ui: &Ui, rect: Rect, observer: &Observer, t: &CanvasTexts, look: Theme) -> Option<ObserverChange> {
     if rect.width() < LEAST[0] || rect.height() < LEAST[1] {
         return None;

@@ -13,7 +13,7 @@ use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
 
-/// The scene with the selection marked in it. Made anew only when one of both has changed.
+/// The scene with the selection marked in it. Rebuilt only if one of both has changed.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Highlight {
     marked: Memo<(SharedScene, Selected, BTreeSet<String>, Theme), SharedScene>,

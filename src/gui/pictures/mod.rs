@@ -71,7 +71,7 @@ use crate::pipeline::OverBudget;
 use crate::views::image_frame;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
-/// Time that a frame waits for its pictures. Slower ones are shown when they are done.
+/// Time that a frame waits for its pictures. Slower ones appear when they are done.
 const MAX_WAIT: Duration = Duration::from_millis(30);
 /// In a narrower room, in points of a presentation, one picture is large instead of three being small.
 const ROOM_FOR_SEVERAL: f32 = 560.0;
@@ -107,7 +107,7 @@ pub struct Canvas {
     probing: Option<(usize, Probing)>,
     /// Steps of the keys that haven't been followed yet, by picture.
     probe_steps: VecDeque<(usize, ProbeStep)>,
-    /// The search at the pointer, and one whose result is to be pinned.
+    /// The search at the pointer, and one whose result will be pinned.
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
     /// The last probe of the pointer in a compared picture, and the side that it was on.
@@ -127,11 +127,11 @@ pub struct Inputs<'a> {
     pub(in crate::gui) placing: Option<Placing>,
     /// How often a step of a lesson has faded in its pictures.
     pub(in crate::gui) fades: u64,
-    /// The keys of a presentation, with their opacity, as long as they are to be seen.
+    /// The keys of a presentation, with their opacity, while they are visible.
     pub(in crate::gui) keys: Option<(&'static str, f32)>,
     /// The pictures stay as they are while one edits.
     pub(in crate::gui) frozen: bool,
-    /// The files that are being written or read, each in a sentence, and how far that has come.
+    /// The files being written or read, each in a sentence, and their progress.
     pub(in crate::gui) of_files: Vec<(String, Running)>,
     /// True while the pixels of the followed triangle are being searched.
     pub(in crate::gui) triangle_waits: bool,
@@ -549,7 +549,7 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
     ui.painter().galley(place.min, galley, color);
 }
 
-/// Gives a picture all the room, or gives it back.
+/// Gives a picture all the room, or restores the others.
 fn toggle_maximized(model: &mut Model, view: View) {
     model.layout.maximized = if model.layout.maximized == Some(view) { None } else { Some(view) };
 }

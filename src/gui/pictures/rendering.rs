@@ -1,4 +1,4 @@
-//! Has pictures drawn beside the window's thread, each only when something that made it has changed.
+//! Draws pictures beside the window's thread, each only if its inputs have changed.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
@@ -80,7 +80,7 @@ pub(super) struct Rendering {
     given_up: [Option<RenderJob>; MAX_PICTURES],
     /// Number of pictures drawn, by picture.
     drawn: [u64; MAX_PICTURES],
-    /// The time of the last drawing of each picture, and that of the last one that was not a draft, as if alone.
+    /// The time of the last drawing of each picture, and that of the last one that wasn't a draft, as if alone.
     cost: [Duration; MAX_PICTURES],
     full_cost: [Duration; MAX_PICTURES],
 }

@@ -17,7 +17,7 @@ use crate::views::{Arrangement, View};
 /// Room between two cells, in heights of a line.
 const GAP: f32 = 1.0;
 
-/// The width of the bar that shows how far long work has come.
+/// The width of the bar that shows the progress of long work.
 const BAR: f32 = 120.0;
 
 /// The action of a button under the pictures.

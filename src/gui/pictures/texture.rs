@@ -118,8 +118,8 @@ impl Tiles {
         self.tiles.iter().map(|tile| Arc::clone(&tile.image)).collect()
     }
 
-    /// The same with its difference from the images of another picture, which is probably the one on the screen: who
-    /// makes the picture has more time than who shows it.
+    /// The same with its difference from the images of another picture, which is probably the one on the screen. The
+    /// thread that draws the picture has more time than the one that shows it.
     pub(super) fn since(mut self, images: &[Arc<ColorImage>]) -> Self {
         for (tile, image) in self.tiles.iter_mut().zip(images) {
             tile.since = Some((Arc::clone(image), Changed::between(image, &tile.image)));
@@ -248,7 +248,7 @@ impl PictureTexture {
         !self.tiles.is_empty() && self.size == place.sides()
     }
 
-    /// Paints the picture at its place. One of another size, which is there while the next is being drawn, in the
+    /// Paints the picture at its place. If it has another size, because the next is still being drawn, it goes in the
     /// middle.
     pub(super) fn paint(&mut self, ui: &Ui, place: &PictureRect) {
         paint_tiles(ui, place, self.size, &self.tiles, Color32::WHITE);

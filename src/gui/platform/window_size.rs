@@ -12,7 +12,7 @@ const MAX_WAIT: f32 = 1.0;
 
 /// Time for which a size or a place stays before it's remembered, in seconds, to leave out those on the way to it.
 const SETTLED: f64 = 1.0;
-/// The part of the window that has to be on the screen, in points, so that it can be taken and moved.
+/// The part of the window that has to be on the screen, in points, so that the user can grab and move it.
 const IN_SIGHT: f32 = 100.0;
 
 /// The opening of the window, from its first frame on.

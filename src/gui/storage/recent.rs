@@ -1,8 +1,8 @@
-//! The files that were opened or saved last.
+//! The recent files.
 
 use std::path::{Path, PathBuf};
 
-/// The files that were opened or saved last.
+/// The recent files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Recent {
     /// All remembered files, the latest first.

@@ -18,7 +18,7 @@ use crate::progress::Progress;
 /// The longest wait for a running write before the window closes.
 pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_secs(5);
 
-/// A change of a window, to be merged into the present content of the file.
+/// A change of a window, to merge into the present content of the file.
 pub(in crate::gui) trait Change: Clone + Send + 'static {
     /// The content of a file.
     type Content: Default;

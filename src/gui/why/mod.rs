@@ -66,12 +66,12 @@ pub(super) enum Part {
     Exercise,
     /// The part of them that scrolls.
     Exercises,
-    /// The matrices, by the conventions that are chosen.
+    /// The matrices, in the chosen conventions.
     Matrices,
 }
 
 impl ExplanationRow {
-    /// An explanation of which everything scrolls.
+    /// An explanation that scrolls as a whole.
     const fn new(explanation: Explanation, words: Words, content: Content) -> Self {
         Self { explanation, words, head: None, content: Some(content) }
     }

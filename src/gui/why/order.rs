@@ -89,7 +89,7 @@ fn tab(ui: &mut Ui, model: &mut Model, t: &'static Texts, (order, selected): (&m
     add(ui, t, order);
     ui.separator();
     readings(ui, t, &mut order.reading);
-    // Changes by the rows are shown in this frame.
+    // The display in this frame includes changes by the rows.
     let calls = order.calls();
     let stages = match read(&calls, order.reading) {
         Ok(stages) => stages,

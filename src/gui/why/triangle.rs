@@ -132,7 +132,7 @@ fn chooser(ui: &mut Ui, t: &Texts, model: &mut Model) {
         if let Some((name, index)) = &mut chosen {
             let count = objects.iter().find(|(object, _)| object == name).map(|(_, count)| *count);
             let last = |count: usize| u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
-            // The scene of a figure that has just been opened is built after this panel is shown.
+            // When a figure has just been opened, its scene is built after this panel is shown.
             let last = count.map_or(*index, last);
             *index = whole_number(ui, t.lang, (t.number, t.number), *index, last);
             ui.label(format!("0 … {last}"));

@@ -61,7 +61,7 @@ texts_with_values! {
     sheet_ending(lang, path: &str): "{path}: unknown extension; allowed: .pdf, .md, .tex",
         "{path}: extensão desconhecida; permitido: .pdf, .md, .tex";
 
-    /// A picture of an exercise that gives none.
+    /// A picture of an exercise that doesn't have one.
     no_picture(lang, id: &str): "--picture: {id} has no image to match", "--picture: {id} não tem imagem a reproduzir";
 
     /// A picture with an ending that can't be written.

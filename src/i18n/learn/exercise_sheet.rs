@@ -219,7 +219,7 @@ fn of_markdown(text: &str) -> String {
     let mut latex = String::new();
     for (k, part) in text.split('$').enumerate() {
         if k % 2 == 1 {
-            // Forbidden LaTeX is shown to the reader as words: only mathematics leaves them.
+            // Forbidden LaTeX is shown to the reader as words, because only mathematics leaves them.
             let is_mathematics = formula::check_one(part).is_ok();
             latex.push_str(&if is_mathematics { format!("${}$", formula::latex(part)) } else { formula::words(part) });
             continue;

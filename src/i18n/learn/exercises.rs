@@ -361,7 +361,7 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
     }
 }
 
-/// The names by which an answer gives the parameters of a camera.
+/// The names that an answer uses for the parameters of a camera.
 const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
 
 /// The reason why an answer can't be read.

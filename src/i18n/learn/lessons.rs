@@ -226,10 +226,10 @@ texts_with_values! {
     /// The tasks of a lesson that are done.
     answered(lang, done: usize, all: usize): "{done} of {all} tasks done", "{done} de {all} tarefas feitas";
 
-    /// A key of a lesson names another lesson that does not exist.
+    /// A key of a lesson names another lesson that doesn't exist.
     no_lesson(lang, key: &str, id: &str): "{key}: there is no lesson {:?}", "{key}: não há lição {:?}" (escaped(id));
 
-    /// A key of a lesson names a note that does not exist.
+    /// A key of a lesson names a note that doesn't exist.
     no_note(lang, key: &str, id: &str): "{key}: there is no reference page {:?}",
         "{key}: não há verbete {:?}" (escaped(id));
 
@@ -248,7 +248,7 @@ texts_with_values! {
     reached_already(lang, key: &str): "{key} holds already in the figure of the step; allowed: conditions that do not",
         "{key} já vale na figura do passo; permitido: condições que ainda não valham";
 
-    /// The way of a goal does not lead to it.
+    /// The way of a goal doesn't lead to it.
     not_reached(lang, key: &str): "{key} doesn't reach the goal in until", "{key} não alcança a meta de until";
 
     /// A handout has another number of steps on a page.

@@ -1,7 +1,7 @@
 //! Faults and warnings of a camera, an operation or a query about it, in both languages.
 //!
-//! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`.
-//! An error without a text does not compile.
+//! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`,
+//! so an error without a text doesn't compile.
 
 use super::expressions::in_expression;
 use super::wording::Wording;

@@ -1,6 +1,6 @@
 //! The wording of one error or warning in one language.
 
-/// The wording of an error or a warning. Both forms are made in one place, so that they agree.
+/// The wording of an error or a warning. Both forms come from one place, so that they agree.
 pub(in crate::i18n) struct Wording {
     /// For files and options, with the keys, the value found, and the values allowed.
     pub(in crate::i18n) full: String,

@@ -139,7 +139,7 @@ pub fn markdown(pieces: &[Piece]) -> String {
     pieces.iter().map(piece).collect()
 }
 
-/// LaTeX of the notes in a line: for screen readers, and to be found.
+/// LaTeX of the notes in a line, for screen readers, and for the search.
 pub fn plain(latex: &str) -> String {
     let (mut text, mut rest) = (String::new(), latex);
     while let Some(c) = rest.chars().next() {

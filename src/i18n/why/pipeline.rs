@@ -31,7 +31,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// The report of a stage: counts in and out, time, and reason; or the reason why it was skipped.
+/// The report of a stage: counts in and out, time, and reason. If it was skipped, the reason for that.
 pub fn line(lang: Lang, report: &StageReport) -> String {
     let (name, reason) = (stage(lang, report.stage), reason(lang, report.reason));
     if !report.ran {

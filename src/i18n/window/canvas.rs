@@ -61,8 +61,7 @@ texts! {
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
     // Title of the strip of stages, and the button that shows it.
     strip: "Stages", "Etapas";
-    // Tooltip of that button.
-    // Name of the chooser whose stages are shown.
+    // Tooltip of that button. Name of the chooser of the view whose stages are shown.
     strip_of: "Stages of the view", "Etapas da vista";
     // Tooltip of a button.
     strip_close: "Hide the stages (F10)", "Ocultar as etapas (F10)";

@@ -448,7 +448,7 @@ fn show_handout(state: &mut State, is_lesson: bool) {
     show_dialog(state, Dialog::Handout(form));
 }
 
-/// Opens the export dialog for the views that are shown.
+/// Opens the export dialog for the displayed views.
 fn show_export(state: &mut State) {
     state.export.what = state.model.layout.views();
     state.export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
@@ -517,7 +517,7 @@ fn toggle_presentation(state: &mut State, ctx: &Context) {
         state.model.document.figure().screen.panel.flatten().filter(|panel| state.model.shows_explanation(*panel));
     state.model.layout.turn_presentation(!state.model.settings.presentation);
     state.model.settings.presentation ^= true;
-    // A panel that was opened before a class is none of the next one.
+    // A panel opened before one class doesn't belong to the next one.
     state.model.settings.presentation_panels = Panels::default();
     if let Some(playing) = &mut state.learn.lesson {
         playing.shows_question = !state.model.settings.presentation;

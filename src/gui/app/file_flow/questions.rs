@@ -40,7 +40,7 @@ pub enum Purpose {
     Step,
     /// To add a step to a lesson, and to write the lesson.
     NewLesson,
-    /// To copy a lesson of the program, which is written on from then.
+    /// To copy a built-in lesson. The user goes on writing in the copy.
     OwnLesson,
     /// To save the lesson with the text that can't be saved in its own file, and then to go on.
     LessonText(AfterSave),
@@ -95,7 +95,7 @@ pub struct Changed {
     pub theirs: Theirs,
     /// The action after saving.
     pub then: Option<AfterSave>,
-    /// The lines that differ, once they are wanted.
+    /// The differing lines, once requested.
     pub comparison: Option<Comparison>,
 }
 
@@ -108,7 +108,7 @@ pub struct TitleForm {
     pub(in crate::gui) of_card: [Option<Bilingual>; 2],
     /// The save that goes with it.
     pub(in crate::gui) then: Option<Purpose>,
-    /// The file, once it has another name than the title gives it.
+    /// The file, once its name differs from the one that the title gives it.
     pub(in crate::gui) path: Option<String>,
 }
 
@@ -147,7 +147,7 @@ pub enum Dialog {
     Compare(CompareForm),
     /// The search for anything in the window.
     Search,
-    /// The treatment of the children of objects that are to be deleted.
+    /// The treatment of the children of deleted objects.
     Delete {
         /// Their names.
         names: BTreeSet<String>,
@@ -175,20 +175,20 @@ pub struct FileFlow {
     pub native: bool,
     /// True from the moment when the window may close.
     pub may_close: bool,
-    /// The content of another program in the figure's file, as long as that has to be shown.
+    /// The content of another program in the figure's file, while it has to be shown.
     pub theirs: Option<Theirs>,
     /// Messages about sessions, until the user has closed them.
     pub(in crate::gui) news: NewsList,
     /// A reported content of the file, which isn't reported again.
     pub(in crate::gui) decided: Option<Theirs>,
-    /// The session in this slot is to be restored now.
+    /// The slot of the session to restore now.
     pub(in crate::gui) restore: Option<usize>,
-    /// The figure's file is to be looked at in the next frame.
+    /// True if the figure's file is to be checked in the next frame.
     pub(in crate::gui) look: bool,
     pub(in crate::gui) watch: Watch,
-    /// The file that is being read.
+    /// The file being read.
     pub reading: Reading,
-    /// Files that were given to a page, to be opened: the first of them in the next frame.
+    /// Files given to a page. The first of them opens in the next frame.
     pub(in crate::gui) given: Vec<PathBuf>,
     pub(in crate::gui) asking: Option<Asking>,
     /// The dialog of a document that a question because of closing the window has covered.
@@ -196,7 +196,7 @@ pub struct FileFlow {
     pub(in crate::gui) exporting: Vec<Exporting>,
     /// The gallery document whose title we have asked for before we ask for its file.
     pub(in crate::gui) titled: Option<Revision>,
-    /// The content of the export dialog while it is open.
+    /// The content of the export dialog while it's open.
     pub preview: Option<Preview>,
     /// The pages in the print dialog, as long as it's open.
     pub pages: Option<PagesPreview>,
@@ -291,7 +291,7 @@ impl FileFlow {
         asked || self.may_close || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
     }
 
-    /// The files that are being written or read, each in a sentence, and how far that has come.
+    /// The files being written or read, each in a sentence, and their progress.
     pub(in crate::gui) fn running(&self, lang: Lang) -> Vec<(String, Running)> {
         let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
         let written = self.exporting.iter().filter_map(|exporting| {

@@ -18,7 +18,7 @@ use crate::progress::Progress;
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
 
-/// Something to be read.
+/// Something to read.
 #[derive(Clone, Debug)]
 pub(super) enum ToRead {
     /// A figure, a lesson, or a link in a file.
@@ -34,7 +34,7 @@ pub(super) enum ToRead {
 pub(super) enum Content {
     /// A lesson.
     Lesson(PathBuf, Result<Arc<Lesson>, FileError>),
-    /// A figure to be shown.
+    /// A figure to show.
     Figure(PathBuf, Result<Opened, FileError>),
     /// A figure to compare with.
     Compared(PathBuf, Result<Opened, FileError>),
@@ -63,7 +63,7 @@ impl ToRead {
     }
 }
 
-/// The file that is being read.
+/// The file being read.
 #[derive(Debug)]
 pub struct Reading {
     worker: Worker<ToRead, Content>,
@@ -80,7 +80,7 @@ impl Default for Reading {
     }
 }
 
-/// The document that is shown, and its state.
+/// The displayed document, and its state.
 fn now(model: &Model) -> (Revision, Revision) {
     (model.document.id(), model.document.revision())
 }
@@ -106,7 +106,7 @@ impl Reading {
         (before.0 == now.0).then_some((content, before != now))
     }
 
-    /// The file that is being read, and for how long.
+    /// The file being read, and the time that it has taken.
     pub(super) fn running(&self) -> Option<(&Path, Running)> {
         let (path, _) = self.asked.as_ref()?;
         Some((path, self.worker.running()?))

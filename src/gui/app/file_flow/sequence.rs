@@ -28,7 +28,7 @@ pub(super) struct Search {
 #[derive(Debug)]
 pub(super) struct Found {
     search: Search,
-    /// The figure, or the one that was kept; `None` at the end of the sequence.
+    /// The figure, or the kept one. `None` at the end of the sequence.
     next: Option<Next>,
     /// Why those before it could not be opened.
     faults: Vec<Message>,
@@ -97,7 +97,7 @@ impl Search {
     }
 }
 
-/// Opens the figure at a place, as it is in its file.
+/// Opens the figure at a place, as in its file.
 fn document_at(place: Option<&Source>) -> Result<Document, Box<Message>> {
     let opened = match place {
         None => None,

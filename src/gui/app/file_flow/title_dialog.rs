@@ -37,7 +37,7 @@ impl TitleForm {
     }
 }
 
-/// Shows the dialog. Gives the save that goes with it. `first`: it has just been opened.
+/// Shows the dialog. Returns the save that follows. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(
     ui: &mut egui::Ui,
     t: &'static Texts,

@@ -30,7 +30,7 @@ pub use store::Preferences;
 /// Whose signs the rotations have, by the names that `--convention` has for them.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
 
-/// The key of the list of files that were opened or saved last.
+/// The key of the list of recent files.
 const RECENT: &str = "recent";
 
 /// The key of the furthest steps of lessons, each as `id=step`, from 1.
@@ -218,7 +218,7 @@ const KEYS: [Key; 42] = [
             put(&mut state.export.faces, faces);
         },
     },
-    // Keys or operations with their values; empty: none.
+    // Keys or operations with their values. Empty if there are none.
     Key {
         name: "family",
         of: |state| family_of(&state.family, 0),
@@ -391,7 +391,7 @@ fn lessons_done(pairs: impl Iterator<Item = (String, usize)>) -> BTreeMap<String
     done
 }
 
-/// The files that were opened or saved last, the latest first.
+/// The recent files, the latest first.
 fn recent(document: &DocumentMut) -> Vec<PathBuf> {
     let list = document.get(RECENT).and_then(|item| item.as_array());
     let paths = list.into_iter().flatten().filter_map(|value| value.as_str().map(PathBuf::from));

@@ -125,7 +125,7 @@ impl KeptProgress {
         self.file.news()
     }
 
-    /// The part that is not in the file yet.
+    /// The part that isn't in the file yet.
     fn job(&mut self, learn: &Learn) -> ProgressJob {
         if self.values.0 != learn.exercises.typed {
             self.values = (learn.exercises.typed.clone(), answers::values(learn).collect());

@@ -24,7 +24,7 @@ use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
 struct SettingsJob {
     /// Keys with their values as TOML.
     changed: BTreeMap<&'static str, String>,
-    /// The files that were opened in it, the latest first.
+    /// The files opened in it, the latest first.
     opened: Vec<PathBuf>,
     /// The typed answers are in a file of their own now.
     answers_moved: bool,
@@ -150,7 +150,7 @@ impl Preferences {
         kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)
     }
 
-    /// The part that is not in the file yet.
+    /// The part that isn't in the file yet.
     fn job(&mut self, state: &State) -> SettingsJob {
         let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value)).collect();
         let answers_moved = self.has_answers && self.progress.is_written(&state.learn);

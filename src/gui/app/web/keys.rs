@@ -1,4 +1,4 @@
-//! Keys that call a command here, and would do something else in the browser, which is prevented.
+//! Keys that call a command here, and whose other action in the browser is prevented.
 
 use eframe::egui::{Key, Modifiers};
 use wasm_bindgen::JsCast as _;

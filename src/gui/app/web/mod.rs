@@ -111,7 +111,7 @@ fn linked() -> Option<PathBuf> {
     store::is_new_here(&fragment).then(|| PathBuf::from(fragment))
 }
 
-/// True if the page is shown inside of another one.
+/// True if the page is embedded in another one.
 fn is_framed(window: &Window) -> bool {
     !matches!(window.parent(), Ok(Some(parent)) if parent == *window)
 }
@@ -121,7 +121,7 @@ fn wanted(query: &str) -> bool {
     window().and_then(|window| window.match_media(query).ok().flatten()).is_some_and(|list| list.matches())
 }
 
-/// Light or dark, and whether motion is to be reduced.
+/// Light or dark, and true if motion is to be reduced.
 fn system() -> (Theme, bool) {
     let theme = if wanted("(prefers-color-scheme: dark)") { Theme::Dark } else { Theme::Light };
     (theme, wanted("(prefers-reduced-motion: reduce)"))

@@ -117,7 +117,7 @@ async fn held_locks() -> Option<BTreeSet<String>> {
     Some(held.iter().filter_map(name).filter_map(|name| name.strip_prefix(PREFIX).map(str::to_owned)).collect())
 }
 
-/// Takes a lock, or gives it back. That comes about a moment later: of two tabs that begin in the same moment, both may
+/// Takes or releases a lock. That comes about a moment later, so of two tabs that start in the same moment, both may
 /// think that they have it.
 fn hold(name: &str, wanted: bool) {
     if !wanted {

@@ -104,7 +104,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         Some(RunningJob { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
     }
 
-    /// Does a slice of a job. A job that has panicked has no outcome, and its half-done parts are made anew.
+    /// Does a slice of a job. A job that has panicked has no outcome, and its half-done parts are created again.
     fn slice(
         &mut self,
         job: &mut RunningJob<Outcome>,

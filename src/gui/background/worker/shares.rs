@@ -1,4 +1,4 @@
-//! Whose turn it is.
+//! The shares of the slots in the time, which decide the next turn.
 
 use std::time::Duration;
 

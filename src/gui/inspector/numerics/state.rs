@@ -13,9 +13,9 @@ use crate::progress::Progress;
 /// The panel of studies.
 #[derive(Debug)]
 pub struct Numerics {
-    /// The panel is shown.
+    /// True if the panel is shown.
     pub shown: bool,
-    /// The study that is shown.
+    /// The displayed study.
     pub study: Study,
     /// The case, by its index.
     pub case: usize,
@@ -52,7 +52,7 @@ impl Default for Numerics {
 }
 
 impl Numerics {
-    /// Measures the study that is shown, beside the window's thread.
+    /// Measures the displayed study, beside the window's thread.
     pub fn measure(&mut self, ctx: &egui::Context) {
         self.measured.ask_again(ctx, (self.study, self.effort));
     }

@@ -1,4 +1,4 @@
-//! C, PF, VUP; projection, θ or H, A, F, B; the view window.
+//! C, PF, VUP, then the projection with θ or H, A, F, B, then the view window.
 
 use eframe::egui;
 

@@ -260,8 +260,7 @@ fn paint_triangle(ui: &egui::Ui, place: Rect, open: bool) {
 /// An object, and true if it's the figure's own.
 type Node<'a> = (bool, &'a ObjectSpec);
 
-/// The rows that are shown: the world, the objects of the named scene and of the figure under their parents, the
-/// lights.
+/// The displayed rows: the world, the objects of the named scene and of the figure under their parents, the lights.
 fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static Texts) -> Vec<TreeRow> {
     let preset = preset_objects(scene.preset);
     let colors: BTreeMap<&str, Rgba> = built

@@ -108,7 +108,7 @@ pub struct Opened {
     pub steps: usize,
     /// The whole solution, once a step was requested.
     pub(in crate::gui) way: Option<Arc<[Worked]>>,
-    /// Number of its steps that are shown as they are. The others are to be done.
+    /// Number of its given steps. The others are to be done.
     pub given: usize,
     /// The texts typed into the steps to be done, by their numbers.
     pub typed: BTreeMap<usize, String>,
@@ -191,7 +191,7 @@ pub struct Exercises {
     pub own: Option<Arc<OwnFolder>>,
     /// The questions of the lesson being played, which are in no list.
     pub(in crate::gui) of_lesson: Vec<Entry>,
-    /// Why an exercise was chosen to be practised next.
+    /// The reason why this exercise was chosen for practice next.
     pub(in crate::gui) why: Option<(Chosen, Why)>,
     /// The exercise as last built.
     made: Option<(Chosen, Free, Arc<Exercise>)>,
@@ -259,7 +259,7 @@ impl Exercises {
         Some(name)
     }
 
-    /// Gives the focus to the widget wanted by its name.
+    /// Gives the focus to the widget requested by its name.
     pub(in crate::gui) fn give_focus(&mut self, name: &str, response: &egui::Response) {
         if self.wants_focus.as_deref() != Some(name) {
             return;
@@ -330,7 +330,7 @@ impl Exercises {
         Some((entry, Arc::clone(exercise)))
     }
 
-    /// Judges the answers that were judged before, which is no new try.
+    /// Judges the answers again that were judged before, which doesn't count as a new try.
     fn judge_again(&mut self, entry: &Entry, exercise: &Exercise) {
         let mut answers = Vec::new();
         for ask in &exercise.asks {
@@ -402,7 +402,7 @@ impl Exercises {
         })
     }
 
-    /// The guess at a question, once it's made.
+    /// The guess at a question, once there is one.
     pub fn guess_at(&self, ask: &Ask) -> Option<&Vec<String>> {
         self.typed.get(self.open.as_ref()?)?.guesses.get(&ask.name)
     }
@@ -492,7 +492,7 @@ impl Exercises {
 
     /// Records progress, for this window and for the file.
     pub(in crate::gui) fn note(&mut self, done: Done) {
-        // Questions of lessons are no exercises to be practised.
+        // Questions of lessons aren't exercises to practise.
         if self.of_lesson.iter().any(|entry| Some(&*entry.id) == self.open.as_ref().map(|open| &*open.id)) {
             return;
         }

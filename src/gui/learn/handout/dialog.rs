@@ -35,7 +35,7 @@ impl HandoutForm {
     }
 }
 
-/// Shows the dialog, and returns the button that was pressed. `first`: it has just been opened.
+/// Shows the dialog, and returns the pressed button. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(
     ui: &mut Ui,
     model: &Model,
@@ -145,7 +145,7 @@ fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Op
     }
 }
 
-/// A switch for each exercise. Their order on the sheet is the order in which they were chosen.
+/// A switch for each exercise. Their order on the sheet is the order of choosing them.
 fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
     let lang = model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);

@@ -15,7 +15,7 @@ pub(in crate::gui) const MAX_SEED: u32 = 9_999;
 pub struct HandoutForm {
     /// The lesson to print. `None` prints exercises.
     pub lesson: Option<OpenLesson>,
-    /// The exercises, by their identifiers, in the order in which they were chosen.
+    /// The exercises, by their identifiers, in the order of choosing them.
     pub exercises: Vec<String>,
     /// The source of the exercises' numbers.
     pub seed: u32,

@@ -1,4 +1,4 @@
-//! Handouts made beside the window's thread: their pages for the preview, and the file.
+//! Handouts produced beside the window's thread: their pages for the preview, and the file.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ use crate::progress::Progress;
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 1.5;
 
-/// A page that is wanted.
+/// A requested page.
 struct PageJob {
     choices: Choices,
     handout: Job,

@@ -25,7 +25,7 @@ use crate::share;
 /// Seconds of the move to the figure that answers a question.
 const SEEN: f64 = 2.0;
 
-/// A lesson that is played.
+/// A lesson being played.
 #[derive(Debug, Default)]
 pub struct Playing {
     /// The lesson.
@@ -212,8 +212,8 @@ impl Learn {
         done == all && self.taken.contains_key(&lesson.id)
     }
 
-    /// The lesson of the program to be taken next, by its place: the first that was begun and isn't finished, else the
-    /// first that isn't finished.
+    /// The next built-in lesson to take, by its place: the first unfinished one that was begun, else the first
+    /// unfinished one.
     pub fn next_lesson(&self) -> Option<usize> {
         let open = || shipped().iter().enumerate().filter(|(_, shipped)| !self.is_finished(&shipped.lesson));
         let mut begun = open().filter(|(_, shipped)| self.taken.contains_key(&shipped.lesson.id));
@@ -229,7 +229,7 @@ impl Learn {
         if furthest < last { furthest } else { (0..lesson.steps.len()).find(is_open).unwrap_or_default() }
     }
 
-    /// Plays a lesson. The figure is lost. Only the window's start calls this, and
+    /// Plays a lesson. The figure is lost, so only the window's start calls this, and
     /// [`file_flow`](crate::gui::app::file_flow) once it has asked.
     pub(in crate::gui) fn play(&mut self, model: &mut Model, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
@@ -261,7 +261,7 @@ impl Learn {
         self.close_lesson(model);
     }
 
-    /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
+    /// Forgets the lesson, and restores the panels. Work in its steps is kept.
     pub(in crate::gui) fn close_lesson(&mut self, model: &mut Model) {
         if let Some(playing) = self.lesson.take() {
             model.settings.panels.wanted = playing.panels_before.wanted;
@@ -422,7 +422,7 @@ impl Learn {
         }
     }
 
-    /// True for a question that a guess was made at and that isn't answered: it asks about the figure that was seen.
+    /// True for a question with a guess but without an answer, which asks about the figure that was shown.
     fn waits_for_seen(&self) -> bool {
         let step = self.lesson.as_ref().filter(|playing| playing.writing.is_none()).and_then(Playing::now);
         let Some(Task::Question(entry)) = step.and_then(|step| step.task.as_ref()) else { return false };

@@ -14,7 +14,7 @@ use crate::i18n::learn::exercises::title;
 use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};
 
-/// Shows the task of a step. In a presentation a question is shown by a key.
+/// Shows the task of a step. In a presentation a key shows the question.
 pub(super) fn show(
     ui: &mut Ui,
     t: &Texts,

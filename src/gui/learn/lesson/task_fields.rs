@@ -54,7 +54,7 @@ pub(super) fn show(
     fields.is_left
 }
 
-/// The kinds of task. Returns whether another one was chosen.
+/// The kinds of task. Returns true if another one was chosen.
 fn kinds(ui: &mut Ui, t: &Texts, task: &mut TaskText) -> bool {
     let mut chosen = task.kind;
     ui.horizontal_wrapped(|ui| {

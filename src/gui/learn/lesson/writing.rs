@@ -42,7 +42,7 @@ pub struct Writing {
     pub shows: Fields,
     /// The time of the last key, in seconds.
     pub typed_at: f64,
-    /// The file before each change, and the step that was shown.
+    /// The file before each change, and the displayed step then.
     earlier: Vec<(String, usize)>,
     /// The file after each change that was undone, and its step.
     later: Vec<(String, usize)>,

@@ -11,6 +11,6 @@ pub struct Conventions {
     pub compared: Option<Ndc>,
     /// Points are rows: matrices are transposed.
     pub row_vectors: bool,
-    /// z_c is shown growing along DOP.
+    /// True if z_c is shown growing along DOP.
     pub left_handed: bool,
 }

@@ -1,5 +1,5 @@
-//! The explanation of the steps: whose steps are shown next, and whether they are played. How far they
-//! have come is in the figure's `[show]`.
+//! The explanation of the steps: the source of the next steps, and if they are playing. Their progress is in the
+//! figure's `[show]`.
 
 use crate::camera::{Camera, Decomposition};
 use crate::figure::ShownStep;

@@ -1,5 +1,5 @@
-//! Earlier viewpoints of the pictures: going back to the one before a turn, a move or a zoom, which is no change of the
-//! figure and so no undo step.
+//! Earlier viewpoints of the pictures. The user can go back to the one before a turn, a move or a zoom, which isn't a
+//! change of the figure and so isn't an undo step.
 
 use crate::figure::Observers;
 
@@ -20,7 +20,7 @@ pub struct ViewHistory {
 }
 
 impl ViewHistory {
-    /// Begins anew, with another figure.
+    /// Starts again, with another figure.
     pub fn reset(&mut self, observers: Observers) {
         *self = Self { now: observers, ..Self::default() };
     }

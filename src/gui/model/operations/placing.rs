@@ -9,7 +9,7 @@ pub struct Placing {
     pub(in crate::gui) of: Mark,
     /// The present place of the followed point.
     pub from: Option<[f64; 2]>,
-    /// The place that was chosen.
+    /// The chosen place.
     pub mark: Option<[f64; 2]>,
     /// The guess that can't be changed any more.
     pub guess: Option<[f64; 2]>,

@@ -52,11 +52,11 @@ pub struct Prediction {
 pub enum About {
     /// A vertex of the scene, in the image before and after.
     Place {
-        /// Where it is before.
+        /// Its place before.
         from: [f64; 2],
-        /// Where it goes.
+        /// Its place afterwards.
         to: [f64; 2],
-        /// Where it is expected.
+        /// Its expected place.
         mark: Option<[f64; 2]>,
         /// The size of the image.
         image: ImageSize,

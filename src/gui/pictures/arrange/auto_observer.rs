@@ -30,8 +30,8 @@ pub(in crate::gui::pictures) struct Moment {
     pub(in crate::gui::pictures) loading: bool,
 }
 
-/// Settings that make a picture larger or smaller besides the camera and the scene: the parts outside the volume that
-/// are shown, and the convention of NDC.
+/// Settings that make a picture larger or smaller besides the camera and the scene: the displayed parts outside the
+/// volume, and the convention of NDC.
 type Extent = (Outside, Ndc);
 
 /// The observer of a figure that doesn't set one.
@@ -82,7 +82,7 @@ struct KeptObserver {
     /// It was framed before all files of the scene had been read.
     incomplete: bool,
     size: Size,
-    /// The camera was not on its way.
+    /// True if the camera wasn't moving.
     settled: bool,
     /// The observer from which it glides, and the start time.
     glide: Option<(Observer, f64)>,

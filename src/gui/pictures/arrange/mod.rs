@@ -82,7 +82,7 @@ impl Shares {
     }
 }
 
-/// A picture to be laid out.
+/// A picture to lay out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Framed {
     /// Its place among the pictures of the shot.

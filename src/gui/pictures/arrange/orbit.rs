@@ -11,8 +11,8 @@ use crate::views::{Request, Size, View};
 /// Degrees of orbit for one point of pointer motion.
 pub(in crate::gui::pictures) const DEGREES_PER_POINT: f64 = 0.5;
 
-/// The observer requested by a button of the toolbar or a key, from the present one. `None` means the figure has none
-/// any more, and [`Auto`](super::auto_observer::Auto) applies.
+/// The observer requested by a button of the toolbar or a key, from the present one. `None` if the figure doesn't set
+/// one any more, so that [`Auto`](super::auto_observer::Auto) applies.
 pub(in crate::gui::pictures) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
     match change {
         ObserverChange::From(Viewpoint::Iso) => None,

@@ -34,7 +34,7 @@ pub(in crate::gui::pictures) struct Title<'a> {
     pub(in crate::gui::pictures) texts: &'a CanvasTexts,
     pub(in crate::gui::pictures) linked: bool,
     pub(in crate::gui::pictures) maximized: bool,
-    /// Only the name is shown, until the pointer is over the title: in a presentation.
+    /// True in a presentation, in which only the name is shown until the pointer is over the title.
     pub(in crate::gui::pictures) quiet: bool,
     /// False for the only picture left.
     pub(in crate::gui::pictures) can_hide: bool,

@@ -30,7 +30,7 @@ impl Canvas {
         let t = words::texts(model.settings.lang);
         let whole = ui.ctx().content_rect();
         let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(whole).resizable(false);
-        // Beside the pictures, over the panel there: all of the photograph is to be seen.
+        // Beside the pictures, over the panel there, because all of the photograph has to be visible.
         let card = card.default_width(WIDTH).default_pos(room.right_top() + vec2(8.0, 0.0));
         card.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH);

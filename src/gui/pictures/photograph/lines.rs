@@ -88,7 +88,7 @@ fn held_at(response: &Response) -> Option<Pos2> {
     response.interact_pointer_pos().filter(|_| response.dragged() || response.drag_stopped())
 }
 
-/// A grip follows the pointer and the arrow keys. Gives it back if its mark is to be removed.
+/// A grip follows the pointer and the arrow keys. Returns it if its mark is to be removed.
 fn drag(
     ui: &Ui,
     model: &Model,

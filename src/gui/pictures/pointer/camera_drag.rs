@@ -42,7 +42,8 @@ impl CameraDrag {
         Some(Self { start: camera.clone(), pans, gone: DVec2::ZERO })
     }
 
-    /// Follows the pointer: `points` is its way on the screen, `pixels` that in the picture. True if it has moved on.
+    /// Follows the pointer, whose way is `points` on the screen and `pixels` in the picture. Returns true if it has
+    /// moved on.
     pub(in crate::gui::pictures) fn follow(&mut self, model: &mut Model, points: DVec2, pixels: DVec2) -> bool {
         if std::mem::replace(&mut self.gone, points) == points {
             return false;

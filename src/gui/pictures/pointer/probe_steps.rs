@@ -78,7 +78,7 @@ impl Canvas {
         }
     }
 
-    /// Pins the result of a click in a heavy scene, once it has been found.
+    /// Pins the result of a click in a heavy scene, once it's found.
     pub(in crate::gui::pictures) fn pin_clicked(&mut self, ctx: &Context, model: &mut Model) {
         let Some(pick) = self.clicked_pick.take() else { return };
         match self.picker.found(ctx, &pick) {

@@ -1,4 +1,4 @@
-//! The browser's dialog for files, and how files that the user gives to a page are read.
+//! The browser's dialog for files, and the reading of files that the user gives to a page.
 
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ pub(in crate::gui) fn read(ctx: &egui::Context, file: File, then: impl FnOnce(Pa
 /// The answer, for the window and for the callbacks of the browser.
 type Answer = Rc<RefCell<Option<FileAnswer>>>;
 
-/// The browser's dialog, which is open.
+/// The browser's dialog while it's open.
 #[derive(Debug)]
 pub(in crate::gui) struct OpenFileDialog {
     answer: Answer,

@@ -35,7 +35,7 @@ impl OpenFileDialog {
         if let Some(folder) = question.folder {
             dialog = dialog.set_directory(folder);
         }
-        // The future is made here: some systems insist on the main thread for that.
+        // The future is created here, because some systems insist on the main thread for that.
         let chosen: Chosen = match question.wanted {
             Wanted::File => Box::pin(dialog.pick_file()),
             Wanted::NewFile => Box::pin(dialog.save_file()),

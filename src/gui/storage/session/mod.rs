@@ -149,7 +149,7 @@ impl Sessions {
         }
     }
 
-    /// Gives each document that the window holds its own slot back. Those of all others are free.
+    /// Assigns each document that the window holds its own slot again. The slots of all others become free.
     fn follow(&mut self, shown: Revision, others: &[&Document]) {
         let is_held = |id: Revision| others.iter().any(|document| document.id() == id);
         if self.shown.is_some_and(|before| before != shown && is_held(before)) {
@@ -188,7 +188,7 @@ impl Sessions {
         }
     }
 
-    /// Deletes the stored session of this window. It has been saved, or discarded.
+    /// Deletes the stored session of this window, because it has been saved, or discarded.
     pub fn forget(&mut self) {
         self.shown = None;
         let others = self.others.drain(..).map(|(_, writer)| writer);

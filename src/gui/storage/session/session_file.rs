@@ -78,13 +78,13 @@ struct KeptText {
 /// The key of [`SessionFile::restoring`].
 const RESTORING: &str = "restoring";
 
-/// A window that has come back.
+/// A restored window.
 pub struct Restored {
     /// The document.
     pub document: Document,
     /// Keys of the figure that are unknown here, and were skipped.
     pub unknown: Vec<String>,
-    /// The text of a lesson that was not in its file.
+    /// The text of a lesson that wasn't in its file.
     pub text: Option<UnsavedText>,
 }
 

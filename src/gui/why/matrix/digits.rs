@@ -1,4 +1,4 @@
-//! Numbers of which the digits that have just changed glow.
+//! Numbers in which recently changed digits glow.
 
 use std::fmt::Debug;
 use std::hash::Hash;

@@ -201,7 +201,7 @@ fn note(ui: &mut egui::Ui, text: &str) {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, text));
 }
 
-/// A button for each other kind as which it gives a camera.
+/// A button for each other kind in which it gives a camera.
 fn read_as(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, others: &[MatrixKind]) {
     let t = dialects::texts(model.settings.lang);
     if others.is_empty() {
@@ -238,7 +238,7 @@ fn image(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, t: &Texts) {
     }
 }
 
-/// C, DOP and, for K, its numbers: to be compared with those of the program.
+/// C, DOP and, for K, its numbers, to compare with those of the program.
 fn camera_found(ui: &mut egui::Ui, model: &Model, camera: &Camera, reading: &Reading) {
     let (mark, digits) = (model.settings.lang.mark(), model.settings.digits);
     let mut lines = Vec::new();

@@ -37,7 +37,7 @@ pub struct Explain {
 /// A matrix as text, and the way to read it.
 #[derive(Clone, Debug, Default)]
 pub struct Pasted {
-    /// As it was typed.
+    /// The typed text.
     pub text: String,
     /// The camera of a text with several, from 0.
     pub camera: usize,
