@@ -145,7 +145,7 @@ pub fn picture(figure: &Figure, scene: Scene, views: Views, size: Size, lang: La
     let camera = Camera::new(&figure.camera)?;
     let (shot, scene) = (Shot::of(figure), SharedScene::new(scene));
     let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(lang), size);
-    // A lecturer turns the pictures of a lesson in a window, whose shape isn't that of a page.
+    // A lecturer turns the pictures of a lesson in a window, whose shape differs from that of a page.
     Ok(Composite::of(views, &request, &shot, None)?.gone_back())
 }
 
@@ -209,7 +209,7 @@ fn of_step(lang: Lang, k: usize, step: &Step, room: [usize; 2]) -> Vec<Paragraph
     paragraphs
 }
 
-/// Title, statement and questions of an exercise of the program.
+/// Title, statement and questions of a built-in exercise.
 fn of_exercise(lang: Lang, id: &str, seed: u64, room: [usize; 2]) -> Vec<Paragraph> {
     let Some(entry) = exercises::entry(id) else { return Vec::new() };
     let exercise = entry.exercise(seed, &Default::default());
@@ -306,7 +306,7 @@ fn answered(answer: &str) -> Paragraph {
     Paragraph::Formula(vec![FormulaPart::Line("→".to_owned()), FormulaPart::Matrix(rows.map(row).collect())])
 }
 
-/// Markdown as paragraphs. Formulas on lines of their own are ones, and so are those with matrices.
+/// Markdown as paragraphs. Formulas on lines of their own are paragraphs, and so are those with matrices.
 fn set(markdown: &str) -> Vec<Paragraph> {
     let mut paragraphs = Vec::new();
     for (k, part) in markdown.split("$$").enumerate() {
@@ -385,7 +385,7 @@ fn formula_in_line(latex: &str) -> String {
     if latex.trim().is_empty() {
         return String::new();
     }
-    // A comma between braces is the decimal mark, and no comma of a list.
+    // A comma between braces is the decimal mark, not a comma of a list.
     let points = latex.replace("{,}", ".").replace("\\qquad", ";\\ ");
     let set = crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| crate::i18n::why::notes::plain(&points));
     if latex.contains("{,}") { set.replace('.', ",") } else { set }

@@ -38,7 +38,7 @@ const LEVEL: u8 = 10;
 /// The reason why there is no link to a figure or a lesson, or neither in a link. Displayed, it's a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ShareError {
-    /// The link would have more characters than are passed on whole.
+    /// The link would have more characters than programs pass on whole.
     #[error(
         "the link would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save it and send the file instead"
     )]

@@ -24,7 +24,7 @@ struct Accuracy<'a> {
     price: Option<Price>,
 }
 
-/// A line of a table for spreadsheets: all of a row but its figure.
+/// A line of a table for spreadsheets: a row without its figure.
 #[derive(Serialize)]
 struct StudyLine<'a> {
     study: Study,

@@ -1,4 +1,4 @@
-//! `camera-lab bench`: how long a picture takes.
+//! `camera-lab bench`: the time that a picture takes.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use crate::picture::{Composite, Pixels, Renderer};
 use crate::progress::at_once;
 use crate::views::{Request, Shot, View};
 
-/// Pictures that are drawn before the clock starts, so that buffers have their size.
+/// Pictures drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;
 
 /// The JSON output.

@@ -1,4 +1,4 @@
-//! `camera-lab exercise`: exercises, their statements, and answers that are judged.
+//! `camera-lab exercise`: exercises, their statements, and judged answers.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -76,7 +76,7 @@ fn own(folder: Option<&Path>, lang: Lang) -> Result<OwnExercises, Failure> {
         .map_err(|error| Failure::BadInput(messages::file(lang, &sanitize::path(folder), &error)))
 }
 
-/// Why a file of the folder holds no exercise.
+/// The reason why a file of the folder holds no exercise.
 fn fault(bad: &BadExercise, lang: Lang) -> String {
     messages::file(lang, &sanitize::path(&bad.path), &bad.error)
 }
@@ -232,7 +232,7 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     text
 }
 
-/// The command that writes the picture to match. A figure would give the answer away.
+/// The command that writes the picture to match. A figure would reveal the answer.
 fn picture_command(exercise: &Exercise) -> String {
     format!("camera-lab exercise show {} --seed {} --picture OUT.png", exercise.id, exercise.seed)
 }
@@ -381,7 +381,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
     text
 }
 
-/// The name of the picture of a sheet's exercise, beside the sheet: of letters that LaTeX takes as they are.
+/// The name of the picture of a sheet's exercise, beside the sheet, with only letters that LaTeX takes unchanged.
 fn beside(sheet: &Path, number: usize) -> String {
     let stem = sheet.file_stem().unwrap_or_default().to_string_lossy();
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };

@@ -1,4 +1,5 @@
-//! `camera-lab explain`: the stages of the pipeline that a picture needs, and why each other one is left out.
+//! `camera-lab explain`: the stages of the pipeline that a picture needs, and the reason why each other one is left
+//! out.
 
 use std::fmt::Write as _;
 

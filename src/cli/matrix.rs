@@ -121,7 +121,7 @@ fn read(path: &Path) -> Result<Vec<u8>, FileError> {
 /// The word that asks for all cameras of a file.
 const ALL: &str = "all";
 
-/// The camera of a number from 1 or of a name.
+/// The camera with a number from 1 or with a name.
 fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted> {
     let Some(wanted) = wanted.filter(|wanted| *wanted != ALL) else { return cameras.first() };
     let by_name = cameras.iter().find(|camera| camera.name == wanted);

@@ -51,18 +51,18 @@ use args::{Command, CommandLine};
 enum Failure {
     /// Unusable arguments or files: status 2.
     BadInput(String),
-    /// The work could not be completed: status 1.
+    /// The work couldn't be completed: status 1.
     Failed(String),
     /// An answer is wrong, as already reported: status 1.
     NotRight,
-    /// The reader of the output is gone: a quiet end.
+    /// The reader of the output is gone, so the program ends quietly.
     ClosedPipe,
 }
 
 /// The task of the arguments.
 #[derive(Debug)]
 pub enum Asked {
-    /// Something that has been done, or could not be.
+    /// A finished action, or one that failed.
     Done(ExitCode),
     /// The window.
     Window(Box<Opening>),
@@ -170,7 +170,7 @@ fn json_of(answer: &impl Serialize) -> Result<String, Failure> {
     Ok(serde_json::to_string_pretty(answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n")
 }
 
-/// The name that an unknown one may stand for.
+/// The nearest known name to an unknown one.
 fn nearest<'a>(names: impl Iterator<Item = &'a str>, unknown: &str) -> Option<&'a str> {
     let likenesses = names.map(|name| (strsim::jaro_winkler(name, unknown), name));
     likenesses.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.7).map(|(_, name)| name)

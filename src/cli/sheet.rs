@@ -81,7 +81,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     save(&args.out.output, &file.bytes, file.beside, lang)
 }
 
-/// The figures of a family, each with its scene. Those whose objects are the same share one.
+/// The figures of a family, each with its scene. Those with the same objects share one.
 pub(super) fn members(
     path: &Path,
     opened: &Opened,

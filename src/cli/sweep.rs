@@ -65,7 +65,7 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     save(&args.output, &file.bytes, file.beside, lang)
 }
 
-/// The figure with each camera of the way to another one. It begins and ends slowly.
+/// The figure with each camera on the way to another one. It begins and ends slowly.
 fn way(figure: &Figure, from: &Camera, to: &Camera, frames: usize) -> Result<Vec<Variant>, crate::camera::CameraError> {
     let path = CameraPath::new(from, to)?;
     let last = frames.saturating_sub(1).max(1);

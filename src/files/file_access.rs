@@ -17,7 +17,7 @@ pub enum FileAccess {
     Link,
     /// A step of a lesson file. Its meshes and textures, and the files they name, are in the lesson's folder or below.
     Lesson,
-    /// A figure from a picture: its meshes, and the files they name, are in the picture's folder or below.
+    /// A figure from a picture. Its meshes, and the files they name, are in the picture's folder or below.
     Picture,
     /// A figure file. Its meshes may be anywhere on this machine, but the files they name have to be in their folder or
     /// below.
@@ -40,8 +40,8 @@ impl FileAccess {
         }
     }
 
-    /// The reach of the steps of a lesson in a file with this path or in a link, or of one of the program (`None`).
-    /// `allowed`: the user lets it name any file.
+    /// The reach of the steps of a lesson in a file with this path or in a link, or of a built-in one (`None`). If
+    /// `allowed`, the user lets it name any file.
     pub fn of_lesson(path: Option<&Path>, allowed: bool) -> Self {
         let in_file = path.filter(|path| share::link_of(path).is_none());
         match (allowed, in_file) {
@@ -71,7 +71,7 @@ impl FigureFiles {
         Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
     }
 
-    /// The same with this number of bytes already read.
+    /// The same, with this number of bytes already read.
     #[must_use]
     pub fn after(self, spent: usize) -> Self {
         Self { left: self.left.saturating_sub(spent), ..self }
@@ -82,8 +82,7 @@ impl FigureFiles {
         MAX_SCENE_BYTES - self.left
     }
 
-    /// The files that meshes name and that could not be read. A mesh without its material library is drawn all the
-    /// same.
+    /// The unreadable files that meshes name. A mesh without its material library is drawn all the same.
     pub fn unread(&self) -> &[ReadError] {
         &self.unread
     }
@@ -162,7 +161,7 @@ enum Elsewhere {
 
 /// The path without links and `..`, if it lies in `folder` or below.
 fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
-    // By its path first: of files outside, not even the existence is checked.
+    // Checks its path first: for files outside, not even the existence is checked.
     if !lexically_inside(folder, path) {
         return Err(Elsewhere::Outside);
     }
@@ -173,7 +172,7 @@ fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
     if path.starts_with(&folder) { Ok(path) } else { Err(Elsewhere::Outside) }
 }
 
-/// True if the words of `path` go on from `folder` and never above it.
+/// True if the parts of `path` continue those of `folder` and never go above it.
 fn lexically_inside(folder: &Path, path: &Path) -> bool {
     let Ok(rest) = path.strip_prefix(folder) else { return false };
     let mut depth = 0_usize;
@@ -234,7 +233,7 @@ mod tests {
         for path in outside {
             assert!(is_outside(files.read(of_mesh(path, "meshes/m.obj"))), "{path}");
         }
-        // The figure's own words reach further, and so do the user's.
+        // The figure's own paths reach further, and so do the user's.
         assert_eq!(files.read(of_figure("../secret")).unwrap(), b"secret");
         assert_eq!(files.read(of_figure(absolute)).unwrap(), b"secret");
         let mut files = FigureFiles::new(&folder, FileAccess::Anywhere);

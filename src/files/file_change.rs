@@ -28,7 +28,7 @@ pub enum FileChange {
 /// Looks at a file that held `known`. Doesn't read it if its time and size are still `stamp`.
 pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> FileChange {
     let Ok(meta) = fs::metadata(path) else { return FileChange::Gone };
-    // Taken before the bytes are read: a later write has another one.
+    // Taken before the bytes are read, so that a later write has another one.
     let now = Stamp { modified: meta.modified().ok(), size: meta.len() };
     if stamp == Some(now) && now.modified.is_some() {
         return FileChange::Same(now);

@@ -9,13 +9,13 @@ use crate::lessons::{Lesson, parse_bytes};
 use crate::limits::MAX_LESSON_BYTES;
 use crate::share::{self, Held};
 
-/// The first step of a lesson begins within these bytes: before it are only its title, sentence and aims.
+/// The first step of a lesson begins within these bytes. Before it are only its title, sentence and aims.
 const HEAD: u64 = 64 << 10;
 
 /// The lessons of a folder.
 #[derive(Debug, Default)]
 pub struct OwnLessons {
-    /// The lessons with their files, in the order of the names of these.
+    /// The lessons with their files, sorted by file name.
     pub lessons: Vec<(PathBuf, Arc<Lesson>)>,
     /// The unusable files, in the same order.
     pub faults: Vec<(PathBuf, FileError)>,

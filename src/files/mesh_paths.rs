@@ -40,7 +40,7 @@ pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Fi
     });
     for path in meshes.chain(figure.photograph.as_mut().map(|photograph| &mut photograph.file)) {
         let file = from.unwrap_or(Path::new("")).join(&*path);
-        // A foreign figure must not make the system look for another machine.
+        // A figure from elsewhere must not make the system look for another machine.
         if !is_network(&file) && file.exists() {
             *path = named_in_figure(to, &file);
         }

@@ -52,7 +52,7 @@ pub enum FileError {
     /// A device, a pipe or a socket, which may have no end.
     #[error("{}", ReadProblem::NotRegular)]
     NotRegular,
-    /// Its path leads to another machine: opening it could send the user's name and password there.
+    /// Its path leads to another machine. Opening it could send the user's name and password there.
     #[error("{}", ReadProblem::Network)]
     Network,
     /// Windows keeps the name for a device or for something inside of a file.
@@ -85,7 +85,7 @@ pub enum FileError {
 pub enum Overwrite {
     /// A file that may be written. For other files, saving returns [`FileError::ReadOnly`].
     Writable,
-    /// Also a read-only file: the user has agreed. It stays read-only.
+    /// Also a read-only file, because the user has agreed. It stays read-only.
     ReadOnlyToo,
 }
 
@@ -96,7 +96,7 @@ pub struct Opened {
     pub figure: Figure,
     /// The text of the figure file.
     pub text: String,
-    /// True if the text came out of a picture or a link: saving must not replace the picture by it.
+    /// True if the text came from a picture or a link. Saving must not replace the picture by it.
     pub from_picture: bool,
 }
 
@@ -112,9 +112,9 @@ pub struct SourceFile {
 }
 
 impl Opened {
-    /// The figure, and the file with this path that it came from.
+    /// The figure, and the file that it came from, with this path.
     pub fn at(self, path: &Path) -> (Figure, SourceFile) {
-        // A link has no folder: relative names in its figure lead nowhere.
+        // A link has no folder, so relative names in its figure lead nowhere.
         let path = if share::link_of(path).is_some() { PathBuf::new() } else { whole(path) };
         (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
     }
@@ -142,7 +142,7 @@ pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<Camera
     Ok((Opened { figure, text, from_picture: from_picture || is_link }, error))
 }
 
-/// The bytes behind a path, and whether they come from a link.
+/// The bytes behind a path, and true if they come from a link.
 fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
     match share::link_of(path).and_then(share::text_in) {
         Some(text) => Ok((text?, true)),
@@ -160,7 +160,7 @@ pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
     Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
 }
 
-/// The text of the figure in the bytes of a file, and whether the file is a picture.
+/// The text of the figure in the bytes of a file, and true if the file is a picture.
 fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FileError> {
     let from_vectors = vector::figure_in(bytes);
     let from_picture = png::is_png(bytes) || from_vectors.is_some();
@@ -230,7 +230,7 @@ fn open_regular(path: &Path) -> Result<(File, u64), FileError> {
         return Err(FileError::NotRegular);
     }
     let file = File::open(path).map_err(FileError::Read)?;
-    // Checked again on the open file: another one may have taken its place.
+    // Checked again on the open file, because another one may have taken its place.
     let now = file.metadata().map_err(FileError::Read)?;
     if !now.is_file() {
         return Err(FileError::NotRegular);
@@ -253,7 +253,7 @@ pub fn whole(path: &Path) -> PathBuf {
 }
 
 /// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its
-/// long names of local disks (`\\\\?\\C:\\`) begin so too, and are local.
+/// long names of local disks (`\\\\?\\C:\\`) begin like that too, but are local.
 pub fn is_network(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();
     let separators = text.iter().take_while(|byte| matches!(byte, b'/' | b'\\')).count();

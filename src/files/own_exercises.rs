@@ -11,13 +11,13 @@ use crate::numbers::natural_order;
 /// The exercises of a folder.
 #[derive(Debug, Default)]
 pub struct OwnExercises {
-    /// The exercises, in the order of the names of their files.
+    /// The exercises, sorted by file name.
     pub entries: Vec<Entry>,
     /// The unusable files, in the same order.
     pub faults: Vec<BadExercise>,
 }
 
-/// A file in a folder of exercises that holds none that can be used.
+/// A file in a folder of exercises that holds no usable one.
 #[derive(Debug)]
 pub struct BadExercise {
     /// The path of the file.

@@ -61,7 +61,7 @@ fn open_to_write(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).open(path)
 }
 
-/// The end of a chain of links, whether a file is there or not.
+/// The end of a chain of links, even if no file is there.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     // The limit of Linux.
     const MOST: usize = 40;
@@ -82,7 +82,7 @@ fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<
     };
     let same_owner = temporary.take_owner(before);
     match writable {
-        // The copy beside it holds the new bytes until they are all written.
+        // The copy beside it holds the new bytes until all of them are written.
         Ok(file) if has_other_names(before) || !same_owner => write_in_place(file, target, bytes),
         writable => {
             temporary.file.set_permissions(before.permissions())?;
@@ -129,7 +129,7 @@ fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
     })
 }
 
-/// True for a file that other names lead to as well (hard links).
+/// True for a file with other names (hard links).
 #[cfg(unix)]
 fn has_other_names(file: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt as _;
@@ -141,7 +141,7 @@ fn has_other_names(_: &Metadata) -> bool {
     false
 }
 
-/// A new file in the folder of another one, which it can become in one step. Locked while its program lives. Removed
+/// A new file in the folder of another one, which it can replace in one step. Locked while its program lives. Removed
 /// unless renamed.
 struct Temporary {
     path: PathBuf,
@@ -246,7 +246,7 @@ fn settled_after(process: u32) -> Duration {
     Duration::from_secs(if is_gone { 2 } else { 60 })
 }
 
-/// A file that was written later than now was so by another clock, or before this one was put back.
+/// A file written later than now was written by another clock, or before this one was set back.
 fn is_older(meta: &Metadata, than: Duration) -> bool {
     let age = |time: SystemTime| time.elapsed().unwrap_or_else(|ahead| ahead.duration());
     meta.modified().is_ok_and(|time| age(time) > than)
@@ -323,7 +323,7 @@ mod tests {
         let being_written = file(".camera-lab-2-0.tmp", minutes_ago);
         being_written.lock().unwrap();
         drop(file(".camera-lab-3-0.tmp", SystemTime::now()));
-        // A clock that was put back by years has left this.
+        // Left by a clock that was set back by years.
         drop(file(".camera-lab-4-0.tmp", SystemTime::now() + Duration::from_secs(100_000_000)));
         let foreign =
             ["mine.tmp", ".camera-lab-x-0.tmp", ".camera-lab-1.tmp", ".camera-lab-1-0-0.tmp", ".camera-lab-+1-0.tmp"];

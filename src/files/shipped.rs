@@ -34,7 +34,7 @@ pub enum Topic {
 pub struct ShippedFigure {
     /// Its name, without an ending.
     pub name: &'static str,
-    /// The heading under which the gallery has it.
+    /// The heading for it in the gallery.
     pub topic: Topic,
     text: &'static str,
 }
@@ -96,7 +96,7 @@ impl ShippedFigure {
             .unwrap_or_default()
     }
 
-    /// The text of its figure file. Its meshes are those of the program, so that it means the same in every folder.
+    /// The text of its figure file. Its meshes are built-in, so that it means the same in every folder.
     pub fn text(self) -> Cow<'static, str> {
         if self.text.contains("../meshes/") {
             self.text.replace("../meshes/", SHIPPED).into()

@@ -217,7 +217,7 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
 /// A fault: its place, and its message, which begins with a key.
 type Fault = (Part, Box<dyn Fn(&str) -> String>);
 
-/// The parts that a lesson needs so that someone else can teach it. It's good without them, and plays.
+/// The parts that a lesson needs so that another lecturer can teach it. It's good without them, and plays.
 fn missing_of(lesson: &Lesson) -> impl Iterator<Item = &'static str> {
     let parts =
         [("aims", lesson.aims.is_empty()), ("plan", lesson.plan.is_none()), ("sentence", lesson.sentence.is_none())];
@@ -264,7 +264,7 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
     faults
 }
 
-/// The number of steps of a lesson of the program.
+/// The number of steps of a built-in lesson.
 fn steps_of(id: &str) -> Option<usize> {
     shipped().iter().find(|shipped| shipped.lesson.id == id).map(|shipped| shipped.lesson.steps.len())
 }
@@ -324,7 +324,7 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     if is_handout {
         return write_handout(args, &found, lang);
     }
-    // A folder of pictures that has the name of one is a slip.
+    // A folder of pictures with the name of a picture is a slip.
     if args.output.extension().is_some() && PictureFormat::of(&args.output).is_some() {
         return Err(Failure::BadInput(texts::output_name(lang, &sanitize::path(&args.output))));
     }

@@ -30,8 +30,8 @@ pub(in crate::cli) struct Found {
     pub(in crate::cli) path: Option<PathBuf>,
 }
 
-/// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and why files are missing
-/// without which it can be drawn.
+/// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and the reasons why files
+/// are missing without which it can be drawn.
 pub(in crate::cli) fn scene(
     figure: &Figure,
     path: Option<&PathBuf>,
@@ -76,7 +76,7 @@ pub(in crate::cli) fn composite(
     })
 }
 
-/// The size of a file: as given, or of that many pictures.
+/// The size of a file: as given, or for that many pictures.
 pub(in crate::cli) fn size_of(given: Option<ImageSize>, views: Views) -> Size {
     let count = u32::try_from(views.views().count()).unwrap_or(1);
     let ImageSize { width, height } =

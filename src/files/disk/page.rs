@@ -35,7 +35,7 @@ pub struct Page {
 #[derive(Debug)]
 struct Files {
     page: Option<Page>,
-    /// The files that the user has given to the page.
+    /// The files given by the user to the page.
     given: BTreeMap<PathBuf, Vec<u8>>,
     /// The locks of this page.
     held: BTreeSet<String>,
@@ -241,7 +241,7 @@ mod tests {
         Ok(())
     }
 
-    // One test: files given to a page are there for the whole program.
+    // One test, because files given to a page exist for the whole program.
     #[test]
     fn what_is_kept_comes_back_and_what_is_saved_is_handed_to_the_user() {
         let kept = Path::new("/camera-lab/session-0.json");

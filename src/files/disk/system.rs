@@ -79,7 +79,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// If the system refuses.
 pub fn create_folder(path: &Path) -> io::Result<()> {
-    // A file in the place of the last folder is reported like one in the place of another.
+    // A file in the place of the last folder is reported like a file in the place of any other.
     fs::create_dir_all(path).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
         _ => error,
