@@ -1,4 +1,4 @@
-//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has it
+//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has them
 //! too.
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};

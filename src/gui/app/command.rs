@@ -14,13 +14,13 @@ pub use table::MENUS;
 #[derive(Debug)]
 pub struct Menu {
     pub(in crate::gui) title: fn(&Texts) -> &'static str,
-    /// False: its place is elsewhere, at the titles of the pictures.
+    /// False if its place is elsewhere, at the titles of the pictures.
     pub in_bar: bool,
     groups: &'static [&'static [Row]],
 }
 
 impl Menu {
-    /// Its commands in groups, as far as a window of this kind has them.
+    /// Its commands in groups, without those that a window of this kind lacks.
     pub fn groups(&self, model: &Model) -> impl Iterator<Item = impl Iterator<Item = Command>> {
         let commands = |group: &'static [Row]| group.iter().map(|row| row.command);
         self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(model)))
@@ -50,8 +50,8 @@ struct Row {
 enum InBrowser {
     /// The command and its keys.
     All,
-    /// The command alone: its keys do something that people want of every browser (a new window or tab, the address,
-    /// reloading, zooming, other tabs).
+    /// Only the command, because users expect its keys to do something else in every browser (a new window or tab, the
+    /// address, reloading, zooming, other tabs).
     WithoutKeys,
     /// Nothing, because a page can't reopen files by itself, and the browser closes it.
     Nothing,

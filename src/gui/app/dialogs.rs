@@ -66,7 +66,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if let Dialog::Compare(form) = dialog {
         let draws = state.annotations.any();
         let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
-        // A command may have opened another one meanwhile.
+        // A command may have opened another one in between.
         if state.file_flow.dialog.is_none() {
             state.file_flow.dialog = stays.map(Dialog::Compare);
         }
@@ -270,7 +270,7 @@ fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: After
     }
 }
 
-/// Asks about the children of objects that are deleted.
+/// Asks about the children of deleted objects.
 fn ask_delete(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -330,7 +330,7 @@ fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut chan
     }
 }
 
-/// The lines that differ: those of the file with −, those of the window with +.
+/// The differing lines: those of the file with −, those of the window with +.
 fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
     let visuals = ui.visuals().clone();
     ui.label(RichText::new(t.compare_file).monospace().color(visuals.error_fg_color));
@@ -407,7 +407,7 @@ fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: 
     }
 }
 
-/// Selects the name in a proposed path, without its folder and its ending: typing replaces it.
+/// Selects the name in a proposed path, without its folder and its ending, so that typing replaces it.
 fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     let begin = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
     let end = path[begin..].rfind('.').map_or(path.len(), |at| begin + at);

@@ -65,7 +65,7 @@ pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     }
 }
 
-/// Does the `next` action. Changes are lost. Only [`begin`] and the answer to its question call this.
+/// Does the `next` action. Changes are lost, so only [`begin`] and the answer to its question call this.
 pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
@@ -79,7 +79,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         AfterSave::Text(text) => match parse(&text).map(|figure| Document::new(figure, None)) {
             Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
             Ok(Err(error)) => state.model.say(Message::Camera(error)),
-            // The program wrote it, of a camera that it had measured: a test opens every one.
+            // The program wrote it, for a camera that it had measured. A test opens every one.
             Err(_) => {}
         },
         AfterSave::Lesson(open) => state.learn.play(&mut state.model, open),
@@ -155,7 +155,7 @@ fn ask_in_window(state: &mut State, purpose: Purpose) {
     state.file_flow.dialog = Some(Dialog::Path(purpose, text));
 }
 
-/// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
+/// Opens the system's dialog for the waiting question, in front of the window of `frame`.
 pub(in crate::gui) fn open_dialog(ctx: &egui::Context, file_flow: &mut FileFlow, frame: &eframe::Frame) {
     if let Some(asking) = &mut file_flow.asking
         && let Some(question) = asking.question.take()
@@ -210,7 +210,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     }
 }
 
-/// The files that are there already, and that writing to `path` replaces. A picture may have another file beside it.
+/// The existing files that writing to `path` replaces. A picture may have another file beside it.
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures =
         matches!(purpose, Purpose::Export(_) | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_)));
@@ -362,7 +362,7 @@ pub fn text_to_save(model: &Model) -> String {
     update(model.document.source(), &figure)
 }
 
-/// The text of the present screen, as links carry it.
+/// The text of the present screen, in the form for links.
 pub fn text_as_shown(model: &Model) -> String {
     update(model.document.source(), &model.figure_as_shown())
 }
@@ -468,7 +468,8 @@ fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
     begin(ctx, state, AfterSave::Quit);
 }
 
-/// Opens files that were dropped, or given to a page. The first one, once no question is open that it would replace.
+/// Opens files that were dropped, or given to a page. The first one waits until no question is open that it would
+/// replace.
 fn take_given(ctx: &egui::Context, state: &mut State) {
     let dropped: Vec<PathBuf> =
         ctx.input(|input| input.raw.dropped_files.iter().map(|file| files::whole(file.path())).collect());
@@ -501,7 +502,7 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
     let mut shapes = state.model.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
     if state.model.in_browser && shapes.any(is_this) {
-        // The scene names it, and had to do without it.
+        // The scene names it, but hasn't been able to read it so far.
         return state.model.scene_cache.read_again();
     }
     mesh(&mut state.model, MeshFor::New, &path);

@@ -33,7 +33,7 @@ use crate::i18n::window::{self, Texts};
 /// Below this width, in points, there is room for only one panel beside the pictures.
 const NARROW: f32 = 960.0;
 
-/// Commands that the panels have called, done when the pictures have been shown.
+/// Commands that the panels have called, performed after the pictures have been shown.
 #[derive(Default)]
 struct Called {
     of_bar: Option<Command>,
@@ -113,7 +113,7 @@ impl App {
             })
         });
         let of_bar = of_bar.and_then(|bar| bar.inner);
-        // Notices wait until the presentation is over.
+        // Notices wait until the end of the presentation.
         if !presenting {
             self.notices(ui);
         }
@@ -147,7 +147,7 @@ impl App {
         self.act(ui.ctx());
     }
 
-    /// The panels that are open: studies below, parameters at the left, operations and explanations at the right.
+    /// The open panels: studies below, parameters at the left, operations and explanations at the right.
     fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts) {
         let sides = *self.state.model.settings.panels();
         if self.state.numerics.shown {
@@ -195,7 +195,7 @@ impl App {
         }
     }
 
-    /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
+    /// Operations above, at their own height but not more than about half if the numbers below are unfolded.
     fn right(&mut self, ui: &mut egui::Ui) {
         let share = if self.state.model.settings.numbers_open { 0.56 } else { 0.8 };
         let half = ui.available_height() * share;
@@ -244,7 +244,7 @@ impl App {
         self.focus.end(ctx);
     }
 
-    /// Settings and title for the system, then session and preferences. A figure that moves is kept when it rests.
+    /// Settings and title for the system, then session and preferences. A moving figure is stored when it rests.
     fn background(&mut self, ctx: &egui::Context) {
         self.apply_settings(ctx);
         self.refuse_links(ctx);
@@ -290,7 +290,7 @@ impl App {
     }
 }
 
-/// Shows the pictures with the parts that other features give them, then does the actions that they leave.
+/// Shows the pictures with their inputs from other features, then performs the resulting actions.
 pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
     let State { model, learn, annotations, explain, file_flow, label_mode, photograph, .. } = state;
     let inputs = Inputs {

@@ -13,12 +13,12 @@ const LONGEST_PAUSE: f64 = 1.0;
 /// The held key, as far as its repeats reveal it.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct HeldKey {
-    /// The key, and when it was pressed or repeated last, in seconds.
+    /// The key, and the time of its last press or repeat, in seconds.
     key: Option<(Key, f64)>,
 }
 
 impl HeldKey {
-    /// Follows the events before this frame. Returns whether another key was pressed than the held one, whose effect is
+    /// Follows the events before this frame. Returns true if another key than the held one was pressed, whose effect is
     /// then a step of its own.
     pub(in crate::gui) fn follow(&mut self, input: &InputState) -> bool {
         let mut another = false;

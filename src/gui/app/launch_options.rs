@@ -23,7 +23,7 @@ pub struct LaunchOptions {
     pub theme: Option<Theme>,
     /// The displayed pictures.
     pub views: Option<Views>,
-    /// The pictures alone: neither panels nor menus.
+    /// True for the pictures alone, without panels and menus.
     pub bare: bool,
     /// The built-in lesson to play, by its place.
     pub lesson: Option<usize>,

@@ -15,10 +15,10 @@ use crate::gui::model::command::Command;
 use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
 
-/// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
+/// Below this width, in points, the menus have no room beside the switches, as on a telephone held upright.
 pub(in crate::gui) const PHONE: f32 = 600.0;
 
-/// From this width on, in points, the switches that most look for have their words.
+/// From this width on, in points, the most used switches have their words.
 const WORDS: f32 = 1000.0;
 
 /// From this width on, every switch of the bar has its word.
@@ -45,7 +45,7 @@ const SWITCHES: &[Switch] = &[
     Switch { command: Command::Presentation, sign: Some(("▶", WORDS)), word: |t| t.menu_present },
 ];
 
-/// The signs of the bar with their commands, as a legend lists them.
+/// The signs of the bar with their commands, for a legend.
 pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> {
     let switches = SWITCHES.iter().filter_map(|switch| Some((switch.sign?.0, switch.command)));
     HISTORY.into_iter().map(|(command, sign)| (sign, command)).chain(switches)
@@ -53,7 +53,7 @@ pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> 
 
 const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "↷")];
 
-/// Shows the bar. The chosen command, if any.
+/// Shows the bar. Returns the chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.model.settings.lang);
     let mut chosen = None;
@@ -95,7 +95,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     chosen
 }
 
-/// The menus, one beside or below the other. The chosen command, if any.
+/// The menus, one beside or below the other. Returns the chosen command, if any.
 fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     let mut chosen = None;
     for menu in MENUS.iter().filter(|menu| menu.in_bar) {
@@ -119,7 +119,7 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     chosen
 }
 
-/// `has_marks`: of the entries of its menu, some can be on.
+/// `has_marks` is true if some entries of its menu can be on.
 fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Command, bool)) -> bool {
     let keys = keys(ui, &state.model, command);
     let mark = match command.is_on(state) {
@@ -160,7 +160,7 @@ fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mu
         let name = command.label(t).trim_end_matches('…');
         let font = TextStyle::Body.resolve(ui.style());
         if elide::width(ui, &font, name) > ui.available_width() {
-            // A small window has them in its menus alone.
+            // A small window has them only in its menus.
             continue;
         }
         let link = ui.link(name);

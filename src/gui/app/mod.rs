@@ -1,6 +1,6 @@
 //! The program of the window: its frames, commands, menus, search, questions about files, and preferences.
 //!
-//! Only here are features used, in order, and only functions here take everything that the window knows.
+//! Only this module uses features, in order, and only its functions take the whole state of the window.
 
 pub(super) mod about;
 mod actions;
@@ -110,7 +110,7 @@ impl App {
         &self.title
     }
 
-    /// Stores the session in `folder` from now on. With `restore`, restores that of a window that did not close.
+    /// Stores the session in `folder` from now on. With `restore`, restores that of a window that didn't close.
     pub fn keep_session(&mut self, folder: &Path, restore: bool) {
         let (sessions, left) = Sessions::begin(folder, restore);
         self.sessions = Some(sessions);
@@ -126,7 +126,7 @@ impl App {
             if let Some(text) = text {
                 self.state.learn.resume_text(&mut self.state.model, text, figure);
             }
-            // Another program may have gone on with the file.
+            // Another program may have changed the file since.
             self.state.file_flow.look = true;
         }
     }
@@ -192,7 +192,7 @@ impl App {
         self.act(ctx);
     }
 
-    /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
+    /// Lets links in texts, which may have another author, open only pages and mail, but no files or programs of this
     /// machine.
     fn refuse_links(&mut self, ctx: &egui::Context) {
         let mut refused = None;
@@ -295,7 +295,7 @@ impl eframe::App for App {
         file_flow::open_dialog(ui.ctx(), &mut self.state.file_flow, frame);
     }
 
-    /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.
+    /// The ground of the window. Clearing it costs little, but painting it once more, in software, takes milliseconds.
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         visuals.panel_fill.to_normalized_gamma_f32()
     }

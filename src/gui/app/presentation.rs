@@ -33,10 +33,10 @@ pub(in crate::gui) fn zoom(window: egui::Vec2) -> f32 {
     ENLARGEMENT * (window / USUAL_SCREEN).min_elem().clamp(1.0, FINEST)
 }
 
-/// Colour of the pen and of the spot: seen on light and on dark ground.
+/// Colour of the pen and of the spot, visible on light and on dark ground.
 const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
 
-/// The plain keys of a presentation: those of a remote control among them.
+/// The plain keys of a presentation, including those of a remote control.
 pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Command::NextFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Command::PreviousFigure),
@@ -75,7 +75,7 @@ pub(in crate::gui) fn escape(
     Some(if annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
 }
 
-/// Seconds after which a pointer that rests is as good as gone.
+/// Seconds after which a resting pointer disappears.
 const REST: f64 = 3.0;
 
 /// The pointer of a presentation. When it rests, it disappears with its bar, hint and cross hairs, because you can't
@@ -118,8 +118,8 @@ impl RestingPointer {
 /// The height at the upper border in which the pointer calls the bar, in points.
 const EDGE: f32 = 26.0;
 
-/// The bar of a presentation, over the pictures. It comes when the pointer goes to the upper border, and stays while
-/// one of its menus is open. The chosen command. News take its place meanwhile.
+/// The bar of a presentation, over the pictures. It appears when the pointer goes to the upper border, and stays while
+/// one of its menus is open. News take its place meanwhile. Returns the chosen command.
 pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let id = Id::unique("bar of the presentation");
     let was_shown = ctx.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
@@ -131,7 +131,7 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
     if !is_shown {
         let message = state.model.message.as_ref().filter(|message| !message.is_error())?;
-        // At the foot of the pictures: above them are the title and the caption.
+        // At the foot of the pictures, because the title and the caption are above them.
         let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
         area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
             let most = (ctx.content_rect().width() - 60.0).max(100.0);
@@ -252,7 +252,7 @@ pub(in crate::gui) fn keys(
     Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
 }
 
-/// A sentence on a ground of its own, whose centre is at a place, in a room so wide.
+/// A sentence on a ground of its own, centred at a place, in a room of this width.
 fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32)) {
     let style = ctx.global_style();
     let color = style.visuals.strong_text_color();

@@ -60,7 +60,7 @@ enum Target {
     Note(&'static str),
     Exercise(String),
     Figure(&'static str),
-    /// A lesson of the program, by its place, and a step of it.
+    /// A built-in lesson, by its place, and a step of it.
     Step(usize, usize),
 }
 
@@ -111,7 +111,7 @@ impl Entry {
     }
 }
 
-/// Everything that can be found, in the order in which equally good results are listed.
+/// All searchable entries, in the order of equally good results.
 fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
     let lang = model.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
@@ -206,7 +206,7 @@ fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
             _ => None,
         };
         let own = called.first().and_then(|name| of_name(name));
-        // Another name counts after the title, before a word somewhere in the text.
+        // Another name counts after the title, but before a word somewhere in the text.
         let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
         [own, others].into_iter().flatten().min()
     };

@@ -5,7 +5,7 @@
 pub struct Search {
     /// The typed words.
     pub wanted: String,
-    /// The place of the result that Enter goes to.
+    /// The place of the result that Enter opens.
     pub chosen: usize,
 }
 

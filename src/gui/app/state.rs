@@ -1,4 +1,4 @@
-//! Everything the window knows: the model, and the state of each feature.
+//! The whole state of the window: the model, and the state of each feature.
 
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ use crate::views::View;
 /// Everything the window knows.
 #[derive(Debug)]
 pub struct State {
-    /// The document, the layout and all else that every feature may use.
+    /// The document, the layout and all other state for every feature.
     pub model: Model,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
@@ -67,7 +67,7 @@ pub struct State {
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
 }
 
-/// The document at the start. Operations of the command line are a change of the figure in the file. They can be
+/// The document at the start. Operations of the command line are a change of the figure in the file, so they can be
 /// undone, and closing the window asks about them.
 fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());

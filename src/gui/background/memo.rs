@@ -8,7 +8,7 @@ use super::worker::{Running, Worker};
 use crate::clock;
 use crate::progress::Progress;
 
-/// Time that a frame waits for an answer without which it can do.
+/// Time that a frame waits for an answer that it can do without.
 pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_millis(4);
 
 /// A value with its key. It's computed again only if the key changes.
@@ -135,7 +135,7 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         (self.asked.is_some() && *number == self.number).then_some(value)
     }
 
-    /// The answer that was received last, with its question.
+    /// The last received answer, with its question.
     pub(in crate::gui) fn newest(&self) -> Option<(&K, &V)> {
         self.newest.as_ref().map(|(_, key, value)| (key, value))
     }

@@ -89,12 +89,12 @@ struct Shared<Job, Outcome, const SLOTS: usize> {
 
 struct Mailbox<Job, Outcome, const SLOTS: usize> {
     wanted: [Option<Job>; SLOTS],
-    /// The slots whose jobs are being done, and since when.
+    /// The slots with running jobs, and their start.
     busy: [Option<Duration>; SLOTS],
     /// Slots with cancelled jobs, whose results are still taken.
     cancelled: [bool; SLOTS],
     finished: [Option<Done<Outcome>>; SLOTS],
-    /// The window waits for `done`, and needs no other call.
+    /// True if the window waits for `done`, and needs no other call.
     waited_for: bool,
     quit: bool,
 }
@@ -211,7 +211,8 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self.shared.mailbox().is_pending(slot)
     }
 
-    /// The job that has been done for the longest time, or one that will be in the next frame and take long there.
+    /// The job that has been running for the longest time, or one that the next frame will do and that takes long
+    /// there.
     pub(in crate::gui) fn running(&self) -> Option<Running> {
         if let Backend::InFrames(in_frames) = &self.place
             && let Some(announced) = in_frames.announced()

@@ -46,7 +46,7 @@ pub(in crate::gui) struct Choices<'a> {
     pub(in crate::gui) preview: &'a mut Option<Preview>,
 }
 
-/// Asks how, and returns the button that was pressed: the file comes next.
+/// Asks for the settings, and returns the pressed button. The file comes next.
 pub(in crate::gui) fn show(
     ui: &mut egui::Ui,
     t: &'static Texts,

@@ -11,15 +11,15 @@ use crate::i18n::families;
 use crate::i18n::window::Texts;
 use crate::limits::MAX_TYPED_NAME;
 
-/// The rows of the dialog: those of the values once something varies. `enter` becomes true if Enter is pressed in the
-/// values.
+/// The rows of the dialog, with those of the values once something varies. `enter` becomes true if Enter is pressed in
+/// the values.
 pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut FamilyChoice, enter: &mut bool) {
     let words = families::texts(t.lang);
     let mut subject = family.first.subject;
     if subject == Subject::Nothing {
         choice_row(ui, words.family, words.family_hint, &mut subject, &subjects(t, words.none));
     } else {
-        // Side by side: one click for the one you want.
+        // Side by side, so that each is one click away.
         ui.label(words.family).explained(words.family_hint);
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(2.0, 2.0);

@@ -2,7 +2,7 @@
 
 use crate::figure::variation::{Variation, VariationError};
 
-/// The families that have a name: a key or an operation, and the values that it begins with.
+/// The named families: a key or an operation, and its initial values.
 pub const READY: [(&str, &str); 9] = [
     ("camera.view_angle", "20, 40, 60, 90"),
     ("azimuth", "0, 90, 180, 270"),
@@ -71,7 +71,7 @@ impl Varied {
         }
     }
 
-    /// Takes a subject, with the values that it begins with.
+    /// Takes a subject, with its initial values.
     pub fn choose(&mut self, subject: Subject) {
         self.subject = subject;
         match subject {
@@ -109,7 +109,7 @@ impl Default for FamilyChoice {
 }
 
 impl FamilyChoice {
-    /// The family that was there last, or one of the view angle.
+    /// The last family, or one of the view angle.
     pub fn or_last(mut self) -> Self {
         if self.first.subject == Subject::Nothing {
             [self.first, self.second] = self.last.clone();

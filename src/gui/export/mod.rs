@@ -1,4 +1,4 @@
-//! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
+//! Pictures into files, in the same way as `camera-lab render`, so that the bytes are the same.
 
 pub(super) mod export_dialog;
 pub(super) mod family;
@@ -60,7 +60,7 @@ pub struct Export {
     pub crop: bool,
     /// How vectors represent faces.
     pub faces: Faces,
-    /// The letters of vectors are outlines, and no text.
+    /// True if the letters of vectors are outlines, and not text.
     pub outlines: bool,
     /// The theme of the picture.
     pub theme: Theme,
@@ -174,7 +174,7 @@ impl Export {
 }
 
 impl Export {
-    /// True if the picture is going to have no ground.
+    /// True if the picture will have no ground.
     pub fn is_without_ground(&self) -> bool {
         self.transparent && self.format.has_transparency()
     }
@@ -290,7 +290,7 @@ impl ExportSource {
     }
 }
 
-/// Everything that a picture in a file depends on.
+/// All inputs of a picture in a file.
 pub(super) struct Task {
     subject: ExportSource,
     source: String,

@@ -15,7 +15,7 @@ use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, FileOptions, Pixels};
 use crate::progress::Progress;
 
-/// The preview is drawn at this multiple of its displayed size: thin strokes stay whole.
+/// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 2.0;
 
 const SHOWN: usize = 0;
@@ -123,7 +123,7 @@ impl Preview {
         }
     }
 
-    /// Draws the picture at its size, and puts it on the clipboard then: vectors as the text of an SVG file.
+    /// Draws the picture at its size, and then puts it on the clipboard. Vectors go there as the text of an SVG file.
     pub(in crate::gui) fn copy(&mut self, ctx: &Context, export: &Export, subject: ExportSource) {
         self.copied = None;
         self.worker.ask(

@@ -24,11 +24,11 @@ pub enum LineOrigin {
     Theirs,
     /// In the window alone.
     Mine,
-    /// None: equal lines are left out here, or too many lines follow.
+    /// None, because equal lines are left out here, or too many lines follow.
     Gap,
 }
 
-/// The lines in which a file and the window differ, with a few around them, in order.
+/// The differing lines of a file and the window, with a few around them, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comparison {
     /// Each line without its end.

@@ -1,4 +1,4 @@
-//! Looks beside the window's thread whether another program has changed the figure's file.
+//! Checks beside the window's thread if another program has changed the figure's file.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -22,7 +22,7 @@ struct Watched {
 #[derive(Debug)]
 pub(in crate::gui) struct Watch {
     worker: Worker<Watched, (PathBuf, String, FileChange)>,
-    /// The file when it last held the text that the window had read or saved.
+    /// The file when it last held the text read or saved by the window.
     same: Option<(PathBuf, String, Stamp)>,
 }
 

@@ -32,7 +32,7 @@ pub(super) enum CardJob {
     List(PathBuf),
     /// Which of these files exist.
     Sort(Vec<PathBuf>),
-    /// The titles and sentences of these figures. They are there long before their pictures.
+    /// The titles and sentences of these figures, which are ready long before their pictures.
     Read(Vec<Source>, Lang),
     /// A small picture of a figure.
     Draw { source: Source, theme: Theme, lang: Lang },
@@ -180,7 +180,7 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
     }
 }
 
-/// The comment with which a figure file begins, on one line.
+/// The first comment of a figure file, on one line.
 fn first_comment(text: &str) -> String {
     let lines = text.lines().skip_while(|line| line.trim().is_empty());
     let comment = lines.map_while(|line| line.trim().strip_prefix('#')).map(str::trim);

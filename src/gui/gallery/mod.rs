@@ -1,4 +1,4 @@
-//! The gallery: the figures of the program, those used last, and those of a folder, each with a small picture.
+//! The gallery: the built-in figures, the recent ones, and those of a folder, each with a small picture.
 
 mod card;
 mod show;
@@ -51,11 +51,11 @@ pub struct Gallery {
     chosen: [Option<Source>; 3],
     /// The words that cards are searched for.
     wanted: String,
-    /// The figures at the limits of numbers are unfolded.
+    /// True if the figures at the limits of numbers are unfolded.
     shows_limits: bool,
     /// The chosen card gets the keyboard once there are cards.
     wants_focus: bool,
-    /// The files that were used last, and which of them are gone.
+    /// The recent files, and the missing ones of these.
     recent: Vec<PathBuf>,
     gone: HashSet<PathBuf>,
     /// The folder, and its figure files or the reason why it can't be read.
@@ -76,7 +76,7 @@ struct Card {
     told: Option<CardText>,
     /// The reason why it can't be drawn. Empty if it can, or if that hasn't been tried.
     fault: String,
-    /// False: it may have changed since, and is looked at again.
+    /// False if it may have changed since, so that it's checked again.
     fresh: bool,
 }
 
@@ -143,7 +143,7 @@ impl Gallery {
         self.folder = Some(folder);
     }
 
-    /// Cancels the drawing of thumbnails. The gallery is closed.
+    /// Cancels the drawing of thumbnails, because the gallery is closed.
     pub(super) fn end(&self) {
         self.worker.cancel();
     }

@@ -37,7 +37,7 @@ pub(in crate::gui) enum Chosen {
 
 /// Around the picture of a card, in points.
 const MARGIN: f32 = 6.0;
-/// Under the picture of a card: its name, and a few lines.
+/// Below the picture of a card: its name, and a few lines.
 const TEXT: f32 = 66.0;
 /// Between cards.
 const GAP: f32 = 8.0;
@@ -147,7 +147,7 @@ fn parts(ui: &mut Ui, t: &Texts, part: &mut Part) {
     }
 }
 
-/// The field for words of cards: Enter opens the first card that has them, ↓ goes to it.
+/// The search field. Enter opens the first matching card, ↓ goes to it.
 fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     let id = Id::unique("gallery search");
     let goes_down = ui.memory(|memory| memory.has_focus(id))

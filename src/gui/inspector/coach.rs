@@ -103,7 +103,7 @@ fn health(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>) 
     }
 }
 
-/// A sentence, and the button that acts on it. True if that was pressed.
+/// A sentence, and the button that acts on it. Returns true if that was pressed.
 fn line(ui: &mut Ui, text: &str, button: Option<(&str, String)>) -> bool {
     let mut pressed = false;
     ui.indent(text, |ui| {

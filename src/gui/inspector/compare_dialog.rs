@@ -138,7 +138,7 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
     chosen
 }
 
-/// The height or the angle with which the other projection shows as much as this one does.
+/// Sets the height or the angle with which the other projection shows as much as this one does.
 fn give_other_projection(model: &Model, figure: &mut Figure) {
     let other = match figure.camera.projection {
         Projection::Perspective => Projection::Parallel,

@@ -18,7 +18,7 @@ pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
     Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
 }
 
-/// All numbers of the figure as text with all their digits, as programs read them.
+/// All numbers of the figure as text with all their digits, for programs.
 pub(in crate::gui) fn text(model: &Model) -> String {
     let (t, shown) = (window::texts(model.settings.lang), model.settings.conventions);
     let Some(report) = report(model, shown.ndc) else { return String::new() };
@@ -139,7 +139,7 @@ fn fixed(value: f64, decimals: usize) -> String {
 enum Mirrored {
     /// Its third row: it leads to view space.
     Row,
-    /// Its third column: it comes from view space.
+    /// Its third column, because it comes from view space.
     Column,
     /// No part.
     Nothing,
@@ -184,7 +184,7 @@ pub(in crate::gui) fn tables(
                 .collect(),
         ),
     ];
-    // Entries of M_p can differ by any factor, and each is exact: none is a rest of another.
+    // Entries of M_p can differ by any factor, and each is exact. None is a rounding error of another.
     if inverse {
         let view =
             Table::matrix(Matrix::InverseView, t.inverse_view_name, r.inverse_view_matrix, Mirrored::Column, shown);

@@ -132,7 +132,7 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Free
     ui.add_space(3.0);
 }
 
-/// The operations that the figure shows, and the button that takes them out.
+/// The operations that the figure shows, and the button that removes them.
 fn kept(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
     let shown = &model.document.figure().show.operations;
     if shown.is_empty() {

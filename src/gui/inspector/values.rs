@@ -1,4 +1,4 @@
-//! The numbers: basis, matrices, window, corners. Each one is that of `camera-lab inspect` for the same figure.
+//! The numbers: basis, matrices, window, corners. Each one equals that of `camera-lab inspect` for the same figure.
 
 use std::sync::Arc;
 

@@ -107,7 +107,7 @@ pub const MENUS: &[Menu] = &[
                 .not_in_browser()],
         ],
     },
-    // By their keys and the search: in the menu, they're in the dialogs of the entries above.
+    // By their keys and the search. In the menu, they're in the dialogs of the entries above.
     Menu {
         title: |t| t.menu_file,
         in_bar: false,
@@ -321,7 +321,7 @@ const fn alt(key: Key) -> KeyboardShortcut {
 type Words = fn(&Texts) -> (&'static str, &'static str);
 
 impl Row {
-    /// A command that can always be done, and is neither on nor off.
+    /// A command that is always available, and is neither on nor off.
     const fn new(command: Command, shortcut: KeyboardShortcut, words: Words, run: fn(&mut State, &Context)) -> Self {
         Self {
             command,
@@ -355,7 +355,7 @@ impl Row {
         Self { enabled, ..self }
     }
 
-    /// It can be done, and its menu lists it, only while a lesson is played.
+    /// Available, and in its menu, only while a lesson is played.
     const fn in_lesson(self) -> Self {
         Self { enabled: |s| s.learn.lesson.is_some(), only_if_enabled: true, ..self }
     }
@@ -429,13 +429,13 @@ fn show_recent(state: &mut State) {
     show_dialog(state, Dialog::Gallery);
 }
 
-/// Opens the list of lessons, with those of the folder of figures too.
+/// Opens the list of lessons, including those of the figures' folder.
 fn show_lessons(state: &mut State) {
     state.learn.look_for_lessons(&state.model, state.gallery.folder());
     show_dialog(state, Dialog::Lessons);
 }
 
-/// Shows the QR code of the link to the screen. Without the address of a page, it asks for that first.
+/// Shows the QR code of the link to the screen. Without the address of a page, asks for that first.
 fn show_code(state: &mut State) {
     let has_address = state.own_address.is_some() || !state.page_address.is_empty();
     show_dialog(state, if has_address { Dialog::Qr } else { Dialog::Link });
@@ -469,7 +469,7 @@ fn see_as(state: &mut State, back: bool) {
 
 /// Goes on to the next figure or step, or back to the one before.
 fn step(state: &mut State, ctx: &Context, forwards: bool) {
-    // A frozen picture would be under another title.
+    // A frozen picture would stay under another title.
     state.annotations.frozen = false;
     if state.learn.lesson.is_some() {
         state.learn.step_lesson(&mut state.model, forwards);

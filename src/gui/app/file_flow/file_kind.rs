@@ -122,7 +122,7 @@ impl FileKind {
         Self { wanted, title, action, filters, name, folder }
     }
 
-    /// The kind for a figure with a title, whose words are its name.
+    /// The kind for a figure with a title, whose words become its name.
     pub(in crate::gui) fn with_name_of(self, title: Option<&str>) -> Self {
         let name = title.and_then(name_of_title).map(|name| format!("{name}.toml"));
         Self { name: name.unwrap_or(self.name), ..self }

@@ -105,7 +105,7 @@ pub(in crate::gui) fn link(
     shown_link.of((address.to_owned(), is_whole), |_| made(model, learn, address)).clone()
 }
 
-/// The link: of a lesson of the program to its step, else with the whole figure in it.
+/// The link: for a built-in lesson to its step, otherwise with the whole figure in it.
 fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareError> {
     let of_program = learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {

@@ -40,7 +40,7 @@ pub(in crate::gui) fn texture(model: &mut Model, object: &str, path: &Path) {
     });
 }
 
-/// Puts a photograph under the image. One in the place of another keeps the opacity.
+/// Puts a photograph under the image. If it replaces another, the opacity stays.
 pub(in crate::gui) fn photograph(model: &mut Model, path: &Path) {
     let file = files::named_in_figure(model.document.folder(), path);
     model.document.edit(|figure| {

@@ -34,7 +34,7 @@ pub enum Purpose {
     For(FileFor),
     /// To write a picture.
     Export(Export),
-    /// A folder, whose figures the gallery is to show.
+    /// A folder, whose figures the gallery will show.
     Folder,
     /// To add a step to a lesson.
     Step,
@@ -123,9 +123,9 @@ pub enum Dialog {
     Path(Purpose, String),
     /// The file is there already: replace it?
     Overwrite(Purpose, PathBuf),
-    /// Another program has changed the figure's file: write over it?
+    /// Another program has changed the figure's file. Write over it?
     Changed(Changed),
-    /// The file is read-only: replace it all the same?
+    /// The file is read-only. Replace it all the same?
     ReadOnly(Purpose, PathBuf, Agreed),
     /// The title and the caption of the figure.
     Title(TitleForm),
@@ -133,13 +133,13 @@ pub enum Dialog {
     Handout(HandoutForm),
     /// The export dialog.
     Export(Export),
-    /// Pictures are still being written: the window closes when they are there.
+    /// Pictures are still being written. The window closes when they are done.
     Closing,
     /// Help on mouse and keyboard.
     Help,
     /// The program, its version and its components.
     About,
-    /// Why the picture is empty, and how near the camera is to trouble.
+    /// The reasons why the picture is empty, and the health of the camera.
     Coach,
     /// The gallery of figures.
     Gallery,
@@ -169,7 +169,7 @@ pub enum Dialog {
 pub struct FileFlow {
     /// The open question.
     pub dialog: Option<Dialog>,
-    /// The reason why the last typed file could not be opened or written, or a text not be saved. Shown in the dialog.
+    /// The reason why the last typed file couldn't be opened or written, or a text not be saved. Shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
     /// If false, the user types paths in the window, because the system has no dialogs.
     pub native: bool,
@@ -191,7 +191,7 @@ pub struct FileFlow {
     /// Files given to a page. The first of them opens in the next frame.
     pub(in crate::gui) given: Vec<PathBuf>,
     pub(in crate::gui) asking: Option<Asking>,
-    /// The dialog of a document that a question because of closing the window has covered.
+    /// The dialog of a document, covered by a question about closing the window.
     pub(in crate::gui) covered: Option<(Revision, Dialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
     /// The gallery document whose title we have asked for before we ask for its file.
@@ -216,7 +216,7 @@ pub(in crate::gui) struct Asking {
 }
 
 impl Dialog {
-    /// True if something typed or a decision is lost when the dialog is closed.
+    /// True if closing the dialog would lose a typed text or a decision.
     pub fn is_question(&self) -> bool {
         match self {
             Self::Unsaved(_)
@@ -273,7 +273,7 @@ impl FileFlow {
         Self { native, ..Self::default() }
     }
 
-    /// True from the first question because of closing the window, until one is answered by *Cancel*.
+    /// True from the first question about closing the window, until the user answers one with *Cancel*.
     pub(in crate::gui) fn is_closing(&self) -> bool {
         let closes = |next: &AfterSave| *next == AfterSave::Quit;
         let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) | Purpose::LessonText(next) if closes(next));

@@ -1,4 +1,4 @@
-//! Files that are read beside the window's thread: one on a network may take seconds.
+//! Files read beside the window's thread, because one on a network may take seconds.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -23,13 +23,13 @@ const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else {
 pub(super) enum ToRead {
     /// A figure, a lesson, or a link in a file.
     File(PathBuf),
-    /// The figure that the window's one is compared with.
+    /// The figure to compare the window's one with.
     Compared(PathBuf),
     /// The next figure of a sequence, or the one before.
     Next(Search),
 }
 
-/// The content of a file, or why it can't be used.
+/// The content of a file, or the reason why it can't be used.
 #[derive(Debug)]
 pub(super) enum Content {
     /// A lesson.
@@ -129,7 +129,7 @@ mod tests {
     use crate::gui::app::state::State;
     use crate::gui::model::action::AfterSave;
 
-    /// Opens a file that takes longer than a frame. Meanwhile the user does something.
+    /// Opens a file that takes longer than a frame. Meanwhile the user does something else.
     fn opened_slowly(name: &str, meanwhile: fn(&egui::Context, &mut State)) -> (PathBuf, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).unwrap());
         let path = std::env::temp_dir().join(format!("camera-lab-slow-{name}-{}.toml", std::process::id()));

@@ -114,7 +114,7 @@ fn document_at(place: Option<&Source>) -> Result<Document, Box<Message>> {
     }
 }
 
-/// Shows the figure that was found. Work in the one before is kept.
+/// Shows the figure found. Work in the one before is kept.
 pub(super) fn show(state: &mut State, found: Found) {
     let Found { search: Search { here, forwards, .. }, next, faults } = found;
     let State { model, learn, annotations, recent, file_flow, .. } = state;
@@ -139,7 +139,7 @@ pub(super) fn show(state: &mut State, found: Found) {
     if let Some(Source::File(path)) = &source {
         recent.add(path);
     }
-    // Another program may have gone on with the file.
+    // Another program may have changed the file since.
     file_flow.look = true;
     model.say(passed_over(faults).unwrap_or(step));
 }

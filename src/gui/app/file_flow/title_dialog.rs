@@ -77,7 +77,7 @@ pub(in crate::gui) fn show(
     let by_system = state.file_flow.native && !state.model.in_browser;
     let path = form.then.as_ref().and_then(|purpose| {
         let mut path = form.path.clone().unwrap_or_else(|| proposal(state, purpose, form.title.clone()));
-        // Without a folder it would land anywhere: the system's dialog asks.
+        // Without a folder it would land anywhere, so the system's dialog asks.
         let has_folder = Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
         if by_system && form.path.is_none() && !has_folder {
             return None;

@@ -1,7 +1,7 @@
 //! Preferences of the window, in a small TOML file in the user's configuration folder.
 //!
-//! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one
-//! wins, key by key, and keys of a later version stay.
+//! Each window writes only the keys that changed in it. If two windows are open at once, the last one wins, key by key,
+//! and keys of a later version stay.
 
 mod answers;
 mod progress;
@@ -297,7 +297,7 @@ fn ndc(value: &Value) -> Option<Ndc> {
     Ndc::ALL.into_iter().find(|ndc| value.as_str() == Some(ndc.name()))
 }
 
-/// A number, also one that was written without a point.
+/// A number, even if it's written without a point.
 fn number(value: &Value) -> Option<f64> {
     #[expect(clippy::cast_precision_loss, reason = "what people write is far below 2⁵³")]
     let whole = value.as_integer().map(|whole| whole as f64);

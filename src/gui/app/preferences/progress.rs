@@ -62,7 +62,7 @@ impl Change for ProgressJob {
 /// The file of progress, and the part of this window in it.
 pub(in crate::gui) struct KeptProgress {
     file: SharedFile<ProgressJob>,
-    /// The answers typed in this window, as they are in the file.
+    /// The answers typed in this window, as in the file.
     kept: BTreeMap<String, String>,
     /// The typed answers in the form of the file, with their sources. Most frames change none.
     values: (BTreeMap<Chosen, Typed>, BTreeMap<String, String>),

@@ -62,7 +62,7 @@ fn of_two_windows_nothing_is_lost() {
     assert_eq!((times(&third), third.learn.exercises.stage("window")), (vec![3], Stage::Solved));
     assert_eq!(third.learn.exercises.typed[&basis()], typed("1/sqrt(3)"));
     assert_eq!(third.learn.exercises.typed.len(), 2);
-    // Answers taken back are removed from the file.
+    // Answers taken back disappear from the file.
     third.learn.exercises.typed.insert(basis(), Typed::default());
     of_third.finish(&mut third);
     assert!(!file(&folder, "progress.toml").contains("basis 3"));

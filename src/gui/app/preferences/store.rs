@@ -74,7 +74,7 @@ impl Change for SettingsJob {
 /// The preferences of a window, and the file in which they are kept.
 pub struct Preferences {
     file: SharedFile<SettingsJob>,
-    /// The keys of this window as they are in the file, or were when it was read.
+    /// The keys of this window as in the file, at present or when it was read.
     kept: BTreeMap<&'static str, String>,
     /// The keys in the file.
     remembered: BTreeSet<String>,
@@ -144,7 +144,7 @@ impl Preferences {
         news
     }
 
-    /// The parts that can be saved, as far as is known.
+    /// The savable parts, as far as known.
     pub fn kept(&self) -> impl Iterator<Item = Keeping> {
         let kept = [(Keeping::Preferences, self.file.is_failing()), (Keeping::Progress, self.progress.is_failing())];
         kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)

@@ -1,4 +1,4 @@
-//! The interface for other pages, `window.cameraLab`: a page of lecture notes that shows this one in a frame of the
+//! The interface for other pages, `window.cameraLab`. A page of lecture notes that shows this one in a frame of the
 //! same origin can read the figure, set another one, get a link, and lay notes over the pictures. `docs/web.md`
 //! describes it.
 

@@ -1,4 +1,4 @@
-//! The window as a page of a browser: the same program, with the page's own ways to files, to storage, and to its
+//! The window as a page of a browser. It's the same program, with the page's own ways to files, to storage, and to its
 //! address.
 
 mod interface;
@@ -26,7 +26,7 @@ use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::i18n::Lang;
 use crate::share;
 
-/// The identifier of the canvas that the page has for the window.
+/// The identifier of the page's canvas for the window.
 const CANVAS: &str = "camera-lab";
 
 thread_local! {
@@ -36,7 +36,7 @@ thread_local! {
     static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
 }
 
-/// Has a file or a link opened in the next frame.
+/// Opens a file or a link in the next frame.
 fn arrive(path: PathBuf) {
     ARRIVED.with_borrow_mut(|arrived| arrived.push(path));
     WAKE.with_borrow(|ctx| ctx.iter().for_each(egui::Context::request_repaint));
@@ -60,7 +60,7 @@ fn window() -> Option<Window> {
     web_sys::window()
 }
 
-/// Calls a function of the page, as `index.html` has it, with a text.
+/// Calls a function of the page, defined in `index.html`, with a text.
 fn call(name: &str, text: &str) {
     let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok());
     if let Some(function) = function.and_then(|function| function.dyn_into::<js_sys::Function>().ok()) {
@@ -132,9 +132,9 @@ struct Page {
     app: App,
     title: String,
     system: (Theme, bool),
-    /// The page fills the screen, as far as this program knows.
+    /// True if the page fills the screen, as far as this program knows.
     full_screen: bool,
-    /// The readiness of the pictures has been reported.
+    /// True if the readiness of the pictures has been reported.
     told: bool,
 }
 
@@ -173,7 +173,7 @@ impl Page {
             app.keep_session(Path::new(KEPT), restore);
         }
         if let Some(open) = asked.open_lesson() {
-            // Over the figure that was left here with changes only once the user agrees.
+            // If the user left changes here, the link replaces the figure only after a question.
             file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
         }
         if let Some(error) = fault {

@@ -11,10 +11,10 @@ use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, Storage, Url};
 use crate::clock;
 use crate::files::disk::page::{self, Page};
 
-/// The prefix of stored names: other pages of the same address have names of their own.
+/// The prefix of stored names, because other pages of the same address have names of their own.
 const PREFIX: &str = "camera-lab/";
 
-/// Time for which a download stays in memory: browsers take it after the click, at their own pace.
+/// Time for which a download stays in memory, because browsers read it some time after the click.
 const TAKEN_MS: i32 = 60_000;
 
 thread_local! {
@@ -76,7 +76,7 @@ fn download(name: &str, bytes: &[u8]) -> io::Result<()> {
     downloaded(name, bytes).map_err(|_| io::ErrorKind::PermissionDenied.into())
 }
 
-/// Hands bytes over as a click on a link would.
+/// Hands bytes over, as a click on a link would.
 fn downloaded(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     let window = crate::gui::app::web::window().ok_or("no window")?;
     let document = window.document().ok_or("no document")?;

@@ -9,7 +9,7 @@ use eframe::egui;
 use super::shares::Shares;
 use super::{Done, Make, Running, Shared, Slices, Work};
 
-/// Time for jobs in a frame: the animation moves on in between.
+/// Time for jobs in a frame, between steps of the animation.
 const SLICE: Duration = Duration::from_millis(30);
 
 /// If the frames themselves take longer, jobs get as much time as they, up to this. Users feel longer delays.

@@ -13,7 +13,7 @@ use crate::numerics::{Findings, Row};
 
 /// Distance within which the pointer catches a point, in points.
 const NEAR: f32 = 14.0;
-/// Room for the line that reads out the point under the pointer.
+/// Room for the line that describes the point under the pointer.
 const READOUT: f32 = 22.0;
 
 /// Shows a chart and the values under the pointer. Returns the row whose point was clicked.

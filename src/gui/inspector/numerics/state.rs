@@ -1,4 +1,4 @@
-//! The studies of error against run time: the one shown, the results, and the thread that measures.
+//! The studies of error against run time: the displayed one, the results, and the thread that measures.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -19,7 +19,7 @@ pub struct Numerics {
     pub study: Study,
     /// The case, by its index.
     pub case: usize,
-    /// Error over time, rather than over the parameter.
+    /// True for error over time, rather than over the parameter.
     pub over_time: bool,
     /// The parameter of the table, by its index. `None` for the stiffest.
     pub parameter: Option<usize>,

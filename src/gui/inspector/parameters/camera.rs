@@ -54,7 +54,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Mo
     });
 }
 
-/// θ and A of a free window: at the places of their fields, so that the padlock below stays under the pointer.
+/// θ and A of a free window, at the places of their fields, so that the padlock below stays under the pointer.
 fn derived(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let window = form.good.window();

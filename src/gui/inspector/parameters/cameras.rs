@@ -22,7 +22,7 @@ use crate::views::{OtherCamera, Palette};
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList) {
     let t = cameras::texts(model.settings.lang);
     let count = model.document.figure().cameras.len();
-    // It opens when the first camera comes, or when one of its buttons was searched for.
+    // It opens when the first camera comes, or when the search leads to one of its buttons.
     let (id, opens) = match (count > 0, cameras.was_called) {
         (true, _) => ("cameras", true),
         (false, true) => ("called cameras", true),

@@ -83,7 +83,7 @@ fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: 
     }
 }
 
-/// A place in pixels: its field takes whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`] alone.
+/// A place in pixels. Its field takes only whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`].
 #[expect(clippy::cast_possible_truncation, reason = "a whole number that fits")]
 fn to_corner(value: f64) -> i32 {
     value as i32

@@ -54,7 +54,7 @@ pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
     }
 }
 
-/// The rows. The last change that one of them asks for.
+/// The rows. Returns the last change that one of them asks for.
 fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> Option<Change> {
     let camera = &form.good;
     let lens = camera.lens_numbers(form.image)?;
@@ -144,7 +144,7 @@ fn sensor(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, sensor: &mut Senso
     });
 }
 
-/// One positive number. Whether it changed.
+/// One positive number. Returns true if it changed.
 fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), value: &mut f64) -> bool {
     let before = *value;
     let field = NumberField::new(name, Step::Multiply(1.1)).positive().hint(hint).width(92.0);
@@ -153,7 +153,7 @@ fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), v
     value.to_bits() != before.to_bits()
 }
 
-/// Two numbers side by side. Whether one changed.
+/// Two numbers side by side. Returns true if one changed.
 fn pair(
     ui: &mut egui::Ui,
     form: &ParameterForm,
@@ -170,7 +170,7 @@ fn pair(
     values.map(f64::to_bits) != before.map(f64::to_bits)
 }
 
-/// Makes the parameters those with another lens.
+/// Changes the lens of the parameters.
 fn apply(form: &mut ParameterForm, change: Change, sensor: Sensor) {
     let parameters = form.parameters;
     match change {

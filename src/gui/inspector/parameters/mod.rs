@@ -117,7 +117,7 @@ fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographT
 struct ParameterForm {
     t: &'static Texts,
     lang: Lang,
-    /// The scene that the camera looks at: of some exercises the notes have errata.
+    /// The scene that the camera looks at, because the notes have errata for some exercises.
     preset: Preset,
     parameters: Parameters,
     error: Option<CameraError>,
@@ -132,7 +132,7 @@ struct ParameterForm {
     said: bool,
     /// The measure of the parameter under the pointer.
     measured: Vec<Measured>,
-    /// The parameter under the pointer, or that has the keyboard.
+    /// The parameter under the pointer, or with the keyboard.
     pointed: Vec<Symbol>,
     /// The measures that the figure shows as labels, and the one that it's to show or hide now.
     kept: Vec<Measure>,
@@ -167,7 +167,7 @@ impl ParameterForm {
         self.error.as_ref().is_some_and(|error| error.parameters().contains(&key))
     }
 
-    /// Shows the fault of a value below its field: that of the typed text, or of the value.
+    /// Shows the fault of a value below its field, either of the typed text or of the value.
     fn complain(&mut self, ui: &mut egui::Ui, key: ParameterKey, fields: &[FieldOutput]) {
         complain(ui, self.lang, fields);
         if self.error.as_ref().is_some_and(|error| error.parameters().first() == Some(&key)) {
@@ -265,8 +265,8 @@ impl ParameterForm {
         }
     }
 
-    /// The menu that a right click on a row opens. Its value is copied, its point followed through the spaces, its
-    /// measure kept in the figure as a label in the world.
+    /// The menu that a right click on a row opens. It copies the row's value, follows its point through the spaces, or
+    /// keeps its measure in the figure as a label in the world.
     fn menu(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
         let opens = ui.rect_contains_pointer(row) && ui.input(|input| input.pointer.secondary_clicked());
         let id = egui::Id::unique(("menu of a parameter", key.symbol()));
@@ -312,7 +312,7 @@ impl ParameterForm {
         self.derived_beside(ui, named, (value, ""), |_, _| ());
     }
 
-    /// The same with its unit, and with something before it.
+    /// The same with its unit, after another control.
     fn derived_beside(
         &mut self,
         ui: &mut egui::Ui,

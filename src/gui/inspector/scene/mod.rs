@@ -95,7 +95,7 @@ fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
     }
 }
 
-/// A scene of another size would be out of sight. Each preset comes with its camera, and with an image of the same
+/// A scene of another size would be out of sight, so each preset comes with its camera, and with an image of the same
 /// aspect.
 fn show_from_its_best_side(model: &mut Model, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
@@ -216,7 +216,7 @@ impl SceneForm {
         self.error.as_ref().is_some_and(|error| error.object() == object && error.key() == key)
     }
 
-    /// Shows the fault of a value below its field: that of the typed text, or of the value.
+    /// Shows the fault of a value below its field, either of the typed text or of the value.
     fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
         super::complain(ui, self.lang, fields);
         if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {

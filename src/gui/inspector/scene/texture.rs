@@ -35,7 +35,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     }
 }
 
-/// True for shapes that a picture can lie on.
+/// True for shapes that can carry a picture.
 fn has_faces(shape: &Shape) -> bool {
     !matches!(shape, Shape::Grid | Shape::Points(_) | Shape::Segments(_))
 }

@@ -10,7 +10,7 @@ use crate::i18n::window::cameras;
 pub struct CameraList {
     /// The baseline of the next stereo pair. `None` for a thirtieth of D, as in the textbooks of stereo photography.
     pub baseline: Option<f64>,
-    /// One of its buttons was searched for: the list is unfolded.
+    /// True if the search leads to one of its buttons, so that the list is unfolded.
     pub(in crate::gui) was_called: bool,
 }
 

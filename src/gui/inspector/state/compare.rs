@@ -34,7 +34,7 @@ impl CompareForm {
     }
 }
 
-/// Ends the comparison: the views show the figure alone, framed as before.
+/// Ends the comparison. The views show the figure alone, framed as before.
 pub(in crate::gui) fn end(model: &mut Model) {
     if model.document.figure().compare.is_some() {
         model.document.edit(|figure| figure.compare = None);

@@ -14,7 +14,7 @@ use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
 use crate::views::pick::can_be_seen_by;
 
 impl Model {
-    /// Adds a mesh file, by its path as the figure names it.
+    /// Adds a mesh file, by its path in the figure.
     pub(in crate::gui) fn insert_mesh(&mut self, path: String) {
         let file = path.rsplit(['/', '\\']).next().unwrap_or(&path);
         let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
@@ -54,7 +54,7 @@ impl Model {
 /// looks at, so that the object is visible as a whole, in front of everything, and touches nothing. If there is no such
 /// place, it's that point itself.
 pub(in crate::gui) fn free_place(camera: &Camera, scene: &Scene, half: f64) -> DVec3 {
-    /// So far to the sides (and half as far towards the eye) places are tried, in steps of a thing's size.
+    /// The distance to try to the sides (and half of it towards the eye), in steps of a thing's size.
     const MOST: i32 = 6;
     let (basis, middle) = (camera.basis(), camera.focal_point());
     let taken: Vec<Aabb> = scene.objects.iter().filter(|o| o.faces).filter_map(Object::bounds).collect();
