@@ -32,7 +32,7 @@ pub struct Start {
     pub file: Option<SourceFile>,
     /// The language of the interface.
     pub lang: Lang,
-    /// The user lets the figure name any file of this machine.
+    /// True if the user lets the figure name any file of this machine.
     pub allow_files: bool,
     /// The lesson being played. Its step has the figure.
     pub lesson: Option<OpenLesson>,
@@ -54,8 +54,8 @@ pub fn fresh() -> Figure {
     Figure::of_preset(Preset::default())
 }
 
-/// The initial size of the window, in points: with title bar and task bar it fits a screen of 1280 × 720, so that
-/// messages at its bottom are seen.
+/// The initial size of the window, in points. With title bar and task bar it fits a screen of 1280 × 720, so that
+/// messages at its bottom are visible.
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
 /// Opens the window and returns when it's closed. Its language is the one in `asked`, else the stored one, else that of

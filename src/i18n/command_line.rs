@@ -12,7 +12,7 @@ use crate::i18n::messages::expressions::in_expression;
 use crate::limits::MAX_SIDE;
 use crate::sanitize::{self, escaped};
 
-/// Arguments that are at fault, in one paragraph.
+/// Faulty arguments, in one paragraph.
 pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     let before_the_command =
         error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
@@ -266,7 +266,7 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
     }
 }
 
-/// A sheet on which so many pictures have no room beside the gaps between them.
+/// A sheet on which this many pictures have no room beside the gaps between them.
 pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
     both!(lang; "{count} images with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
         "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores")

@@ -172,7 +172,7 @@ pub const fn labels(lang: Lang) -> &'static Labels {
     pick!(lang; &LABELS_EN, &LABELS_PT_BR)
 }
 
-/// Three pictures with less room on their paper than their letters want.
+/// Three pictures with less room on their paper than their letters need.
 pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let Crowded { smallest, wanted, room } = crowded;
     let number = |value: &f64| lang.mark().printed(&format!("{value:.1}"));

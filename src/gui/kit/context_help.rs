@@ -31,7 +31,7 @@ pub(in crate::gui) fn call(ctx: &egui::Context) {
     ctx.data_mut(|data| data.get_temp_mut_or_default::<Noted>(key()).called = true);
 }
 
-/// The note that a click asked for in this frame.
+/// The note requested by a click in this frame.
 pub(in crate::gui) fn called(ctx: &egui::Context) -> Option<&'static str> {
     ctx.data(|data| data.get_temp::<Noted>(key())).filter(|noted| noted.called)?.pointed
 }

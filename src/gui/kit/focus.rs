@@ -1,5 +1,5 @@
-//! The keyboard's way through the window: from region to region, the focused widget marked and scrolled into sight,
-//! lists that Enter closes.
+//! The keyboard's way through the window, from region to region. The focused widget is marked and scrolled into sight,
+//! and Enter closes lists.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -291,7 +291,7 @@ pub(in crate::gui) fn with_room_before<R>(
     let mut at_right = ui.new_child(builder);
     let result = controls(&mut at_right);
     let used = at_right.min_rect();
-    // No wider than the room: a panel would grow to hold it.
+    // No wider than the room, because a panel would grow to hold it.
     ui.advance_cursor_after_rect(Rect::from_min_max(
         room.min,
         egui::pos2(room.right(), used.bottom().max(room.bottom())),

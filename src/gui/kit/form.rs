@@ -51,13 +51,13 @@ pub(in crate::gui) fn kept_section(
     *open ^= shown.header_response.clicked();
 }
 
-/// Controls for few people, folded under *More* and their name.
+/// Rarely used controls, folded under *More* and their name.
 pub(in crate::gui) fn more(ui: &mut egui::Ui, t: &Texts, what: &str, body: impl FnOnce(&mut egui::Ui)) {
     let title = RichText::new(format!("{}: {what}", t.more)).weak();
     CollapsingHeader::new(title).id_salt(what).default_open(false).show_unindented(ui, body);
 }
 
-/// Height of a line that has no control in it.
+/// Height of a line without controls.
 pub(in crate::gui) const TEXT_LINE: f32 = 16.0;
 
 /// A symbol of the notes and its name.
@@ -105,7 +105,7 @@ pub(in crate::gui) struct VectorField<'a> {
     pub(in crate::gui) step: f64,
     /// Degrees.
     pub(in crate::gui) angles: bool,
-    /// True marks the fields. The value is impossible.
+    /// If true, marks the fields, because the value is impossible.
     pub(in crate::gui) marked: bool,
 }
 
@@ -157,7 +157,7 @@ impl VectorField<'_> {
     }
 }
 
-/// A choice out of few, with the name that screen readers say.
+/// A choice out of few, with its name for screen readers.
 pub(in crate::gui) fn choice<T: PartialEq + Clone, S: AsRef<str>>(
     ui: &mut egui::Ui,
     name: &str,

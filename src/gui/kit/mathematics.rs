@@ -1,4 +1,4 @@
-//! Formulas set as `KaTeX` sets them: `RaTeX` lays out glyphs and lines, the window paints them with the fonts of
+//! Formulas set like those of `KaTeX`. `RaTeX` lays out glyphs and lines, and the window paints them with the fonts of
 //! `KaTeX`.
 
 use std::sync::Arc;
@@ -57,7 +57,7 @@ struct Ink {
 impl Ink {
     /// `None` for text that isn't LaTeX, or needs more than the fonts have.
     fn new(latex: &str) -> Option<Self> {
-        // Brackets as high as a matrix are glyphs of no font: they are lines here.
+        // No font has glyphs for brackets as high as a matrix, so they are lines here.
         if let Some((before, rest)) = latex.split_once(r"\begin{bmatrix}") {
             let (entries, after) = rest.split_once(r"\end{bmatrix}")?;
             let matrix = Self::new(&format!(r"\begin{{matrix}}{entries}\end{{matrix}}"))?.in_brackets();

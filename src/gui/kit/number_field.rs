@@ -129,7 +129,7 @@ fn called() -> egui::Id {
 }
 
 impl<'a> NumberField<'a> {
-    /// A field with the name that screen readers say.
+    /// A field with this name for screen readers.
     pub fn new(name: impl Into<String>, step: Step) -> Self {
         Self {
             name: name.into(),
@@ -204,7 +204,7 @@ impl<'a> NumberField<'a> {
         Self { width, ..self }
     }
 
-    /// True marks the field. Its value is impossible.
+    /// If true, marks the field, because its value is impossible.
     pub fn marked(self, marked: bool) -> Self {
         Self { marked, ..self }
     }
@@ -212,7 +212,7 @@ impl<'a> NumberField<'a> {
     /// Shows the field and changes `value`.
     pub fn show(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
         let (_, rect) = ui.allocate_space(egui::vec2(self.width, ui.spacing().interact_size.y));
-        // The id comes from the name: a complaint that comes or goes above must not take the focus away.
+        // The id comes from the name, because a complaint that comes or goes above must not take the focus away.
         let place = egui::UiBuilder::new()
             .scope_id(egui::Id::unique(("number field", self.owner, &self.name)))
             .max_rect(rect)
@@ -243,7 +243,7 @@ impl<'a> NumberField<'a> {
         if !editing && state.as_ref().is_some_and(|s| s.error.is_none()) {
             state = self.finish(ui, state, value);
         }
-        // Enter has left a faulty text standing with its reason: Escape still drops it.
+        // Enter has left a faulty text with its reason, so Escape still drops it.
         let idle = !editing && ui.memory(|memory| memory.focused().is_none());
         if idle && state.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
             state = None;

@@ -17,10 +17,10 @@ pub(in crate::gui) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.show_x(false).show_y(false).allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false)
 }
 
-/// Room of a mark in heights of its type: beside the next one, and above it.
+/// Room of a mark in heights of its type, beside the next one, and above it.
 const ROOM: [f32; 2] = [3.0, 1.8];
 
-/// A plot with an axis of logarithms across, marked at as many powers of ten as have room.
+/// A plot with a logarithmic horizontal axis, marked at as many powers of ten as there is room for.
 pub(in crate::gui) fn logarithmic_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     plot.custom_x_axes(vec![axis(Axis::X, label)]).x_grid_spacer(decades(ROOM[0] * type_size(ui)))
 }
@@ -31,7 +31,7 @@ pub(in crate::gui) fn linear_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot
     plot.custom_x_axes(vec![AxisHints::new_x().label(label).label_spacing(room..=1.2 * room)])
 }
 
-/// A plot with an axis of logarithms upwards, marked at as many powers of ten as have room.
+/// A plot with a logarithmic vertical axis, marked at as many powers of ten as there is room for.
 pub(in crate::gui) fn logarithmic_y<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     plot.custom_y_axes(vec![axis(Axis::Y, label)]).y_grid_spacer(decades(ROOM[1] * type_size(ui)))
 }
@@ -42,18 +42,18 @@ fn type_size(ui: &Ui) -> f32 {
 }
 
 fn axis<'a>(axis: Axis, label: &str) -> AxisHints<'a> {
-    // The marks are as far apart as they must be: none fades.
+    // The marks are as far apart as needed, so none fades.
     AxisHints::new(axis).label(label).formatter(decade).label_spacing(0.0..=1.0)
 }
 
-/// The mark of a power of ten on an axis of logarithms.
+/// The mark of a power of ten on a logarithmic axis.
 fn decade(mark: GridMark, _: &RangeInclusive<f64>) -> String {
     power_of_ten(10f64.powf(mark.value))
 }
 
-/// Marks of an axis of logarithms at whole decades, at least `room` points apart.
+/// Marks of a logarithmic axis at whole decades, at least `room` points apart.
 fn decades(room: f32) -> impl Fn(GridInput) -> Vec<GridMark> {
-    /// The points for which a step stands that a plot recommends as the smallest.
+    /// The number of points for a step that a plot recommends as the smallest.
     const SMALLEST: f64 = 8.0;
     move |GridInput { bounds: (low, high), base_step_size }| {
         let least = f64::from(room) * base_step_size / SMALLEST;

@@ -44,7 +44,7 @@ fn with_symbols_in_line(markdown: &str) -> String {
 
 /// Keeps a tuple in one line, so that no line ends at a space in (1; −1; 2).
 fn with_tuples_kept(text: &str) -> String {
-    /// Characters: a longer one may be wider than a narrow panel.
+    /// In characters. A longer one may be wider than a narrow panel.
     const LONGEST: usize = 30;
     let (mut set, mut rest) = (String::with_capacity(text.len()), text);
     while let Some((before, from)) = rest.split_once('(') {
@@ -63,7 +63,7 @@ fn with_tuples_kept(text: &str) -> String {
     set + rest
 }
 
-/// The mark of bold words. The renderer has no bold letters, so they are set as formulas are, with letters of ours.
+/// The mark of bold words. The renderer has no bold letters, so they are set like formulas, with our letters.
 const BOLD: char = '\u{e000}';
 /// Between two formulas that touch: `$$` would begin one on a line of its own.
 const APART: char = '\u{200b}';

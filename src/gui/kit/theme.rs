@@ -46,7 +46,8 @@ pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
     lowered(ui, text, &TextStyle::Body, ui.visuals().strong_text_color())
 }
 
-/// A symbol that a click leads from, in the colour of links. The keyboard passes it by: F1 on its field does the same.
+/// A symbol that opens something with a click, in the colour of links. The keyboard skips it, because F1 on its field
+/// does the same.
 pub fn linked_symbol(ui: &mut egui::Ui, text: &str) -> egui::Response {
     let job = lowered(ui, text, &TextStyle::Body, ui.visuals().hyperlink_color);
     let response = ui.add(egui::Label::new(job).selectable(false).sense(egui::Sense::CLICK | egui::Sense::HOVER));

@@ -60,7 +60,7 @@ impl Explained for Response {
     }
 
     fn explained_by(self, content: impl FnOnce(&mut Ui)) -> Self {
-        // While something is dragged, its effect is watched.
+        // While the user drags something, they watch its effect.
         if self.ctx.dragged_id().is_none() {
             show(&self, Tooltip::for_enabled(&self), content);
         }

@@ -35,18 +35,18 @@ pub struct Learn {
     pub own: Vec<(PathBuf, Arc<Lesson>)>,
     /// The lesson of the user's own to which steps are added.
     pub file: Option<PathBuf>,
-    /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
+    /// The furthest step reached of each lesson, from 0, by the lesson's identifier.
     pub taken: BTreeMap<String, usize>,
     /// The steps of each lesson whose task was done, from 0, by an answer of the user's own, and not by a way that was
     /// shown.
     pub done: BTreeMap<String, BTreeSet<usize>>,
-    /// The way on from the last time is offered, in one line.
+    /// True if one line offers to go on from the last time.
     pub goes_on: bool,
-    /// The first lesson and the gallery are offered, in one line.
+    /// True if one line offers the first lesson and the gallery.
     pub welcome: bool,
 }
 
-/// A link to a step of a lesson of the program.
+/// A link to a step of a built-in lesson.
 fn lesson_link(ui: &mut egui::Ui, model: &mut Model, lesson: &Arc<Lesson>, step: usize) {
     if ui.link(lessons::lesson_link(model.settings.lang, lesson, step)).clicked() {
         model.actions.push(Action::lesson(Arc::clone(lesson), step));
@@ -80,8 +80,7 @@ impl Learn {
         model.actions.push(Action::ForgetFigure);
     }
 
-    /// Undoes a step, or redoes it. Objects that come back are selected. The figure on the screen comes first, then the
-    /// lesson.
+    /// Undoes a step, or redoes it. Selects restored objects. The figure on the screen comes first, then the lesson.
     pub fn undo(&mut self, model: &mut Model, back: bool) {
         if !model.document.can_undo(back) && self.can_undo_lesson(model, back) {
             return self.undo_lesson(model, back);

@@ -26,7 +26,7 @@ struct HealthRequest {
     style: Style,
     reveal: Reveal,
     image: ImageSize,
-    /// Parameters in the fields that make no camera.
+    /// Parameters in the fields that aren't a camera.
     impossible: Option<ImpossibleCamera>,
 }
 
@@ -37,7 +37,7 @@ pub struct Advice {
     pub camera: Camera,
     /// `None` if the image is too large to draw.
     pub diagnosis: Option<Diagnosis>,
-    /// Six quantities. None of an impossible camera.
+    /// Six quantities. None for an impossible camera.
     pub health: Vec<Health>,
 }
 
@@ -118,13 +118,13 @@ impl Model {
 
     /// The changes of a repair, in symbols.
     pub(in crate::gui) fn changes_of(&self, repair: &Repair) -> String {
-        // The numbers in the fields, which may make no camera.
+        // The numbers in the fields, which may not be a camera.
         let camera = *self.document.draft();
         let figure = Figure { camera, ..self.document.figure().without_scene() };
         coach::changes_in_symbols(self.settings.lang, &repair.changes(&figure))
     }
 
-    /// Changes the figure as a repair has it, as one step that can be undone.
+    /// Applies a repair to the figure, as one step that can be undone.
     pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
         self.apply_camera(repair.camera);
         self.document.edit(|figure| repair.apply(figure));

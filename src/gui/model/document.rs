@@ -26,7 +26,7 @@ pub struct Document {
     reach: FileAccess,
     source: String,
     saved: Figure,
-    /// The revision of the scene, and whether it differs from the saved one.
+    /// The revision of the scene, and true if it differs from the saved one.
     revision: Revision,
     scene_is_changed: bool,
     /// The number of the document, apart from its observers and `[show]`, and that of the one of which the last step
@@ -161,7 +161,7 @@ impl Document {
         self.stands_in
     }
 
-    /// The parameters as the fields show them. May be nonsense.
+    /// The parameters as in the fields. They may be impossible.
     pub fn draft(&self) -> &Parameters {
         &self.draft
     }
@@ -223,7 +223,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Exchanges the camera and one of the others. Parameters that are no camera are given up.
+    /// Exchanges the camera and one of the others. Drops impossible parameters.
     pub fn look_through(&mut self, index: usize) {
         let other = self.figure.cameras.get(index).and_then(|other| Camera::new(&other.parameters).ok());
         if let Some(camera) = other {
@@ -239,7 +239,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Notes that the document is another one now.
+    /// Notes that the document has changed.
     fn note_change(&mut self) {
         self.version = Revision::new();
         self.is_changed = self.scene_is_changed
@@ -247,7 +247,7 @@ impl Document {
             || self.figure.without_scene() != self.saved.without_scene();
     }
 
-    /// A number that this document keeps through every change, and that no other one has.
+    /// A number that this document keeps through every change, and that no other document has.
     pub(in crate::gui) fn id(&self) -> Revision {
         self.id
     }
@@ -447,7 +447,7 @@ impl Document {
         self.path.as_ref()
     }
 
-    /// The folder of the file that the figure came from: paths of meshes are relative to it.
+    /// The folder of the figure's file, which paths of meshes are relative to.
     pub fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
@@ -479,7 +479,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Leaves the file alone from now on: saving asks for one.
+    /// Leaves the file alone from now on, so that saving asks for one.
     pub fn forget_file(&mut self) {
         self.path = None;
         self.note_change();

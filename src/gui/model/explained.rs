@@ -9,7 +9,7 @@ use crate::gui::model::explained::matrices::Matrices;
 use crate::gui::model::explained::steps::Steps;
 use crate::pipeline::StageReport;
 
-/// A question that the side of explanations answers.
+/// A question answered by the side of explanations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Question {
     /// The origin of each number.
@@ -55,7 +55,7 @@ pub struct Explained {
     pub matrices: Matrices,
     /// The explanation of steps.
     pub steps: Steps,
-    /// The report of the strip's picture, stage by stage. Written by the pictures while the stages are explained.
+    /// The report of the strip's picture, stage by stage. Set by the pictures while the stages are explained.
     pub reports: Vec<StageReport>,
 }
 
@@ -70,7 +70,7 @@ impl Explained {
         self.last[self.question as usize]
     }
 
-    /// The explanations that the questions showed last.
+    /// The last explanations of the questions.
     pub(in crate::gui) fn last(&self) -> [Explanation; 4] {
         self.last
     }

@@ -1,4 +1,4 @@
-//! Undo and redo: snapshots of the figure, which share the scenes that have not changed.
+//! Undo and redo: snapshots of the figure, which share scenes that haven't changed.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -33,7 +33,7 @@ struct Snapshot {
     camera: Camera,
     draft: Parameters,
     show: Show,
-    /// This figure has taken the place of another one.
+    /// True if this figure has replaced another one.
     replaces: bool,
 }
 
@@ -141,7 +141,7 @@ impl History {
         chosen(&self.now.show) != chosen(show)
     }
 
-    /// Makes a step of another figure that has taken the place of the one before, which explained `before`.
+    /// Makes a step of another figure that has replaced the one before, which explained `before`.
     pub(in crate::gui) fn replace(&mut self, before: Show, of: (&Figure, Revision), camera: &Camera) {
         self.now.show = before;
         let now = Snapshot::new(of, camera, &of.0.camera, Some(&self.now));
@@ -196,7 +196,7 @@ impl History {
     }
 }
 
-/// The memory of a scene, nearly: that of its objects, their names and their points.
+/// The approximate memory of a scene: that of its objects, their names and their points.
 fn bytes_of(scene: &SceneSpec) -> usize {
     let object = |object: &ObjectSpec| {
         let names = object.name.len() + object.parent.as_ref().map_or(0, String::len);
@@ -267,7 +267,7 @@ mod tests {
         assert!(history.past.len() < 60 && history.past.len() >= 5);
         let last = history.undo(&Figure::default(), true).unwrap().figure;
         assert_eq!(last.scene.objects[7].translate.x, 59.0);
-        // One step is always there, however large the scene.
+        // At least one step is kept, however large the scene.
         let (mut history, mut figure, camera) = self::history(1);
         let points = MAX_UNDO_BYTES / size_of::<glam::DVec3>() + 1;
         figure.scene.objects[0].shape = Some(Shape::Points(vec![glam::DVec3::ZERO; points]));

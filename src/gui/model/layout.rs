@@ -126,10 +126,10 @@ pub enum Tab {
     Drawing,
 }
 
-/// Panels wanted by the user, and panels that fit.
+/// Panels requested by the user, and panels that fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Panels {
-    /// Wanted by the user, in the order of [`Side`].
+    /// Requested by the user, in the order of [`Side`].
     pub wanted: [bool; 3],
     /// The side that stays if two don't fit.
     pub last: Side,

@@ -28,17 +28,17 @@ pub enum Message {
         /// Number of figures.
         of: usize,
     },
-    /// Why a file was passed over, and how many more were.
+    /// The reason why a file was skipped, and the number of other skipped files.
     AndMore(Box<Self>, usize),
     /// No figure before this one.
     FirstFigure,
     /// No figure after this one.
     LastFigure,
-    /// A step was added to the lesson in a file: its number.
+    /// A step was added to the lesson in a file. Holds its number.
     StepAdded(PathBuf, usize),
     /// The texts of a step can't be written into the file of its lesson.
     StepNotKept(PathBuf, FileError),
-    /// The file of the lesson was changed by another program.
+    /// Another program changed the file of the lesson.
     LessonChanged(PathBuf),
     /// A QR code needs the address of a page.
     AddressFirst,
@@ -46,7 +46,7 @@ pub enum Message {
     CameraKept,
     /// There are no sides to swap.
     NothingToSwap,
-    /// The figure in this file, with whose camera this one is compared, has another scene.
+    /// The figure in this file, whose camera this one is compared with, has another scene.
     OtherScene(PathBuf),
     /// No step of the lesson before this one.
     FirstStep,
@@ -54,7 +54,7 @@ pub enum Message {
     LastStep,
     /// A step of the lesson has an open task.
     TaskFirst,
-    /// The observer of a picture went back, so that everything stays in it.
+    /// The observer of a picture went back to keep everything in it.
     WentBack(View),
     /// A file has been opened.
     Opened(PathBuf),
@@ -104,7 +104,7 @@ pub enum Message {
         name: String,
         /// Number of others removed with it.
         others: usize,
-        /// A child is sheared, and did not stay in place.
+        /// True if a child is sheared, and didn't stay in place.
         shear: bool,
     },
     /// The light with this place in the list, from 0, is deleted.

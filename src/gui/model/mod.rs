@@ -54,7 +54,7 @@ use shown::{OpenPanels, PanelHover, SeenBy};
 /// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
 
-/// The document, the layout and all else that every feature of the window may use.
+/// The document, the layout and all other state of the window for every feature.
 #[derive(Debug)]
 pub struct Model {
     /// The figure.
@@ -72,7 +72,7 @@ pub struct Model {
     /// Width and height of each picture on the screen, in pixels, in the order of
     /// [`View::ALL`](crate::views::View::ALL), set by the pictures.
     pub picture_sizes: [[u32; 2]; View::COUNT],
-    /// Pixels for one unit of stroke width in the pictures. Written by the pictures.
+    /// Pixels for one unit of stroke width in the pictures. Set by the pictures.
     pub screen_scale: f32,
     /// True if the window is a page in a browser. There are no folders, and no window to close.
     pub in_browser: bool,
@@ -80,10 +80,10 @@ pub struct Model {
     pub message: Option<Message>,
     /// When the message was first shown, in seconds. `None` if not yet.
     shown_since: Option<f64>,
-    /// Asks the pictures to look from somewhere. They take it (`take()`) in the next frame. For both three-dimensional
-    /// pictures.
+    /// Requests an observer from the pictures, for both three-dimensional ones. They take it (`take()`) in the next
+    /// frame.
     pub observer_change: Option<ObserverChange>,
-    /// No field on the screen shows the fault of the parameters (its section is closed).
+    /// True if no field on the screen shows the fault of the parameters, because its section is closed.
     pub problem_out_of_sight: bool,
     /// The hover of the panels in this frame.
     pub hover: PanelHover,
@@ -95,7 +95,7 @@ pub struct Model {
     pub(in crate::gui) open_panels: OpenPanels,
     /// The layout that the figure asked for.
     pub(in crate::gui) asked_layout: Option<AskedLayout>,
-    /// The target of the pointer. Written by the pictures, shown by the panel.
+    /// The target of the pointer. Set by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
@@ -105,13 +105,13 @@ pub struct Model {
     pub follow: Follow,
     /// The part of the explanations that the views share.
     pub explained: Explained,
-    /// The camera that an answer describes. Written by the exercises.
+    /// The camera that an answer describes. Set by the exercises.
     pub answered: Option<Camera>,
     /// A running step.
     pub(in crate::gui) motion: Option<Motion>,
     /// Figures that were left with changes, by their source.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them that the user, closing the window, has decided not to save. Kept again if it isn't closed.
+    /// Those of them that the user has decided not to save when closing the window. Kept again if it isn't closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,
@@ -266,7 +266,7 @@ impl Model {
         Some(self.kept.remove(index).1)
     }
 
-    /// Puts the figure of an exercise into the pictures, in front of the user's own: undoing leads back to that.
+    /// Puts the figure of an exercise into the pictures, in front of the user's own. Undoing leads back to that.
     pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
         self.motion = None;
         let image = figure.image;

@@ -22,18 +22,18 @@ pub struct Operations {
     pub steps: [f64; OPERATIONS.len()],
     /// The operation whose slider is shown.
     open: Freedom,
-    /// Those above it that are still open, because the pointer is over the rows: none moves under it.
+    /// Those above it that are still open, because the pointer is over the rows, so that none moves under it.
     open_above: Vec<Freedom>,
     /// Predictions of the effect of an operation, before it's done.
     pub predict: Predict,
     /// Whose signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
-    /// The step that was done last, while the world shows it.
+    /// The last step done, while the world shows it.
     pub(in crate::gui) done: Option<DoneStep>,
-    /// The operation that was done last, by a button or a slider.
+    /// The last operation done, by a button or a slider.
     pub(in crate::gui) last: Option<Ghost>,
-    /// The camera after the last operation that was kept in the figure. Another one goes on from there.
+    /// The camera after the last operation that was kept in the figure. The next one continues from there.
     kept_at: Option<Camera>,
 }
 
@@ -82,7 +82,7 @@ impl Operations {
     }
 }
 
-/// A step of a button that the world goes on showing: its axis, its arc, its angle.
+/// A step of a button that the world still shows, with its axis, its arc, its angle.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct DoneStep {
     pub(in crate::gui) ghost: Ghost,

@@ -8,19 +8,19 @@ use crate::camera::{
     PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis, camera_of_photograph,
 };
 
-/// The things that a drag on the photograph can draw.
+/// The marks that a drag on the photograph can draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drawn {
     /// A line along an axis.
     Line(WorldAxis),
     /// The pixel of the origin.
     Origin,
-    /// A point on an axis whose coordinate is known.
+    /// A point on an axis with a known coordinate.
     Length,
 }
 
 impl Drawn {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the menu.
     pub const ALL: [Self; 5] =
         [Self::Line(WorldAxis::X), Self::Line(WorldAxis::Y), Self::Line(WorldAxis::Z), Self::Origin, Self::Length];
 }
@@ -28,7 +28,7 @@ impl Drawn {
 /// A mark that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) enum Grip {
-    /// An end of a line: the place of the line in the list, and 0 or 1.
+    /// An end of a line, with the place of the line in the list, and 0 or 1.
     End(usize, usize),
     /// The origin.
     Origin,

@@ -39,7 +39,7 @@ pub struct SceneCache {
     files: MeshFiles,
     /// Unreadable files. They aren't tried again automatically.
     broken: BTreeMap<String, MeshError>,
-    /// Files that the mesh files name and lack, and can be drawn without.
+    /// Missing files that the mesh files name, and that they can be drawn without.
     unread: BTreeMap<String, Vec<ReadError>>,
     reader: Reader,
     scene: SharedScene,
@@ -85,7 +85,7 @@ enum Read {
 #[derive(Debug)]
 struct BuiltScene {
     read: Read,
-    /// Bytes read, of it and of the files it names.
+    /// Bytes read for it and for the files it names.
     bytes: usize,
     /// The missing files that it names.
     unread: Vec<ReadError>,
@@ -99,7 +99,7 @@ struct SceneFile {
     is_texture: bool,
     folder: PathBuf,
     reach: FileAccess,
-    /// The bytes that the figure's other files have.
+    /// The bytes of the figure's other files.
     spent: usize,
 }
 
@@ -183,7 +183,7 @@ impl SceneCache {
         &self.scene
     }
 
-    /// True if the scene is that of a document, and not of one before it.
+    /// True if the scene belongs to a document, and not to one before it.
     pub(in crate::gui) fn is_of(&self, document: &Document, theme: Theme) -> bool {
         self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
     }
@@ -222,7 +222,7 @@ impl SceneCache {
         Some(SceneError::Mesh { name: object.to_owned(), path: path.clone(), error })
     }
 
-    /// The files that the mesh file of an object names, lacks, and can be drawn without.
+    /// The missing files that the mesh file of an object names, and that it can be drawn without.
     pub fn unread_of(&self, object: &str) -> &[ReadError] {
         let spec = self.made_from.as_ref().map(|made| &made.spec);
         let shape = spec.and_then(|spec| spec.objects.iter().find(|o| o.name == object)).and_then(|o| o.shape.as_ref());

@@ -35,7 +35,7 @@ pub struct SceneTree {
     pub(in crate::gui) selected: Option<Selected>,
     /// The figure's other selected objects.
     also: BTreeSet<String>,
-    /// The selection after this frame: text being typed is applied before.
+    /// The selection after this frame, because text being typed is applied before.
     next: Option<(Option<Selected>, BTreeSet<String>)>,
     /// The gizmo for dragging the selection in the world.
     pub(in crate::gui) transforming: Transforming,
@@ -95,7 +95,7 @@ impl SceneTree {
         &self.also
     }
 
-    /// All objects of the figure that are selected.
+    /// All selected objects of the figure.
     pub fn names(&self, scene: &SceneSpec) -> BTreeSet<String> {
         let own = scene.objects.iter().map(|o| &o.name);
         let is_selected = |name: &String| {

@@ -32,11 +32,11 @@ pub struct Settings {
     pub theme: Theme,
     /// Skip animations.
     pub reduce_motion: bool,
-    /// The numbers below the operations are unfolded.
+    /// True if the numbers below the operations are unfolded.
     pub numbers_open: bool,
-    /// The first lesson and the gallery have been offered.
+    /// True if the first lesson and the gallery have been offered.
     pub welcomed: bool,
-    /// The views alone, without menus: a figure in another page.
+    /// True for the views alone, without menus, as for a figure in another page.
     pub bare: bool,
     /// The place of the window, once it's known. At first, that of the last one.
     pub window: Option<WindowPlace>,

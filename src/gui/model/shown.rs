@@ -18,18 +18,18 @@ use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
 use crate::views::{Compared, Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
 
-/// Things that panels point at in a frame. Each frame begins without any.
+/// The targets of panels in a frame. Each frame begins without any.
 #[derive(Clone, Debug, Default)]
 pub struct PanelHover {
     /// The operation being tried or pointed at, shown in the world.
     pub ghost: Option<Ghost>,
     /// The measures of the hover, shown in the world.
     pub measured: Vec<Measured>,
-    /// The parameters that are pointed at in another panel.
+    /// The parameters pointed at in another panel.
     pub pointed: Vec<Symbol>,
 }
 
-/// The panels that explain something in the pictures: closing one removes its explanation.
+/// The panels that explain something in the pictures. Closing one removes its explanation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::gui) struct OpenPanels {
     stages: bool,
@@ -78,7 +78,7 @@ impl Model {
         Some(crate::i18n::window::compare::impossible(self.settings.lang, &error))
     }
 
-    /// The figure that shows in any program the present screen: with explanations, and with the observers.
+    /// The figure that shows the present screen in any program, with explanations, and with the observers.
     pub fn figure_as_shown(&self) -> Figure {
         let figure = Figure { observers: self.observers_as_shown(), ..self.figure_to_save() };
         if self.document.has_words_of_card() { Figure { title: None, caption: None, ..figure } } else { figure }
@@ -98,9 +98,9 @@ impl Model {
             return saved;
         }
         let is_open = self.settings.panels().wanted[Side::Explain as usize];
-        // A view with all the room has it for the moment.
+        // A maximized view is so only for the moment.
         let shown = self.layout.shown;
-        // If the file names a layout, it goes on to name it.
+        // If the file names a layout, it continues to do so.
         let keep = |was: bool, is_usual: bool| was || !is_usual;
         Screen {
             pictures: Some(shown).filter(|shown| keep(saved.pictures.is_some(), *shown == [true; View::COUNT])),
@@ -247,7 +247,7 @@ impl Model {
         self.shown().stage
     }
 
-    /// Shows or hides the input and output of a stage, of the picture whose stages are listed.
+    /// Shows or hides the input and output of a stage, for the picture whose stages are listed.
     pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
         let of = StagePicture(self.layout.strip_of);
         let show = self.document.show_mut();
@@ -370,7 +370,7 @@ impl Model {
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
         if let Some(ndc) = self.document.show_mut().ndc.take() {
-            // A file's convention is that of the window from now on.
+            // A file's convention becomes that of the window.
             self.settings.conventions.ndc = ndc;
         }
         let now = self.panels_now();

@@ -12,7 +12,7 @@ pub struct UnsavedText {
     pub path: PathBuf,
     /// The step whose texts were written, from 0.
     pub step: usize,
-    /// The text of the file as the window read or wrote it last.
+    /// The text of the file as the window last read or wrote it.
     pub text: String,
     /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as typed.
     pub words: [Bilingual; 6],

@@ -1,4 +1,5 @@
-//! Annotations of a lecturer over the pictures: no part of the figure. Strokes of the pen come back with their figure.
+//! Annotations of a lecturer over the pictures, which aren't part of the figure. Strokes of the pen come back with
+//! their figure.
 
 use eframe::egui::Pos2;
 
@@ -15,7 +16,7 @@ pub struct Annotations {
     others: Vec<(Option<Source>, Vec<Vec<Pos2>>)>,
     /// True if a spot marks the pointer.
     pub spot: bool,
-    /// The pictures stay as they are while one edits.
+    /// True if the pictures stay the same during edits.
     pub frozen: bool,
     /// The screen is black.
     pub blank: bool,

@@ -1,4 +1,4 @@
-//! The axes of the world in a corner of its view: each one leads to the viewpoint that it points at.
+//! The axes of the world in a corner of its view. Each one leads to the viewpoint that it points at.
 
 use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, Sense, Stroke, TextStyle, Ui, WidgetInfo, vec2};
 use glam::DVec3;

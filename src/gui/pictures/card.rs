@@ -91,7 +91,7 @@ impl Canvas {
         let size = Size { width: 1, height: 1, scale: 1.0 };
         let of_frame = panes.iter().find(|pane| pane.view == View::Image).map(|pane| pane.request.clone());
         let request = of_frame.unwrap_or_else(|| self.request(model, &self.shot.picture(View::Image), size));
-        // Under the pointer may be the other side of a comparison, with a camera and an image of its own.
+        // The other side of a comparison, with a camera and an image of its own, may be under the pointer.
         let side = self.probed_side.as_ref().filter(|(of, _)| *of == probe).map(|(_, side)| side);
         let request = side.map_or_else(
             || request.clone(),

@@ -112,7 +112,7 @@ fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [
     edges.into_iter()
 }
 
-/// A lamp has a mark. Parallel light an arrow that ends in the middle of the scene.
+/// A lamp gets a mark, and parallel light an arrow that ends in the middle of the scene.
 fn mark_light(scene: &mut Scene, light: Light, bounds: Option<Aabb>, color: Rgba) {
     match light.kind {
         LightKind::Point => {

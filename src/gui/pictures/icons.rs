@@ -1,4 +1,4 @@
-//! Small buttons with drawn signs. No font has all of them, and they are the same in every language.
+//! Small buttons with drawn signs, because no font has all of them, and they are the same in every language.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};

@@ -1,4 +1,4 @@
-//! Work that takes longer than half a second: reported under the pictures, and cancelled with Esc.
+//! Work that takes longer than half a second, reported under the pictures, and cancelled with Esc.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ const MAX_WAIT: Duration = Duration::from_millis(500);
 /// Work that takes long.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LongWork {
-    /// The activity, its purpose, and how to cancel it.
+    /// The activity, its purpose, and the way to cancel it.
     pub(super) text: String,
     /// The finished share, if known.
     pub(super) share: Option<f32>,

@@ -84,7 +84,7 @@ pub struct Canvas {
     /// Time that a frame waits for its pictures. `None` for as long as a dragging hand allows. Tests have more of it.
     pub patience: Option<Duration>,
     rendering: Rendering,
-    /// The pictures of the shot, as they are on the screen.
+    /// The pictures of the shot, as on the screen.
     pictures: Vec<ScreenPicture>,
     shares: Shares,
     /// The request of a title's button, and its picture.
@@ -110,7 +110,7 @@ pub struct Canvas {
     /// The search at the pointer, and one whose result will be pinned.
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
-    /// The last probe of the pointer in a compared picture, and the side that it was on.
+    /// The last probe of the pointer in a compared picture, and its side.
     probed_side: Option<(Probe, Request)>,
     /// A click whose target hasn't been found yet, and its picker.
     clicked: Option<Click>,
@@ -129,7 +129,7 @@ pub struct Inputs<'a> {
     pub(in crate::gui) fades: u64,
     /// The keys of a presentation, with their opacity, while they are visible.
     pub(in crate::gui) keys: Option<(&'static str, f32)>,
-    /// The pictures stay as they are while one edits.
+    /// True if the pictures stay the same during edits.
     pub(in crate::gui) frozen: bool,
     /// The files being written or read, each in a sentence, and their progress.
     pub(in crate::gui) of_files: Vec<(String, Running)>,
@@ -154,7 +154,7 @@ struct ScreenPicture {
     over_budget: Option<OverBudget>,
     /// Its observer if the figure doesn't set one.
     auto: Auto,
-    /// The observer that a button or a key framed last, with the size of the picture.
+    /// The last observer framed by a button or a key, with the size of the picture.
     framed: Option<(Observer, Size)>,
     /// The places of its labels.
     labels: Vec<LabelPlace>,
@@ -203,7 +203,7 @@ impl Canvas {
         of_kind.map(|(_, screen)| screen)
     }
 
-    /// True if Esc would let go of something in a picture.
+    /// True if Esc would release something in a picture.
     pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
         self.drag.is_some()
             || label_mode.on
@@ -308,7 +308,7 @@ impl Canvas {
         }
     }
 
-    /// The axes in the corner of the world. A presentation, and a figure inside of a text, show the picture alone.
+    /// The axes in the corner of the world. A presentation, and a figure inside a text, show the picture alone.
     fn axis_cross(&mut self, ui: &Ui, model: &Model, panes: &[Pane], texts: &CanvasTexts) {
         let is_alone = model.settings.presentation || model.settings.bare;
         let world = panes.iter().find(|pane| pane.view == View::World && !is_alone);

@@ -1,4 +1,4 @@
-//! A step of an operation that the eye can follow. The camera moves to its end in a moment, and is there exactly.
+//! A step of an operation that the eye can follow. The camera moves to its end in a moment, and arrives there exactly.
 
 use std::time::Duration;
 

@@ -104,7 +104,7 @@ fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMa
 }
 
 fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> Vec<Cell> {
-    // Depths differ late: near the back of the volume the first four digits are all alike.
+    // Depths differ late. Near the back of the volume the first four digits are all alike.
     let digits = digits.max(6);
     match depths {
         None => Vec::new(),

@@ -14,7 +14,7 @@ use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
 
-/// A picture to draw. Two equal jobs make the same pixels.
+/// A picture to draw. Two equal jobs give the same pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RenderJob {
     /// Its place among the pictures of the shot.
@@ -65,7 +65,7 @@ struct DrawOutcome {
 }
 
 impl DrawOutcome {
-    /// The time that the picture would have taken alone, about.
+    /// The approximate time that the picture would have taken alone.
     fn own_time(&self, time: Duration) -> Duration {
         time.saturating_sub(self.waited) / self.together.max(1)
     }
@@ -143,7 +143,7 @@ fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome
         renderer.watch(progress);
         let pixels = &mut pictures[picture];
         let account = if accounted {
-            // By this thread: one of the pool may make a part of something else in between.
+            // By this thread, because one of the pool may do a part of other work in between.
             renderer.pixels_into(&request, pixels).await
         } else {
             renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop())
@@ -220,7 +220,7 @@ impl Rendering {
     /// done.
     pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; MAX_PICTURES] {
         let pending = (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i));
-        // They are drawn at the same time, and their costs are of times when they were.
+        // They are drawn at the same time, and so were those whose costs were measured.
         let expected = pending.map(|i| self.cost[i]).max().unwrap_or_default();
         let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
         std::array::from_fn(|i| {

@@ -87,7 +87,7 @@ fn first_line_height(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y
 }
 
-/// The height of the lines under pictures that are so wide together.
+/// The height of the lines under pictures of this total width.
 pub(super) fn height(ui: &Ui, width: f32, presenting: bool) -> f32 {
     first_line_height(ui) + f32::from(lines(ui, width, presenting)) * line_height(ui) + 4.0
 }

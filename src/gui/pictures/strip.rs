@@ -1,4 +1,4 @@
-//! The strip under the pictures. Every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
+//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
 //! the reason why it was left out, for the picture on the screen.
 
 use std::time::Duration;
@@ -63,7 +63,7 @@ fn columns(ui: &Ui, width: f32) -> usize {
     let fit = (width - 12.0) / (CELL_WIDTH * line(ui));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few dozen")]
     let fit = fit.clamp(1.0, 64.0) as usize;
-    // No row shorter than it need be: the same number of rows, evenly filled.
+    // No row shorter than necessary: the same number of rows, evenly filled.
     let rows = most.div_ceil(fit.min(most));
     most.div_ceil(rows)
 }
@@ -72,7 +72,7 @@ fn cell_height(ui: &Ui) -> f32 {
     2.0 * line(ui) + 6.0
 }
 
-/// The height of the strip under pictures that are so wide together.
+/// The height of the strip under pictures of this total width.
 #[expect(clippy::cast_precision_loss, reason = "a few rows")]
 pub(super) fn height(ui: &Ui, width: f32) -> f32 {
     let rows = Stage::ALL.len().div_ceil(columns(ui, width)) as f32;

@@ -149,7 +149,7 @@ struct PlacedTile {
 }
 
 impl PlacedTile {
-    /// Shows another tile: only the pixels that changed go to the texture, since the way there costs as much as to draw
+    /// Shows another tile. Only the changed pixels go to the texture, since uploading them costs as much as drawing
     /// them.
     fn show(&mut self, Tile { place, image, since }: Tile) {
         self.place = place;

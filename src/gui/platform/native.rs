@@ -1,4 +1,4 @@
-//! Questions of a file dialog, and their answers: that of the system, or that of a browser.
+//! Questions of a file dialog, and their answers from the system, or from a browser.
 
 #[cfg(target_arch = "wasm32")]
 mod page;

@@ -5,9 +5,9 @@ use eframe::egui::{Context, Pos2, Vec2, ViewportCommand, pos2, vec2};
 
 use crate::gui::model::layout::WindowPlace;
 
-/// Screens up to this size, in points, have the window in the size that suits them.
+/// On screens up to this size, in points, the window has the size that suits them.
 const SMALL: [f32; 2] = [1280.0, 720.0];
-/// Time for which a window manager is waited for, in seconds.
+/// Time to wait for a window manager, in seconds.
 const MAX_WAIT: f32 = 1.0;
 
 /// Time for which a size or a place stays before it's remembered, in seconds, to leave out those on the way to it.
@@ -28,7 +28,7 @@ pub(in crate::gui) enum Opening {
 }
 
 impl Opening {
-    /// Goes on, in each frame. `last` is the place of the last window.
+    /// Advances, in each frame. `last` is the place of the last window.
     pub(in crate::gui) fn go_on(&mut self, ctx: &Context, last: Option<WindowPlace>) {
         let (now, screen, maximized, inner) = ctx.input(|input| {
             let viewport = input.viewport();
@@ -51,7 +51,7 @@ impl Opening {
                     // There is no window manager, and so no other window on the screen.
                     ctx.send_viewport_cmd(ViewportCommand::OuterPosition(Pos2::ZERO));
                     ctx.send_viewport_cmd(ViewportCommand::InnerSize(vec2(screen.x, screen.y)));
-                    // Without a window manager the new size may come after the frame that it asks for.
+                    // Without a window manager the new size may come after the frame that requests it.
                     ctx.request_repaint_after_secs(0.2);
                 }
                 *self = Self::Done;

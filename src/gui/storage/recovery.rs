@@ -1,4 +1,4 @@
-//! The list of sessions left by windows that did not close, until the user has decided.
+//! The list of sessions left by windows that didn't close, until the user has decided.
 
 use std::time::{Duration, UNIX_EPOCH};
 

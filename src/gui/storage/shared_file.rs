@@ -38,7 +38,7 @@ pub(in crate::gui) trait Change: Clone + Send + 'static {
     fn merge(&self, content: Self::Content) -> (String, Self::Merged);
 }
 
-/// The content of a file, as text and understood, and the new place of one that could not be understood.
+/// The content of a file, as text and parsed, and the new place of one that couldn't be parsed.
 type Held<T> = (String, T, Option<PathBuf>);
 
 /// The present file, empty if it doesn't exist. Content that can't be parsed, or is far too large, is set aside under
@@ -89,7 +89,7 @@ pub(in crate::gui) struct SharedFile<C: Change> {
     worker: Worker<(PathBuf, C), Written<C>>,
     /// The change of the running write, or of one that failed.
     asked: Option<C>,
-    /// The failure of the file has been reported.
+    /// True if the failure of the file has been reported.
     told: bool,
     news: Vec<News>,
 }

@@ -74,7 +74,7 @@ impl Writing<'_> {
     }
 }
 
-/// Shows the explanation. Returns the measures to light up in the world besides that of the entry itself.
+/// Shows the explanation. Returns the measures to highlight in the world besides that of the entry itself.
 pub(super) fn show(
     ui: &mut Ui,
     writing: Writing<'_>,
@@ -194,7 +194,7 @@ impl Tree<'_> {
     }
 }
 
-/// The measures to light up in the world: that of a symbol, or of an entry.
+/// The measures to highlight in the world: that of a symbol, or of an entry.
 pub(super) fn lights(formula: &Formula, pointed: Option<Symbol>) -> Vec<Measured> {
     pointed.map_or_else(|| measures::of_formula(formula), |symbol| measures::of_symbol(symbol).into_iter().collect())
 }

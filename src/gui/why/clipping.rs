@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     }
 }
 
-/// The figure of the program in which dividing before clipping goes wrong.
+/// The built-in figure in which dividing before clipping goes wrong.
 const SHOWS_IT: &str = "divide-first";
 
 /// If dividing before clipping does no harm to the scene, offers a figure in which it does.

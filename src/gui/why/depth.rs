@@ -29,7 +29,7 @@ use crate::views::Probe;
 /// Height of the plot in points.
 const HEIGHT: f32 = 150.0;
 const SAMPLES: u32 = 200;
-/// The widest head of a column of formats, in points: in a presentation the table has little room.
+/// The widest head of a column of formats, in points, because in a presentation the table has little room.
 const HEAD: f32 = 76.0;
 /// The share of the plot's height that a name takes.
 const NAME: f64 = 0.15;
@@ -182,8 +182,8 @@ fn picture(ui: &mut Ui, planes: &TwoPlanes, colors: &Planes, said: &str) {
 /// A curve of z_n, by name, and true if it's that of the camera in the present convention.
 type Curve = (&'static str, Vec<[f64; 2]>, bool);
 
-/// z_n over the distance from the eye, as the matrices of a convention have it: in perspective, in parallel projection,
-/// and reversed.
+/// z_n over the distance from the eye, by the matrices of a convention: in perspective, in parallel projection, and
+/// reversed.
 fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f64) -> f64) -> Vec<Curve> {
     let (f, b) = (camera.near(), camera.far());
     // As many samples near F as far from it.

@@ -77,7 +77,7 @@ impl ExplanationRow {
     }
 }
 
-/// The questions and their explanations, in the order in which they are read.
+/// The questions and their explanations, in reading order.
 const QUESTIONS: &[QuestionRow] = &[
     QuestionRow {
         question: Question::Where,
@@ -192,7 +192,7 @@ pub(super) fn ui(
 /// Beside the name of a question on its button, in points.
 const PADDING: f32 = 3.0;
 
-/// The four questions, two in a row. Each opens at the explanation that was read last.
+/// The four questions, two in a row. Each opens at its last explanation.
 fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
     let gap = 4.0;
     let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);

@@ -1,5 +1,5 @@
-//! The notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the
-//! thing itself.
+//! The notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the item
+//! itself.
 
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
@@ -111,7 +111,7 @@ fn list(ui: &mut Ui, t: &Texts, state: &mut Notes) {
             response.request_focus();
             response.scroll_to_me(Some(egui::Align::Center));
         }
-        // Arrow keys move the focus after the frame: no frame reports its arrival.
+        // Arrow keys move the focus after the frame, so no frame reports its arrival.
         if response.clicked() || (follows && response.has_focus()) {
             state.read(note.id);
         }

@@ -90,7 +90,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
     ui.ctx().request_repaint();
 }
 
-/// The row before which the pointer would drop the dragged one. Their number after the last one.
+/// The row before which the pointer would drop the dragged one. The number of rows after the last one.
 fn target(ui: &Ui, rows: &[Rect]) -> usize {
     let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else { return rows.len() };
     rows.iter().filter(|row| row.center().y < pointer.y).count()

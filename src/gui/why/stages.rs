@@ -37,7 +37,7 @@ fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
     source(ui, t, stage);
 }
 
-/// The source file of a stage, for those who want to read how it works.
+/// The source file of a stage, for readers who want to see how it works.
 pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
     let text = RichText::new(format!("{}: {}", t.in_the_code, stage.source())).small().weak();
     ui.label(text).explained(t.in_the_code_hint);

@@ -240,7 +240,7 @@ fn after(time: f64) -> f64 {
     (time + 1e-9).floor() + 1.0
 }
 
-/// Moves on by tenths of a step. A tenth is a tenth wherever the pointer has left the slider.
+/// Moves on by tenths of a step. The result is a whole tenth, wherever the pointer has left the slider.
 fn tenth(time: f64, by: f64) -> f64 {
     (10.0 * time + by).round() / 10.0
 }

@@ -39,7 +39,7 @@ pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
     pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join("; ")
 }
 
-/// Why the values of an answer make no camera, by the names of the notes.
+/// The reason why the values of an answer aren't a camera, by the names of the notes.
 pub(in crate::i18n) fn refused(lang: Lang, error: &FigureError) -> String {
     let of_key = |key: &ParameterKey| error.key.strip_prefix("[camera] ").is_some_and(|name| name == key.name());
     match (&error.problem, ParameterKey::ALL.iter().find(|key| of_key(key))) {

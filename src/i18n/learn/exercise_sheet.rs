@@ -232,8 +232,8 @@ fn of_markdown(text: &str) -> String {
     latex
 }
 
-/// Markdown that does no more than show its words: no HTML, no links or pictures, which may name files, no commands of
-/// TeX outside of formulas, which some programs hand on.
+/// Markdown that only shows its words. It has no HTML, no links or pictures, which may name files, and outside formulas
+/// no commands of TeX, which some programs pass on.
 fn inert(markdown: &str) -> String {
     let mut inert = String::with_capacity(markdown.len());
     for (k, part) in markdown.split('$').enumerate() {

@@ -146,7 +146,7 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     if let Some(own) = &diagnosis.own {
         return Some(told(lang, &own.message).to_owned());
     }
-    // Beside another mistake not all other numbers are right.
+    // An arithmetic slip claims that all other numbers are right, which is wrong beside another mistake.
     let beside = diagnosis.causes.len() > 1;
     let told = diagnosis.causes.iter().filter(|found| !beside || found.mistake != Mistake::ArithmeticSlip);
     let mut said: Vec<String> = told.map(|found| cause(lang, ask, *found)[0].to_owned()).collect();

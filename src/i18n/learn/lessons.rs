@@ -205,7 +205,7 @@ fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
     if lines.is_empty() { lines } else { format!("\n{heading}:\n{lines}") }
 }
 
-/// The titles of the exercises to which a lesson leads, each once.
+/// The titles of the exercises that a lesson leads to, each once.
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
     lessons::exercises_of(lesson)
         .into_iter()

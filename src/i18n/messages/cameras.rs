@@ -117,7 +117,7 @@ fn amount_in_portuguese(descriptor: &Descriptor) -> String {
     }
 }
 
-/// Why a camera has no matrices in a convention of NDC.
+/// The reason why a camera has no matrices in a convention of NDC.
 pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
     translated! { lang, error;
         InfiniteParallel(ndc) =>

@@ -22,7 +22,7 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
     let FigureError { key, problem, .. } = error;
     let what = self::problem(lang, problem);
     match problem {
-        // These name the keys themselves: of ours the section is enough.
+        // These name the keys themselves. For ours the section is enough.
         Problem::Camera(_) => {
             let section = key.split_inclusive(']').next().filter(|label| label.ends_with(']')).unwrap_or("[camera]");
             format!("{section} {what}")

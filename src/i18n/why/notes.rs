@@ -86,7 +86,7 @@ pub const SOURCES: &str = "sources";
 static EN: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/en.md")));
 static PT_BR: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/pt-BR.md")));
 
-/// All notes, in the order in which they are read.
+/// All notes, in reading order.
 pub fn notes(lang: Lang) -> &'static [Note] {
     pick!(lang; &EN, &PT_BR)
 }

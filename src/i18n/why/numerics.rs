@@ -109,7 +109,7 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
     }
 }
 
-/// A value of the parameter: whole thousands, as the sides of maps are, with all of their digits.
+/// A value of the parameter. Whole thousands, like the sides of maps, are written with all of their digits.
 pub fn value(parameter: f64) -> String {
     let is_whole = parameter.fract() == 0.0 && (1e3..1e4).contains(&parameter);
     significant(parameter, if is_whole { 4 } else { 3 })

@@ -1,4 +1,4 @@
-//! The stages of the pipeline, and why each runs or is skipped.
+//! The stages of the pipeline, and the reason why each runs or is skipped.
 
 pub use super::reasons::{planes, reason};
 use crate::i18n::Lang;

@@ -43,7 +43,7 @@ texts! {
     arrange_column: "One above the other", "Uma sobre a outra";
     arrange_above: "The world above the others", "O mundo acima das outras";
     arrange_beside: "The world beside the others", "O mundo ao lado das outras";
-    // Before the names of the pictures that can be shown again.
+    // Before the names of the hidden pictures, which can be shown again.
     hidden: "Hidden:", "Ocultas:";
     // The actions of pointer and wheel in the world and in the canonical volume.
     pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: orbitar · Shift ou botão direito: mover · roda: zoom";
@@ -120,7 +120,7 @@ texts! {
     space_window: "Window", "Janela";
     space_pixel: "Pixel", "Pixel";
     space_viewport: "Viewport", "Viewport";
-    // The bits that say outside which planes a point is.
+    // The bits for the planes that a point is outside of.
     outcode: "Outcode", "Outcode";
     // The meaning of the outcode of a point inside.
     inside: "inside", "dentro";

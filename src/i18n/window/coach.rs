@@ -1,4 +1,4 @@
-//! The words of the coach. The health of a camera, and the reasons why a picture is empty.
+//! The words of the coach: the health of a camera, and the reasons why a picture is empty.
 
 use super::scenes::preset_object;
 use crate::appearance::DepthFormat;
@@ -191,8 +191,8 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
         "cintilam (z-fighting): o mais distante em {percent}\u{a0}%")
 }
 
-/// Explains a finding, with the names of the objects concerned as they are called in this language. `scene`: the
-/// figure's, whose own objects have their names from its author.
+/// Explains a finding, with the names of the objects concerned in this language. `scene` is the figure's, whose own
+/// objects have their names from its author.
 pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
     if let Some(error) = &diagnosis.camera_error {
         return impossible_camera(lang, error);
@@ -215,7 +215,7 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
     let [whole, in_part] = [false, true].map(|partly| not_seen(lang, finding.cause, partly, diagnosis));
     let [lost, cut] = [&finding.whole, &finding.partly]
         .map(|names| names.iter().map(|name| object_name(lang, name, scene)).collect::<Vec<_>>());
-    // A sentence that holds for objects seen in part too is written once.
+    // A sentence that also holds for partly visible objects is written once.
     let groups =
         if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
     let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
@@ -281,7 +281,7 @@ fn listed(lang: Lang, names: &[String]) -> String {
     }
 }
 
-/// Why an object, or most of it, can't be seen.
+/// The reason why an object, or most of it, can't be seen.
 fn not_seen(lang: Lang, cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { pick!(lang; "most of it is ", "a maior parte está ") } else { "" };
     let percent = lang.mark().number(100.0 * diagnosis.covered, 2);
@@ -334,7 +334,7 @@ pub fn changes(changes: &[(&'static str, Value)]) -> String {
     changes.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 
-/// The changes of a repair as the panels write them: the notes' symbols, with the decimal mark of the language.
+/// The changes of a repair as in the panels: the notes' symbols, with the decimal mark of the language.
 pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> String {
     let n = |x: f64| lang.mark().number(x, 4);
     let mark = lang.mark();
@@ -364,7 +364,7 @@ pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> Stri
     changes.iter().map(of).collect::<Vec<_>>().join(" · ")
 }
 
-/// A word of `[style]` as the panels write it.
+/// A word of `[style]` as in the panels.
 fn style_word(lang: Lang, word: &'static str) -> &'static str {
     let t = crate::i18n::window::texts(lang);
     match word {

@@ -1,4 +1,4 @@
-//! The words of the gallery: its parts, and the headings of the figures of the program.
+//! The words of the gallery: its parts, and the headings of the built-in figures.
 
 use crate::files::Topic;
 use crate::i18n::Lang;

@@ -1,4 +1,4 @@
-//! The words of the search for anything in the window, and how words are compared: without accents and capitals, and
+//! The words of the search for anything in the window, and the comparison of words: without accents and capitals, and
 //! with the other names of the field.
 
 texts! {

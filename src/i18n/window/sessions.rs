@@ -1,4 +1,4 @@
-//! Messages about windows that did not close, in both languages.
+//! Messages about windows that didn't close, in both languages.
 
 use std::time::Duration;
 

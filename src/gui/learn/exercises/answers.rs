@@ -317,7 +317,7 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
     typing
 }
 
-/// A camera as text, and the button that takes the one of the window.
+/// A camera as text, and the button that takes the window's camera.
 fn camera(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
     let t = sheet.t;
     if model.document.figure().scene != sheet.exercise.subject.figure.scene {

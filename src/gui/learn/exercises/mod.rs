@@ -33,7 +33,7 @@ struct Sheet<'a> {
     exercise: &'a Exercise,
 }
 
-/// The part that stays in sight above the list, and above an exercise.
+/// The part that stays visible above the list, and above an exercise.
 pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) {
     let t = words::texts(model.settings.lang);
     let open = learn_state.exercises.open.clone();
@@ -130,7 +130,7 @@ pub(in crate::gui) fn questions(ui: &mut Ui, model: &mut Model, learn: &mut Lear
     }
 }
 
-/// Judges the typed answer, if it can be read.
+/// Judges the typed answer, if it's readable.
 fn check(learn_state: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
     let fields = learn_state.exercises.fields(ask).to_vec();
     if answers::understood(sheet, ask, &fields).is_err() {

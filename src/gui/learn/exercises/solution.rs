@@ -66,7 +66,7 @@ pub(super) fn step_button(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask:
     }
 }
 
-/// Shows the camera that a wrong answer describes, beside the right one, or takes it away.
+/// Shows the camera that a wrong answer describes, beside the right one, or hides it.
 pub(super) fn camera_button(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
@@ -103,7 +103,7 @@ fn quantity(ask: &Ask) -> Option<Quantity> {
     }
 }
 
-/// True for answers that are complete and say something of a camera.
+/// True for complete answers that describe a camera.
 fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
     match &judged.understood {
         Answer::Camera(_) => true,
@@ -155,7 +155,7 @@ fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Paramet
     Some((*right.parameters(), found.and_then(|found| camera(&found))))
 }
 
-/// The camera at the same place that has an axis of an answer, and of the others as much as goes with it.
+/// The camera at the same place that has an axis of an answer, and as much of the other axes as is compatible.
 fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, NotCamera> {
     /// The tolerance of lengths and cosines, for answers of three digits.
     const TOLERANCE: f64 = 2e-3;

@@ -112,7 +112,7 @@ pub struct Opened {
     pub given: usize,
     /// The texts typed into the steps to be done, by their numbers.
     pub typed: BTreeMap<usize, String>,
-    /// The steps that were done, or shown in the end.
+    /// The steps that the user has done, or has been shown in the end.
     pub filled: BTreeSet<usize>,
     /// The step whose last number was wrong.
     pub(in crate::gui) missed: Option<usize>,
@@ -171,11 +171,11 @@ pub struct Exercises {
     pub described: Option<Described>,
     /// True if the exercises were opened in this window. A panel that was open at the start doesn't count.
     pub(in crate::gui) was_called: bool,
-    /// The keyboard goes to the first control: the field for words, or the way back to the list.
+    /// The keyboard goes to the first control, which is the search field, or the way back to the list.
     pub(in crate::gui) calls_keyboard: bool,
     /// The next target of the focus: in the list an identifier, in an exercise the answer to the ask of this name.
     pub(in crate::gui) wants_focus: Option<String>,
-    /// The ask with a new verdict or help: scrolled into sight within this number of frames.
+    /// The ask with a new verdict or help, which is scrolled into sight within this number of frames.
     pub(in crate::gui) just_said: Option<(String, u8)>,
     /// The statement is brought into sight.
     pub(in crate::gui) just_opened: bool,
@@ -198,7 +198,7 @@ pub struct Exercises {
 }
 
 impl Exercises {
-    /// All exercises: those of the program, and after them a lecturer's own.
+    /// All exercises: the built-in ones, and after them a lecturer's own.
     pub fn entries(&self) -> impl Iterator<Item = &Entry> {
         let found = self.own.as_ref().and_then(|own| own.found.as_ref().ok());
         exercises::with_own(found.map_or(&[], |found| &found.entries))
@@ -212,13 +212,13 @@ impl Exercises {
     /// Reads a folder of a lecturer's own exercises. `None` removes it.
     pub fn look_into(&mut self, folder: Option<PathBuf>) {
         self.own = folder.map(|folder| Arc::new(OwnFolder { found: files::read_exercises(&folder), folder }));
-        // A file that was read once more may say something else.
+        // A reread file may have other content.
         self.made = None;
         self.checked.clear();
         self.leave_unknown();
     }
 
-    /// Shows the list if the exercise that was worked on is gone: its file, or the lesson whose question it was.
+    /// Shows the list if the open exercise is gone with its file, or with the lesson whose question it was.
     pub(in crate::gui) fn leave_unknown(&mut self) {
         if self.open.as_ref().is_some_and(|open| self.entry(&open.id).is_none()) {
             self.open = None;
@@ -288,7 +288,7 @@ impl Exercises {
         self.just_opened = true;
     }
 
-    /// The camera that an answer describes, as a file can hold it.
+    /// The camera that an answer describes, in the form of a file.
     pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
         self.described.as_ref()?.camera.as_deref().ok().map(Camera::rounded)
     }
@@ -344,7 +344,7 @@ impl Exercises {
                 continue;
             }
             let fields = self.fields(ask).to_vec();
-            // Another version, or a lecturer who has changed the exercise, may read it otherwise.
+            // Another version of the program, or of a lecturer's exercise, may read it otherwise.
             if let Ok(judged) = exercises::check_beside(entry, exercise, ask, &joined(ask, &fields), &answers) {
                 self.checked.insert(ask.name.clone(), Checked { fields, judged });
             }
@@ -417,7 +417,7 @@ impl Exercises {
         self.unwritten.push(done);
     }
 
-    /// Takes back the answers to the questions of a lesson: who opens it again answers them again.
+    /// Takes back the answers to the questions of a lesson, because users who open it again answer them again.
     pub fn ask_again(&mut self, questions: impl Iterator<Item = String>) {
         for id in questions {
             if self.open.as_ref().is_some_and(|open| open.id == id) {
@@ -430,7 +430,7 @@ impl Exercises {
         }
     }
 
-    /// The other answers that were judged, by the names of their questions.
+    /// The other judged answers, by the names of their questions.
     pub(in crate::gui) fn answers_beside(&self, ask: &Ask) -> Vec<(String, Answer)> {
         let others = self.checked.iter().filter(|(name, _)| **name != ask.name);
         others.map(|(name, checked)| (name.clone(), checked.judged.understood.clone())).collect()
@@ -457,13 +457,13 @@ impl Exercises {
         }
     }
 
-    /// The seed with which a family is gone on with: the greatest that was worked on.
+    /// The seed for going on with a family: the greatest one used.
     pub fn seed_of(&self, entry: &Entry) -> u64 {
         let seeds = self.typed.iter().filter(|(chosen, typed)| chosen.id == entry.id && !typed.is_empty());
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
     }
 
-    /// The next exercise to practise, and the reason. Never the current one. `now`: seconds since the beginning of
+    /// The next exercise to practise, and the reason. Never the current one. `now` is in seconds since the beginning of
     /// 1970.
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
         let all = in_order_of_lessons(self.entries());

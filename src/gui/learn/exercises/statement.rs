@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     let assumptions = said::assumptions(t.lang, exercise);
     if !assumptions.is_empty() {
         CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(true).show(ui, |ui| {
-            // A list of the renderer begins a long item below its bullet.
+            // In a list, the renderer would begin a long item below its bullet.
             assumptions.iter().for_each(|text| prose::show(ui, &format!("• {text}")));
         });
     }

@@ -105,7 +105,7 @@ fn offer(ui: &mut Ui, model: &mut Model, learn: &mut Learn, Sheet { t, entry, ex
     });
 }
 
-/// The pixel that a question for a place asks for.
+/// The pixel of a question for a place.
 fn place_of(ask: &Ask) -> Option<[f64; 2]> {
     ask.expected().table().filter(|_| ask.places)?.entries.try_into().ok()
 }

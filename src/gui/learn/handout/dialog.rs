@@ -1,4 +1,4 @@
-//! The question of how a lesson or exercises are printed, with the pages as they'll be.
+//! The dialog that prints a lesson or exercises, with a preview of the pages.
 
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 

@@ -7,7 +7,7 @@ use crate::handout::HandoutOptions;
 use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
 
-/// The greatest number that chooses the numbers of the exercises.
+/// The greatest number for choosing the numbers of the exercises.
 pub(in crate::gui) const MAX_SEED: u32 = 9_999;
 
 /// The choices in the dialog.

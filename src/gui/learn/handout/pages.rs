@@ -58,7 +58,7 @@ impl Default for PagesPreview {
 }
 
 fn work() -> impl AsyncFnMut(PageJob, &Progress) -> Done {
-    // Turning a page doesn't make the handout again.
+    // Turning a page doesn't build the handout again.
     let mut made: Option<(Choices, Vec<Page>)> = None;
     async move |PageJob { choices, handout, page, width }, progress: &Progress| {
         let kept = made.take().filter(|(of, _)| *of == choices);
@@ -76,7 +76,7 @@ fn work() -> impl AsyncFnMut(PageJob, &Progress) -> Done {
 }
 
 impl PagesPreview {
-    /// Takes results, and asks for pages if the choices or the page have changed. `width`: that of a page in pixels.
+    /// Takes results, and requests pages if the choices or the page have changed. `width` is that of a page in pixels.
     pub(in crate::gui) fn follow(
         &mut self,
         ctx: &Context,

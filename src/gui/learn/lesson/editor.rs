@@ -116,7 +116,7 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Lear
     }
 }
 
-/// Texts of the step or of the lesson. Returns whether one of the fields has lost the focus.
+/// Texts of the step or of the lesson. Returns true if one of the fields has lost the focus.
 fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing) -> bool {
     let (of, width) = (writing.lang, ui.available_width());
     // As many rows in both, so that the choice doesn't move under the pointer.

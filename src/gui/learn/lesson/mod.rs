@@ -114,7 +114,8 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn)
     command
 }
 
-/// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
+/// Offers to go on from the last time, in one line, with the lesson that was begun, an exercise, or the list of
+/// lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
     let next = learn.next_lesson().and_then(|place| lessons::shipped().get(place));
@@ -360,7 +361,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
     command
 }
 
-/// The lesson of the program after another one.
+/// The built-in lesson after another one.
 fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
     let all = lessons::shipped();
     let place = all.iter().position(|shipped| shipped.lesson.id == lesson.id)?;
@@ -388,7 +389,7 @@ fn written(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     });
 }
 
-/// Title, minutes and sentence of the lesson, as the list shows them.
+/// Title, minutes and sentence of the lesson, as in the list.
 fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
     ui.add(egui::Label::new(RichText::new(words::with_minutes(lang, lesson)).heading()).wrap());
     if let Some(sentence) = &lesson.sentence {
@@ -429,7 +430,7 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
             });
             ui.add_space(GUTTER - ui.spacing().item_spacing.x);
             ui.vertical(|ui| {
-                // Without a width of its own, a field that wants more would reach out of the window.
+                // Without a width of its own, a field that wants more would extend beyond the window.
                 ui.set_width(half);
                 task::show(ui, t, model, learn, &step, &text);
             });

@@ -26,7 +26,7 @@ impl Learn {
         self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
     }
 
-    /// Goes on with the move to the step. True while it goes on. `now`: a time in seconds.
+    /// Advances the move to the step. Returns true while it goes on. `now` is a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, model: &mut Model, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
         let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
@@ -54,7 +54,7 @@ impl Learn {
             || now.labels != target.labels
             || (&now.title, &now.caption) != (&target.title, &target.caption);
         if is_changed {
-            // The figure was changed meanwhile: only the camera arrives.
+            // If the figure was changed meanwhile, only the camera arrives.
             let target = moving.target.figure();
             (*model.document.observers_mut(), *model.document.show_mut()) = (target.observers, target.show.clone());
             model.document.set_camera(moving.target.camera().clone());

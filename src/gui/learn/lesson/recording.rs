@@ -62,7 +62,7 @@ impl Learn {
         is_new.then(|| title.clone())
     }
 
-    /// The words of a new step in a lesson. A title that the user gave the figure is the step's.
+    /// The words of a new step in a lesson. If the user gave the figure a title, it becomes the step's.
     pub(in crate::gui) fn draft_of_step(&self, model: &Model, lesson: Option<&Lesson>) -> Draft {
         let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
         if let Some(title) = self.title_to_record(model, lesson) {

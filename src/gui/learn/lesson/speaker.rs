@@ -1,4 +1,4 @@
-//! The notes of the speaker, in a window of their own: the class sees the pictures, the speaker reads the notes.
+//! The notes of the speaker, in a window of their own. The class sees the pictures, and the speaker reads the notes.
 
 use eframe::egui::{
     self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
@@ -14,11 +14,11 @@ use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
 use crate::lessons::{self, Task};
 
-/// The size of the window at first, in points.
+/// The initial size of the window, in points.
 const SIZE: [f32; 2] = [520.0, 460.0];
 
-/// True if the notes have a window of their own. In a page of a browser they're below the pictures, and so they are if
-/// the only screen is the projection.
+/// True if the notes have a window of their own. In a page of a browser they're below the pictures, as they are if the
+/// only screen is the projection.
 pub(super) fn has_window(ctx: &Context, model: &Model, learn: &Learn) -> bool {
     let is_alone = model.settings.presentation && learn.other_screen.is_none_or(|screen| screen.is_none());
     !ctx.embed_viewports() && !is_alone

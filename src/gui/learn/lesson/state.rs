@@ -52,7 +52,7 @@ pub struct Playing {
     pub(in crate::gui) fades: u64,
     /// The hands that the class has raised.
     pub(in crate::gui) hands: Hands,
-    /// Not all of text and task is in sight. Written by the panel.
+    /// True if part of text and task is out of sight. Set by the panel.
     pub is_cut: bool,
     /// The height of the panel, and the values that it depends on. Set by the panel.
     pub(in crate::gui) height: Option<(super::Fits, f32)>,
@@ -60,11 +60,11 @@ pub struct Playing {
     pub(in crate::gui) worked_on: BTreeMap<usize, Document>,
     /// The steps whose task is done.
     done: BTreeSet<usize>,
-    /// The steps whose task was passed over.
+    /// The steps whose task was skipped.
     passed: BTreeSet<usize>,
     /// The steps whose way was shown.
     shown: BTreeSet<usize>,
-    /// The step whose task is passed over by the next wish to go on.
+    /// The step whose task the next request to go on skips.
     warned: Option<usize>,
     /// The typed digits of the number of a step, and the time of the last one.
     pub(in crate::gui) typed: Option<(usize, f64)>,
@@ -86,7 +86,7 @@ impl Playing {
         self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
     }
 
-    /// True if the next step may be shown. The task is done, or was passed over.
+    /// True if the next step may be shown, because the task is done, or was skipped.
     pub fn may_go_on(&self) -> bool {
         self.is_done() || self.passed.contains(&self.step)
     }
@@ -105,14 +105,14 @@ impl Playing {
         if self.was_written { document.is_changed() } else { document.is_built_on() }
     }
 
-    /// Goes on with another text of the lesson. Its steps may have other places.
+    /// Goes on with another text of the lesson, in which steps may have other places.
     pub(in crate::gui) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
         self.lesson = lesson;
         self.done.clear();
         self.passed.clear();
     }
 
-    /// True if the goal was looked at with this figure.
+    /// True if the goal was checked for this figure.
     fn has_looked_at(&self, document: &Document) -> bool {
         let Figure { observers, show, .. } = document.figure();
         self.looked_at
@@ -125,7 +125,7 @@ impl Playing {
         let has_choices = self.now().and_then(question_with_choices).is_some();
         if self.shows_question && presents && has_choices && self.hands.answered != Some(self.step) {
             self.hands.answered = Some(self.step);
-            // The class has seen the answer: the next step may come.
+            // The class has seen the answer, so the next step may come.
             self.passed.insert(self.step);
         } else {
             self.shows_question ^= true;
@@ -155,8 +155,8 @@ impl Learn {
         self.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
     }
 
-    /// The documents with changes that the window holds without showing them: figures and steps that were left, and
-    /// those behind the figure of an exercise.
+    /// The hidden documents with changes that the window holds: figures and steps that were left, and those behind the
+    /// figure of an exercise.
     pub fn held_documents<'a>(&'a self, model: &'a Model) -> Vec<&'a Document> {
         let left = model.kept.iter().chain(&model.given_up).map(|(_, document)| document);
         let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
@@ -335,7 +335,7 @@ impl Learn {
         }
     }
 
-    /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
+    /// Changes the figure by the lesson's way to the goal, from the figure of the step, as one change.
     pub(in crate::gui) fn show_solution(&mut self, model: &mut Model, goal: &Goal) {
         let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else {
             return;
@@ -389,8 +389,8 @@ impl Learn {
             Some(Task::Exercise { id, seed }) => Some(Chosen { id: id.clone(), seed: *seed }),
             _ => None,
         };
-        // The pictures and the text have the room. For a try, the panel that it needs is open: the operations, or else
-        // the numbers of the camera.
+        // The pictures and the text have the room. For a try, its panel is open: the operations, or else the numbers of
+        // the camera.
         let goal = if let Some(Task::Try(goal)) = &shown.task { Some(goal) } else { None };
         let operates =
             goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
@@ -504,7 +504,7 @@ impl Learn {
 }
 
 impl Model {
-    /// Keeps documents with changes until the window is closed, which asks about them.
+    /// Keeps documents with changes until the user closes the window, which then asks about them.
     pub(in crate::gui) fn keep(&mut self, documents: Vec<Document>) {
         for mut document in documents {
             let behind = document.take_behind();

@@ -24,7 +24,7 @@ const MAX_CHOICES: usize = 8;
 /// The greatest number of wrong numbers.
 const MAX_WRONG: usize = 16;
 
-/// The fields of a task. Returns whether one of them has lost the focus.
+/// The fields of a task. Returns true if one of them has lost the focus.
 pub(super) fn show(
     ui: &mut Ui,
     task: &mut TaskText,

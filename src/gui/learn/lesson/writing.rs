@@ -77,7 +77,7 @@ impl Writing {
         Self { text, step: usize::MAX, lang, ..Self::default() }
     }
 
-    /// The changes of the file that can be undone, or redone.
+    /// The changes of the file to undo, or to redo.
     fn changes(&mut self, back: bool) -> &mut Vec<(String, usize)> {
         if back { &mut self.earlier } else { &mut self.later }
     }
@@ -187,7 +187,7 @@ impl Learn {
         }
     }
 
-    /// Plays the last step of the lesson to which steps were added last, and begins to write it. The figure is lost.
+    /// Plays the last step of the lesson to which steps were added last, and starts writing it. The figure is lost.
     pub(in crate::gui) fn write_recorded(&mut self, model: &mut Model) {
         let Some(path) = self.file.clone() else { return };
         match files::read_lesson(&path) {
@@ -296,7 +296,8 @@ impl Learn {
         self.text_edited(0.0);
     }
 
-    /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
+    /// Saves the lesson with its typed text as another file and continues with that file. Returns false if it can't be
+    /// written.
     pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
@@ -401,7 +402,7 @@ impl Learn {
         }
     }
 
-    /// Goes on with a lesson of the program as the user's own, in a copy in a file.
+    /// Goes on with a built-in lesson as the user's own, in a copy in a file.
     pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         let Some(playing) = &self.lesson else { return };
         let id = playing.lesson.id.clone();

@@ -5,7 +5,7 @@ use crate::camera::Ndc;
 /// Whose NDC, and how matrices are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
-    /// Whose NDC the numbers, the probe and the canonical volume are in.
+    /// The NDC of the numbers, the probe and the canonical volume.
     pub ndc: Ndc,
     /// The convention compared with.
     pub compared: Option<Ndc>,

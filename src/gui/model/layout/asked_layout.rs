@@ -73,12 +73,12 @@ impl Model {
         }
     }
 
-    /// Puts the window into the layout that a figure asks for, else into that of the user.
+    /// Gives the window the layout that a figure asks for, or otherwise the user's.
     pub(in crate::gui) fn show_screen(&mut self, screen: Screen) {
         self.give_back_layout();
         let own = self.placed();
         let Screen { pictures, arrangement, panel, entry } = screen;
-        // Views are hidden in a figure, not in the window: the next figure begins with all of them.
+        // Views are hidden in a figure, not in the window, so the next figure begins with all of them.
         self.layout.shown = pictures.unwrap_or([true; View::COUNT]);
         if pictures.is_some() {
             self.layout.maximized = None;
@@ -109,7 +109,7 @@ impl Model {
     }
 }
 
-/// The matrices that a figure can name, as the explanation of matrices has them.
+/// The matrices that a figure can name, as in the explanation of matrices.
 const MATRICES: [(ScreenMatrix, Matrix); 5] = [
     (ScreenMatrix::Model, Matrix::Model),
     (ScreenMatrix::View, Matrix::View),
@@ -154,7 +154,7 @@ mod tests {
         model.show_screen(Screen { panel: Some(None), ..Screen::default() });
         assert_eq!(model.preferred_layout(), own);
         assert_eq!(model.layout.shown, [true; View::COUNT]);
-        // A change by the user is one of the user's layout.
+        // A change by the user becomes part of the user's layout.
         model.show_screen(asked);
         model.layout.arrangement = Some(Arrangement::Above);
         assert_eq!(model.preferred_layout(), Placed { arrangement: Some(Arrangement::Above), ..own });

@@ -47,7 +47,7 @@ impl ViewHistory {
         }
     }
 
-    /// The same viewpoints in pictures of another size: no step.
+    /// The same viewpoints in pictures of another size, which isn't a step.
     pub fn framed_again(&mut self, before: Observers, after: Observers) {
         if self.now == before {
             self.now = after;

@@ -19,7 +19,7 @@ const NEAR: f64 = 0.05;
 pub struct Predict {
     /// Operations ask first.
     pub on: bool,
-    /// The operation that asks, or was compared last.
+    /// The operation that asks, or whose prediction was compared last.
     pub asked: Option<Prediction>,
 }
 
@@ -41,7 +41,7 @@ pub struct Prediction {
     pub amount: f64,
     /// Its question.
     pub about: About,
-    /// The document whose camera it moves: another one ends it.
+    /// The document with the camera that it moves. Another document ends it.
     pub(in crate::gui) document: Revision,
     /// True once it's done. Then the prediction is compared with the outcome.
     pub is_done: bool,
@@ -82,7 +82,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::Larger, Self::Smaller, Self::Same];
 
     /// The change by a factor.

@@ -13,7 +13,7 @@ const GLIDE: f64 = 0.35;
 /// The distance that an observer goes back, relative to the one from which everything just fits, so that a motion in
 /// the same direction stays in the picture for a while.
 const SPARE: f64 = 1.15;
-/// The number of cameras that are remembered.
+/// The number of remembered cameras.
 const REMEMBERED: usize = 64;
 
 /// The moment for which an observer is requested.
@@ -67,7 +67,7 @@ impl Subject {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::gui::pictures) struct AutoObserver {
     pub(in crate::gui::pictures) observer: Observer,
-    /// It begins to go back: something would have left the picture.
+    /// True if it begins to go back, because something would have left the picture.
     pub(in crate::gui::pictures) goes_back: bool,
     /// True while it's going back.
     pub(in crate::gui::pictures) glides: bool,
@@ -79,7 +79,7 @@ struct KeptObserver {
     framed: Subject,
     scene: SharedScene,
     subject: u64,
-    /// It was framed before all files of the scene had been read.
+    /// True if it was framed before all files of the scene had been read.
     incomplete: bool,
     size: Size,
     /// True if the camera wasn't moving.

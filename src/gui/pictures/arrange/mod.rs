@@ -95,7 +95,7 @@ pub(super) struct Framed {
 /// panels as a window of this size has at first. It depends on nothing else. So a panel that opens, a bar or a strip
 /// below doesn't move the pictures to other places, and a window that is made small and large again looks as before.
 pub(super) fn automatic(window: Vec2, panels: usize, pictures: &[Framed]) -> Arrangement {
-    /// The width of a panel, and the height of the lines above and below, as they are at first.
+    /// The initial width of a panel, and height of the lines above and below.
     const PANEL: f32 = 280.0;
     const LINES: f32 = 70.0;
     #[expect(clippy::cast_precision_loss, reason = "at most two")]

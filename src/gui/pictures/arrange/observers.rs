@@ -1,4 +1,4 @@
-//! The observers of the pictures in a frame: as requested by a button or a key, as in the figure, or fitted.
+//! The observers of the pictures in a frame, as requested by a button or a key, as in the figure, or fitted.
 
 use eframe::egui::Ui;
 
@@ -55,14 +55,13 @@ impl Canvas {
         let observer = orbit::changed(request, change);
         picture.framed = observer.map(|observer| (observer, request.size));
         orbit::set(model.document.observers_mut(), view, observer);
-        // A section has a side of its own: from another one, the world is seen in space.
+        // A section has a side of its own. From another one, the world is shown in space.
         if view == View::World && matches!(change, ObserverChange::From(_)) && request.shot.look.world.section {
             model.document.edit(|figure| figure.world.section = false);
         }
     }
 
-    /// Repeats the framing by a button or a key when the picture changes its size. An observer that was turned by hand
-    /// stays.
+    /// Repeats the framing by a button or a key when the picture changes its size. An observer turned by hand stays.
     fn fit_again(&mut self, model: &mut Model, pane: &Pane) {
         let (view, request, picture) = (pane.view, &pane.request, &mut self.pictures[pane.picture]);
         let Some((framed, _)) = picture.framed.filter(|(_, size)| *size != request.size) else { return };

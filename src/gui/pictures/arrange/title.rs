@@ -17,7 +17,7 @@ use crate::views::observer::Viewpoint;
 pub(in crate::gui::pictures) enum TitleAction {
     /// Look from somewhere else.
     Observe(ObserverChange),
-    /// Give the picture all the room, or give it back.
+    /// Give the picture all the room, or restore the others.
     ToggleMaximized,
     /// Hides the picture.
     Hide,

@@ -109,7 +109,7 @@ impl Canvas {
         response.ctx.request_repaint();
     }
 
-    /// Lets the arrow keys move the chosen label, and Enter put a note. Returns whether this key did.
+    /// Lets the arrow keys move the chosen label, and Enter put a note. Returns true if this key did.
     pub(in crate::gui::pictures) fn label_by_key(
         &self,
         model: &mut Model,
@@ -170,7 +170,7 @@ fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: D
     if count >= MAX_LABELS {
         return;
     }
-    // Under the pointer may be the other side of a comparison.
+    // The other side of a comparison may be under the pointer.
     let (request, place) = pane.side_of(pixel);
     let at = note_place(&request, place, pane.rect.pixels(handle_drag::REACH));
     let view = matches!(at, NotePlace::Picture(_)).then_some(pane.view);

@@ -13,7 +13,7 @@ pub struct LabelMode {
     pub adding: bool,
     /// The typed text of the chosen label. `None` for the figure's.
     pub typed: Option<String>,
-    /// The text was put there just now. Its field gets the focus.
+    /// True if the text was put there just now. Its field gets the focus.
     pub is_new: bool,
     /// The field of the text has the focus.
     pub is_typing: bool,
@@ -32,7 +32,7 @@ impl LabelMode {
         }
     }
 
-    /// One thing after the other: no note, then out of the mode.
+    /// One thing after the other: stops adding a note, then leaves the mode.
     pub fn step_back(&mut self) {
         if self.adding {
             self.adding = false;

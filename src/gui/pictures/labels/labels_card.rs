@@ -26,7 +26,7 @@ use crate::views::{View, unknown_labels};
 const LARGER: f64 = 1.25;
 
 impl Canvas {
-    /// Shows the card while the mode is on. It can be moved.
+    /// Shows the card while the mode is on. The user can move it.
     pub(in crate::gui::pictures) fn labels_card(
         &self,
         ui: &Ui,

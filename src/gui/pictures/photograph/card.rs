@@ -18,7 +18,7 @@ use crate::i18n::window::photograph::Texts;
 const WIDTH: f32 = 286.0;
 
 impl Canvas {
-    /// Shows the card while the tool is open. It can be moved.
+    /// Shows the card while the tool is open. The user can move it.
     pub(in crate::gui::pictures) fn photograph_card(
         ui: &Ui,
         model: &mut Model,
@@ -65,7 +65,7 @@ impl Canvas {
     }
 }
 
-/// The thing that the next drag draws, and the coordinate of the known length.
+/// The kind of mark that the next drag draws, and the coordinate of the known length.
 fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &Texts) {
     let lang = model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());

@@ -1,4 +1,4 @@
-//! The lines on the photograph: drawn, dragged by their ends, and prolonged to the vanishing points.
+//! The lines on the photograph, which can be drawn, dragged by their ends, and prolonged to the vanishing points.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -97,7 +97,7 @@ fn drag(
     place: &ImagePlace,
     (grip, at): (Grip, DVec2),
 ) -> Option<Grip> {
-    // A line that was too short has gone in this frame.
+    // A line that was too short has disappeared in this frame.
     if matches!(grip, Grip::End(line, _) if line >= photograph.marks.lines.len()) {
         return None;
     }
@@ -161,7 +161,7 @@ fn axis_color(palette: Palette, axis: WorldAxis) -> Color32 {
     color_of(palette.axes[place])
 }
 
-/// A stroke that can be seen on any photograph.
+/// A stroke that is visible on any photograph.
 fn stroke(painter: &Painter, ends: [Pos2; 2], width: f32, [color, paper]: [Color32; 2]) {
     painter.line_segment(ends, Stroke::new(width + 2.0, paper.gamma_multiply(0.7)));
     painter.line_segment(ends, Stroke::new(width, color));

@@ -1,4 +1,4 @@
-//! The hand on the image: it moves the camera, as in Blender and `GeoGebra`.
+//! The hand on the image, which moves the camera, as in Blender and `GeoGebra`.
 
 use glam::{DQuat, DVec2, DVec3};
 
@@ -8,7 +8,7 @@ use crate::views::{Request, pick};
 
 /// Degrees for one point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;
-/// The camera stays so far from looking along VUP, in degrees.
+/// The camera stays this far from looking along VUP, in degrees.
 const POLE: f64 = 1.0;
 
 /// A camera moved by dragging its image.

@@ -17,8 +17,8 @@ pub(in crate::gui) const REACH: f32 = 10.0;
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct HandleDrag {
     pub(super) handle: Handle,
-    /// The picture and the pointer (pixels) from which the motion is measured: those of the press, or, with the camera
-    /// of the moment, those in which the modifier changed.
+    /// The picture and the pointer (pixels) from which the motion is measured. They are those of the press, or, with
+    /// the camera of the moment, those in which the modifier changed.
     pressed: Request,
     from: DVec2,
     vertical: bool,
@@ -48,7 +48,7 @@ impl HandleDrag {
             self.stopped = Some(error);
             return None;
         }
-        // The planes stop just before each other, and there they are still a camera.
+        // The planes stop just before each other, so that they are still a camera.
         let touching = matches!(self.handle, Handle::Near | Handle::Far) && parameters.far <= 1.011 * parameters.near;
         let (near, far) = (parameters.near, parameters.near);
         self.stopped = touching.then_some(CameraError::FarNotBeyondNear { near, far });

@@ -55,7 +55,7 @@ pub(in crate::gui::pictures) struct GizmoDrag {
     part: GizmoPart,
     observer: Option<Observer>,
     from: DVec2,
-    /// Some objects would be sheared and stay as they were.
+    /// True if some objects would be sheared and stay unchanged.
     is_sheared: bool,
 }
 
@@ -191,7 +191,7 @@ impl Canvas {
         }
     }
 
-    /// The pictures whose observers turn with that of one.
+    /// The pictures whose observers turn together with this one.
     pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, model: &Model) -> Vec<usize> {
         let turns =
             |(i, other): &(usize, &Picture)| *i == picture || (model.layout.linked && other.kind != View::Image);

@@ -1,4 +1,4 @@
-//! Another camera of the figure under the pointer: a click looks through it.
+//! Another camera of the figure under the pointer. A click looks through it.
 
 use glam::DVec2;
 

@@ -98,7 +98,7 @@ fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
         let point = pick::window_point_in_image(request, pointer).filter(|_| request.view == View::Image)?;
         let pixel = pixel_of(request.shot.look.image, &request.camera, point);
         let window = center_of(request.shot.look.image, &request.camera, pixel);
-        // A pixel of another camera is none of the figure's own, but both see the point that it shows.
+        // A pixel of another camera isn't one of the figure's own, but both see the point that it shows.
         let beside = request.projector.is_some();
         let hit = || pick::hit_of(request, window);
         if beside { hit().map(Probe::Point) } else { Some(Probe::Window(window)) }

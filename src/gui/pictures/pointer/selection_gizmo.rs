@@ -78,7 +78,7 @@ impl Movable {
         })
     }
 
-    /// A lamp is moved, parallel light turned about `middle`.
+    /// Moves a lamp, or turns parallel light about `middle`.
     fn light(index: usize, light: Light, middle: DVec3) -> Self {
         let (does, origin) = match light.kind {
             LightKind::Point => (Transforming::Move, light.vector),

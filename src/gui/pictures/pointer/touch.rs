@@ -1,4 +1,4 @@
-//! Two fingers on a picture: it moves with them, and grows with their distance. One finger is a pointer.
+//! Two fingers on a picture. It moves with them, and grows with their distance. One finger is a pointer.
 
 use eframe::egui::Ui;
 

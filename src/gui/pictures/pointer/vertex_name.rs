@@ -88,7 +88,7 @@ impl OfMesh {
     }
 }
 
-/// Points and segments are no objects of the built scene.
+/// Points and segments aren't objects of the built scene.
 fn of_list(p: DVec3, spec: &SceneSpec) -> Option<VertexName> {
     let own: Vec<&str> = spec.objects.iter().map(|object| object.name.as_str()).collect();
     let mut all = spec.clone();

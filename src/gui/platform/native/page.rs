@@ -39,7 +39,7 @@ pub(in crate::gui) struct OpenFileDialog {
 }
 
 impl OpenFileDialog {
-    /// Opens the dialog. Browsers allow that only soon after a key or button was pressed.
+    /// Opens the dialog. Browsers allow that only soon after a key or button press.
     pub(in crate::gui) fn start(ctx: &egui::Context, question: FileQuestion, _: &eframe::Frame) -> Self {
         let answer = Answer::default();
         if open(ctx, question, &answer).is_none() {
@@ -58,7 +58,7 @@ fn open(ctx: &egui::Context, question: FileQuestion, answer: &Answer) -> Option<
     let document = web_sys::window()?.document()?;
     let input: HtmlInputElement = document.create_element("input").ok()?.dyn_into().ok()?;
     input.set_type("file");
-    // A figure comes with its meshes, and a mesh with the files it names: all kinds of files can be chosen together.
+    // A figure comes with its meshes, and a mesh with the files it names, so all kinds of files can be chosen together.
     input.set_multiple(true);
     let endings: Vec<&str> = question.filters.iter().flat_map(|(_, endings)| endings.iter().copied()).collect();
     let (chosen, dialog, wake) = (Rc::clone(answer), input.clone(), ctx.clone());

@@ -47,7 +47,7 @@ pub struct LeftOver {
     pub path: Option<PathBuf>,
     /// The time of its last write.
     pub written: Option<SystemTime>,
-    /// The program ended while, or soon after, it was being restored.
+    /// True if the program ended during the restore, or soon after.
     pub did_not_survive: bool,
 }
 
@@ -58,7 +58,7 @@ pub struct Sessions {
     own: Option<Writer>,
     /// The document in `own`.
     shown: Option<Revision>,
-    /// The documents that the window holds without showing them.
+    /// The hidden documents that the window holds.
     others: Vec<(Revision, Writer)>,
     left: Vec<LeftOver>,
     news: Vec<News>,
@@ -66,12 +66,12 @@ pub struct Sessions {
     restored_at: Option<Duration>,
     /// When writing failed last.
     failed_at: Option<Duration>,
-    /// The lack of a slot, or the failure of writing, has been reported.
+    /// True if the lack of a slot, or the failure of writing, has been reported.
     told: bool,
 }
 
 impl Sessions {
-    /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
+    /// Looks for sessions in `folder`. With `restore`, returns the latest that can be restored without a question.
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Restored>) {
         let mut sessions = Self { folder: folder.to_owned(), ..Self::default() };
         files::remove_left_over(folder);
@@ -328,7 +328,7 @@ impl Sessions {
     }
 }
 
-/// The name under which a file is put aside: one that no file has.
+/// The name under which a file is set aside, which no other file has.
 pub(in crate::gui) fn aside(file: &Path) -> PathBuf {
     let first = file.with_extension("damaged");
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();

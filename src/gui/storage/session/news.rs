@@ -20,7 +20,7 @@ pub enum News {
     Unusable(PathBuf, FileError),
     /// Another window has taken it up, or removed it.
     Taken,
-    /// Too many windows have left something. This one has no slot.
+    /// Too many windows have left sessions, so this one has no slot.
     NoSlot,
     /// The preferences can't be read, and are in this file.
     PreferencesSetAside(PathBuf),
@@ -87,7 +87,7 @@ impl News {
 #[derive(Debug, Default)]
 pub struct NewsList {
     shown: Vec<News>,
-    /// Causes that the user has closed, and whether the message named the session, whose loss is the gravest.
+    /// Causes that the user has closed, and true if the message named the session, whose loss is the gravest.
     closed: Vec<(Cause, bool)>,
 }
 

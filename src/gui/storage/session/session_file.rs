@@ -16,7 +16,7 @@ use crate::lessons::{TaskKind, TaskText, text_of_step};
 #[serde(untagged)]
 enum KeptPath {
     Text(String),
-    // A browser knows no other names than texts.
+    // A browser knows only names that are text.
     #[cfg(not(target_arch = "wasm32"))]
     Other(std::ffi::OsString),
 }
@@ -135,7 +135,7 @@ impl SessionFile {
         self.path.as_ref()?.whole()
     }
 
-    /// The file that a list names: that of the figure, or of the lesson with the text.
+    /// The file named in a list: that of the figure, or of the lesson with the text.
     pub(super) fn named(&self) -> Option<PathBuf> {
         let of_lesson = || self.lesson.as_ref()?.path.whole();
         self.path().or_else(of_lesson)

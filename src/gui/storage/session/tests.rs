@@ -49,12 +49,12 @@ impl Drop for TempFolder {
 }
 
 impl Sessions {
-    /// Writes the document down and waits for it.
+    /// Stores the document and waits for it.
     fn write(&mut self, document: &Document) {
         self.write_all(document, &[]);
     }
 
-    /// Writes documents down, the shown one and others, and waits for them.
+    /// Stores documents, the displayed one and others, and waits for them.
     fn write_all(&mut self, document: &Document, others: &[&Document]) {
         let (ctx, seen) = (egui::Context::default(), Seen::of(document.figure()));
         let kept = Kept { document, seen: &seen, is_work: document.is_changed(), text: None };

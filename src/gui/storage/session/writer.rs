@@ -1,4 +1,4 @@
-//! Writes a window's figure down, beside the window's thread.
+//! Stores a window's figure, beside the window's thread.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ pub struct Kept<'a> {
     pub document: &'a Document,
     /// Its display in the pictures.
     pub seen: &'a Seen,
-    /// The document has changes that closing the window asks about.
+    /// True if the document has changes that closing the window asks about.
     pub is_work: bool,
     /// The text of a lesson that isn't in its file.
     pub text: Option<&'a Arc<UnsavedText>>,

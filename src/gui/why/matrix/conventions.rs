@@ -1,4 +1,4 @@
-//! Whose NDC, compared with whose, and how matrices are written.
+//! The choice of NDC, of one to compare with, and of the notation of matrices.
 
 use eframe::egui;
 

@@ -41,7 +41,7 @@ fn difference(old: &str, new: &str) -> Vec<bool> {
     pairs.flat_map(|(i, (a, b))| if i % 2 == 0 { between(a, b) } else { digits(a, b) }).collect()
 }
 
-/// The text before the first number, the first number, the text before the second one …: numbers at the odd places.
+/// The text before the first number, the first number, the text before the second one … Numbers are at the odd places.
 fn parts(text: &str) -> Vec<Vec<char>> {
     let text: Vec<char> = text.chars().collect();
     let mut parts = vec![Vec::new()];

@@ -121,7 +121,7 @@ pub(in crate::gui::why) fn show(
                 if response.hovered() {
                     pointed.hovered = Some([i, j]);
                 }
-                // Arrow keys move the focus after the frame: no frame reports its arrival.
+                // Arrow keys move the focus after the frame, so no frame reports its arrival.
                 if response.clicked() || (response.has_focus() && !wants_focus) {
                     pointed.chosen = Some([i, j]);
                 }

@@ -26,7 +26,7 @@ pub struct Explain {
     pub triangle: TriangleNumbers,
     /// The target of the code.
     pub code: CodeTarget,
-    /// A number of another vocabulary that would not give a camera, and why.
+    /// A number of another vocabulary that wouldn't give a camera, and the reason.
     pub refused: Option<(Vocabulary, CameraNumber, f64, CameraError)>,
     /// A pasted matrix.
     pub pasted: Pasted,

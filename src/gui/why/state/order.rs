@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
 use crate::scene::transform::Trs;
 
-/// A call of the list, known by a number that it keeps wherever it goes.
+/// A call of the list, identified by a number that it keeps when it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ListedCall {
     pub(in crate::gui) key: usize,
@@ -31,7 +31,7 @@ pub struct Order {
     pub reading: Reading,
     /// Number of calls applied. `None` for all.
     pub done: Option<usize>,
-    /// The places of the two that are exchanged in the other order.
+    /// The places of the two calls exchanged in the other order.
     pub exchange: [usize; 2],
     /// The call that has the keyboard, by its number.
     pub(in crate::gui) focused: Option<usize>,
