@@ -52,7 +52,7 @@ impl HandoutOptions {
 /// A lesson as a handout. `draw` makes the picture of a step, counted from 0, in a size.
 ///
 /// # Errors
-/// Those of `draw`.
+/// The errors of `draw`.
 pub fn of_lesson<E>(
     lesson: &Lesson,
     options: HandoutOptions,
@@ -106,7 +106,7 @@ fn answers(lesson: &Lesson, step: usize) -> bool {
 /// Exercises as a handout. `draw` makes the picture that an exercise asks to match, in a size.
 ///
 /// # Errors
-/// Those of `draw`.
+/// The errors of `draw`.
 pub fn of_exercises<E>(
     sheet: &[Exercise],
     options: HandoutOptions,
@@ -149,7 +149,7 @@ pub fn picture(figure: &Figure, scene: Scene, views: Views, size: Size, lang: La
     Ok(Composite::of(views, &request, &shot, None)?.gone_back())
 }
 
-/// Why a figure has no picture.
+/// The reason why a figure has no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum NoPicture {
     /// The camera is impossible.

@@ -165,7 +165,7 @@ impl OneReading {
     }
 }
 
-/// How the matrix was read and which values it leaves open, as comments of a figure file.
+/// The reading of the matrix and the values that it leaves open, as comments of a figure file.
 fn comments(found: &Recognised, cameras: &[String], lang: Lang) -> String {
     let best = found.best();
     let mut text = format!("# {}\n", dialects::reading(lang, best, found.evidence));

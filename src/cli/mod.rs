@@ -46,7 +46,7 @@ use args::figure::FigureArgs;
 use args::words::written;
 use args::{Command, CommandLine};
 
-/// Why a command ends early.
+/// The reason why a command ends early.
 #[derive(Debug)]
 enum Failure {
     /// Unusable arguments or files: status 2.

@@ -22,7 +22,7 @@ pub struct OwnExercises {
 pub struct BadExercise {
     /// The path of the file.
     pub path: PathBuf,
-    /// Why not.
+    /// The reason why it's unusable.
     pub error: FileError,
     /// The probable identifier of the exercise.
     pub id: Option<String>,

@@ -48,7 +48,7 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
 
 /// The lesson with an identifier, or in a file.
 fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
-    // For the lessons of the program, as in the address of a page.
+    // For the built-in lessons, as in the address of a page.
     let of_address = args.id.rsplit_once("?lesson=").and_then(|(_, asked)| asked.split(['&', '#']).next());
     let id = of_address.unwrap_or(&args.id);
     if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == id) {

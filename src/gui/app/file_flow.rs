@@ -313,7 +313,7 @@ pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
     read(ctx, state, ToRead::Next(search));
 }
 
-/// Reads something. If it takes long, the window goes on, and [`poll`] takes the content.
+/// Reads a file. If it takes long, the window goes on, and [`poll`] takes the content.
 fn read(ctx: &egui::Context, state: &mut State, wanted: ToRead) {
     state.file_flow.reading.begin(ctx, &state.model, wanted);
     take_content(ctx, state, state.file_flow.reading.patience);

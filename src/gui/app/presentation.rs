@@ -290,7 +290,7 @@ mod tests {
         assert!(after(vec![], 13.0, true), "it has rested for three seconds");
         assert!(!after(vec![], 14.0, true), "once");
         assert!(!after(moved(), 20.0, true) && !after(vec![], 22.0, true) && after(vec![], 23.1, true));
-        // While something is held or a question is open, it stays.
+        // While a button is held or a question is open, it stays.
         assert!(!after(vec![], 30.0, false) && !after(vec![], 32.0, true) && after(vec![], 33.0, true));
     }
 }

@@ -58,7 +58,7 @@ pub struct Export {
     pub transparent: bool,
     /// Crop the empty background around each picture.
     pub crop: bool,
-    /// How vectors represent faces.
+    /// The representation of faces in vectors.
     pub faces: Faces,
     /// True if the letters of vectors are outlines, and not text.
     pub outlines: bool,

@@ -23,7 +23,7 @@ pub(super) use show::{Chosen, show};
 /// A part of the gallery.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Part {
-    /// The figures of the program.
+    /// The built-in figures.
     #[default]
     Examples,
     /// The recent figures.

@@ -254,7 +254,7 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes
     open
 }
 
-/// The topic of a figure of the program.
+/// The topic of a built-in figure.
 fn topic(source: &Source) -> Option<Topic> {
     match source {
         Source::Shipped(name) => ShippedFigure::named(name).map(|figure| figure.topic),

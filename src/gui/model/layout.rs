@@ -28,7 +28,7 @@ pub struct Layout {
     pub linked: bool,
     /// The stages of the pipeline are shown under the pictures.
     pub strip: bool,
-    /// Whose stages.
+    /// The view of the stages.
     pub strip_of: View,
     /// The views and their arrangement as they were when the presentation began.
     before_presentation: Option<([bool; View::COUNT], Option<Arrangement>)>,

@@ -117,7 +117,7 @@ pub enum Message {
     ProgressDeleted(PathBuf),
 }
 
-/// Why no picture was written.
+/// The reason why no picture was written.
 #[derive(Debug)]
 pub struct NotExported(pub(in crate::gui) ExportError);
 

@@ -111,7 +111,7 @@ pub struct Model {
     pub(in crate::gui) motion: Option<Motion>,
     /// Figures that were left with changes, by their source.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them that the user has decided not to save when closing the window. Kept again if it isn't closed.
+    /// The kept figures that the user has decided not to save when closing the window. Kept again if it isn't closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,

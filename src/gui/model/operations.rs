@@ -22,11 +22,11 @@ pub struct Operations {
     pub steps: [f64; OPERATIONS.len()],
     /// The operation whose slider is shown.
     open: Freedom,
-    /// Those above it that are still open, because the pointer is over the rows, so that none moves under it.
+    /// The rows above it that are still open, because the pointer is over the rows, so that none moves under it.
     open_above: Vec<Freedom>,
     /// Predictions of the effect of an operation, before it's done.
     pub predict: Predict,
-    /// Whose signs.
+    /// The convention of the signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
     /// The last step done, while the world shows it.

@@ -119,7 +119,7 @@ impl SceneTree {
             None => Some(name.clone()),
         };
         if !is_renaming && !come.is_empty() {
-            // Of objects restored with their parent, the parent.
+            // If objects are restored with their parent, only the parent.
             let is_top = |name: &&String| {
                 let object = after.objects.iter().find(|o| o.name == **name);
                 object.and_then(|o| o.parent.as_ref()).is_none_or(|parent| !come.contains(parent))

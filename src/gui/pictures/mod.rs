@@ -125,7 +125,7 @@ pub struct Canvas {
 pub struct Inputs<'a> {
     /// The question for a place in the image.
     pub(in crate::gui) placing: Option<Placing>,
-    /// How often a step of a lesson has faded in its pictures.
+    /// The number of times that a step of a lesson has faded in its pictures.
     pub(in crate::gui) fades: u64,
     /// The keys of a presentation, with their opacity, while they are visible.
     pub(in crate::gui) keys: Option<(&'static str, f32)>,

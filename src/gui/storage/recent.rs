@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 pub struct Recent {
     /// All remembered files, the latest first.
     pub files: Vec<PathBuf>,
-    /// Those of this window that haven't been saved yet, the latest first.
+    /// The files of this window that haven't been saved yet, the latest first.
     pub(in crate::gui) new: Vec<PathBuf>,
 }
 

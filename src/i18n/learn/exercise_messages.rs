@@ -138,7 +138,7 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     }
 }
 
-/// Why an exercise is the next to practise.
+/// The reason why an exercise is the next to practise.
 pub fn why(lang: Lang, why: Why) -> String {
     match (lang, why) {
         (Lang::En, Why::Mistake(made, times)) => {

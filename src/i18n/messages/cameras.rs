@@ -125,7 +125,7 @@ pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) ->
     }
 }
 
-/// Why a depth belongs to no point.
+/// The reason why a depth belongs to no point.
 pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
     translated! { lang, error;
         NotProjectable::EmptyDepthRange { depth } =>

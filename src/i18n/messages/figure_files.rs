@@ -92,7 +92,7 @@ pub(in crate::i18n) fn problem(lang: Lang, problem: &Problem) -> String {
     }
 }
 
-/// Why a formula of a text is refused.
+/// The reason why a formula of a text is refused.
 pub(in crate::i18n) fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
     let (limit, depth) = MAX_FORMULA;
     let why = match problem {

@@ -1,4 +1,4 @@
-//! Why stages run, and why they are skipped.
+//! The reasons why stages run, and why they are skipped.
 
 use crate::i18n::Lang;
 use crate::pipeline::{PlaneSet, Reason};

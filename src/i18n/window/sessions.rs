@@ -55,7 +55,7 @@ pub const fn no_home(lang: Lang) -> &'static str {
         "Sua conta não tem pasta pessoal. Preferências e progresso não são salvos, e uma falha do programa perderia suas mudanças")
 }
 
-/// The age of something.
+/// An age, in words.
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);

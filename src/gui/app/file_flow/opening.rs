@@ -90,7 +90,7 @@ pub(super) fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, Fi
     }
 }
 
-/// Goes on with a figure of the program.
+/// Goes on with a built-in figure.
 pub(in crate::gui) fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
     let kept = model.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {

@@ -30,7 +30,7 @@ pub(super) struct Found {
     search: Search,
     /// The figure, or the kept one. `None` at the end of the sequence.
     next: Option<Next>,
-    /// Why those before it could not be opened.
+    /// The reasons why the ones before it couldn't be opened.
     faults: Vec<Message>,
 }
 

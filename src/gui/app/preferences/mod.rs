@@ -27,7 +27,7 @@ use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
 pub use store::Preferences;
 
-/// Whose signs the rotations have, by the names that `--convention` has for them.
+/// The conventions for the signs of rotations, by the names in `--convention`.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
 
 /// The key of the list of recent files.

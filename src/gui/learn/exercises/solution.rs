@@ -174,7 +174,7 @@ fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, N
     Ok(Parameters { view_up, ..parameters })
 }
 
-/// Why an answer describes no camera.
+/// The reason why an answer describes no camera.
 fn not_camera(lang: Lang, why: &NotCamera) -> String {
     match why {
         NotCamera::Matrix(error) => dialects::recovery_error(lang, error),

@@ -134,7 +134,7 @@ pub struct Described {
     pub camera: Result<Box<Camera>, NotCamera>,
 }
 
-/// Why an answer describes no camera.
+/// The reason why an answer describes no camera.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotCamera {
     /// The entries of a matrix don't fit, or its camera is impossible.

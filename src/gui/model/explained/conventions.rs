@@ -2,7 +2,7 @@
 
 use crate::camera::Ndc;
 
-/// Whose NDC, and how matrices are written.
+/// The convention of NDC, and the notation of matrices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
     /// The NDC of the numbers, the probe and the canonical volume.

@@ -13,7 +13,7 @@ const LONGEST_FRAME: f64 = 0.5;
 /// The explanation of steps.
 #[derive(Clone, Debug, Default)]
 pub struct Steps {
-    /// Whose steps.
+    /// The source of the steps.
     pub way: Decomposition,
     /// The explained entry, of the step's matrix (0) or of the product so far (1), with row and column from 0.
     pub(in crate::gui) entry: Option<(usize, [usize; 2])>,
