@@ -52,7 +52,7 @@ impl HandoutOptions {
 /// A lesson as a handout. `draw` makes the picture of a step, counted from 0, in a size.
 ///
 /// # Errors
-/// Those of `draw`.
+/// The errors of `draw`.
 pub fn of_lesson<E>(
     lesson: &Lesson,
     options: HandoutOptions,
@@ -96,7 +96,7 @@ pub fn of_lesson<E>(
     Ok(Handout { title, language: lang.tag(), entries, columns })
 }
 
-/// Whether a step only shows the answer to the question of the step before it.
+/// True if a step only shows the answer to the question of the step before it.
 fn answers(lesson: &Lesson, step: usize) -> bool {
     let before = step.checked_sub(1).and_then(|before| lesson.steps.get(before));
     let is_shown = before.is_some_and(|before| matches!(before.see, See::Next));
@@ -106,7 +106,7 @@ fn answers(lesson: &Lesson, step: usize) -> bool {
 /// Exercises as a handout. `draw` makes the picture that an exercise asks to match, in a size.
 ///
 /// # Errors
-/// Those of `draw`.
+/// The errors of `draw`.
 pub fn of_exercises<E>(
     sheet: &[Exercise],
     options: HandoutOptions,
@@ -145,11 +145,11 @@ pub fn picture(figure: &Figure, scene: Scene, views: Views, size: Size, lang: La
     let camera = Camera::new(&figure.camera)?;
     let (shot, scene) = (Shot::of(figure), SharedScene::new(scene));
     let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(lang), size);
-    // A lecturer turns the pictures of a lesson in a window, whose shape isn't that of a page.
+    // A lecturer turns the pictures of a lesson in a window, whose shape differs from that of a page.
     Ok(Composite::of(views, &request, &shot, None)?.gone_back())
 }
 
-/// Why a figure has no picture.
+/// The reason why a figure has no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum NoPicture {
     /// The camera is impossible.
@@ -209,7 +209,7 @@ fn of_step(lang: Lang, k: usize, step: &Step, room: [usize; 2]) -> Vec<Paragraph
     paragraphs
 }
 
-/// Title, statement and questions of an exercise of the program.
+/// Title, statement and questions of a built-in exercise.
 fn of_exercise(lang: Lang, id: &str, seed: u64, room: [usize; 2]) -> Vec<Paragraph> {
     let Some(entry) = exercises::entry(id) else { return Vec::new() };
     let exercise = entry.exercise(seed, &Default::default());
@@ -261,7 +261,7 @@ fn questions(lang: Lang, exercise: &Exercise, room: [usize; 2]) -> Vec<Paragraph
     paragraphs
 }
 
-/// The answers to the questions of a step, with their worked steps; `None` if nothing is asked.
+/// The answers to the questions of a step, with their worked steps. `None` if it asks none.
 fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
     let exercise = match step.task.as_ref()? {
         Task::Question(entry) => entry.exercise(0, &Default::default()),
@@ -306,7 +306,7 @@ fn answered(answer: &str) -> Paragraph {
     Paragraph::Formula(vec![FormulaPart::Line("→".to_owned()), FormulaPart::Matrix(rows.map(row).collect())])
 }
 
-/// Markdown as paragraphs. Formulas on lines of their own are ones, and so are those with matrices.
+/// Markdown as paragraphs. Formulas on lines of their own are paragraphs, and so are those with matrices.
 fn set(markdown: &str) -> Vec<Paragraph> {
     let mut paragraphs = Vec::new();
     for (k, part) in markdown.split("$$").enumerate() {
@@ -315,7 +315,7 @@ fn set(markdown: &str) -> Vec<Paragraph> {
             continue;
         }
         for text in part.split("\n\n") {
-            // A matrix needs more than a line: what is before it is a paragraph, and what comes after it.
+            // A matrix needs more than a line, so the text before and after it gets paragraphs of its own.
             let mut line = String::new();
             for (k, part) in text.split('$').enumerate() {
                 match (k % 2, part.contains(MATRIX[0])) {
@@ -334,7 +334,7 @@ fn set(markdown: &str) -> Vec<Paragraph> {
     paragraphs
 }
 
-/// A line of a worked step: what is lowered is lowered whole, `p_11`.
+/// A line of a worked step, in which subscripts are lowered as a whole, as in `p_11`.
 fn lowered(line: &str) -> String {
     let mut text = String::with_capacity(line.len() + 8);
     let mut rest = line;
@@ -380,12 +380,12 @@ fn formula(latex: &str) -> Vec<FormulaPart> {
     parts
 }
 
-/// LaTeX as signs on a line; of a matrix, what notes in plain text have.
+/// LaTeX as signs on a line. For a matrix, the plain text of the notes.
 fn formula_in_line(latex: &str) -> String {
     if latex.trim().is_empty() {
         return String::new();
     }
-    // A comma between braces is the decimal mark, and no comma of a list.
+    // A comma between braces is the decimal mark, not a comma of a list.
     let points = latex.replace("{,}", ".").replace("\\qquad", ";\\ ");
     let set = crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| crate::i18n::why::notes::plain(&points));
     if latex.contains("{,}") { set.replace('.', ",") } else { set }

@@ -1,7 +1,7 @@
-//! Hands the arguments to the command line, and opens the window when there is no subcommand. In a browser there is the
-//! window alone.
+//! Hands the arguments to the command line, and opens the window if there is no subcommand. In a browser there is only
+//! the window.
 
-// A double click opens no console; printed text goes through `camera-lab.com` (dist/windows/console).
+// A double click opens no console, so printed text goes through `camera-lab.com` (dist/windows/console).
 #![cfg_attr(all(windows, feature = "gui"), windows_subsystem = "windows")]
 
 #[cfg(target_arch = "wasm32")]
@@ -47,8 +47,8 @@ mod system {
         cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
     }
 
-    /// Says why there is no window. Windows has no console for a program that was opened by a double click. There it is
-    /// a box.
+    /// Reports why there is no window. Windows has no console for a program opened by a double click, so it shows a box
+    /// there.
     fn no_window(status: u8, message: &str) -> ExitCode {
         #[cfg(all(windows, feature = "gui"))]
         if std::env::var_os("CAMERA_LAB_CONSOLE").is_none() {

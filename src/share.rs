@@ -1,6 +1,6 @@
 //! A figure or a lesson in a link: its text, packed, after the `#` of an address.
 //!
-//! A browser does not send that part to the server of the page.
+//! A browser doesn't send that part to the server of the page.
 
 use std::path::Path;
 
@@ -32,13 +32,13 @@ impl Held {
     }
 }
 
-/// As small as it gets. A figure is packed in a moment.
+/// As small as possible. Packing a figure takes only a moment.
 const LEVEL: u8 = 10;
 
-/// Why there is no link to a figure or a lesson, or neither in a link. Displayed, it is a sentence.
+/// The reason why there is no link to a figure or a lesson, or neither in a link. Displayed, it's a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ShareError {
-    /// The link would have more characters than are passed on whole.
+    /// The link would have more characters than programs pass on whole.
     #[error(
         "the link would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save it and send the file instead"
     )]
@@ -51,8 +51,8 @@ pub enum ShareError {
     TooLarge,
 }
 
-/// The link to the figure or lesson with this text. `address` is that of the page which opens it. Empty means only the
-/// part after the address.
+/// The link to the figure or lesson with this text. `address` is that of the page which opens it. If it's empty, the
+/// result is only the part after the address.
 ///
 /// # Errors
 /// [`ShareError::TooLong`].
@@ -63,8 +63,7 @@ pub fn link(address: &str, held: Held, text: &str) -> Result<String, ShareError>
     if link.len() > MAX_LINK_CHARACTERS { Err(ShareError::TooLong(link.len())) } else { Ok(link) }
 }
 
-/// The text of the figure or lesson that is in a link, or in its part from the `#` on; `None` if there is neither in
-/// it.
+/// The text of the figure or lesson in a link, or in its part from the `#` on. `None` if there is neither in it.
 pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
     let (_, packed) = Held::ALL.iter().find_map(|held| link.split_once(held.key()))?;
     // Characters added at the end by a mail program or a person.
@@ -74,7 +73,7 @@ pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
 }
 
 fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
-    // A longer one cannot be a readable figure; base64 takes four characters for three bytes.
+    // A longer one can't be a readable figure, because base64 takes four characters for three bytes.
     if packed.len() / 4 > MAX_FIGURE_BYTES / 3 {
         return Err(ShareError::TooLarge);
     }
@@ -85,12 +84,12 @@ fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
     })
 }
 
-/// The content that a link says it has; `None` if the text is no such link.
+/// The kind of content that a link claims to have. `None` if the text isn't such a link.
 pub fn held_in(link: &str) -> Option<Held> {
     Held::ALL.into_iter().find(|held| link.contains(held.key()))
 }
 
-/// The link in the place of a path; `None` for paths.
+/// The link in the place of a path. `None` for paths.
 pub fn link_of(path: &Path) -> Option<&str> {
     path.to_str().filter(|text| held_in(text).is_some())
 }
@@ -113,7 +112,7 @@ mod tests {
             let figure = link.rsplit('=').next().unwrap();
             assert!(figure.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'-' || c == b'_'), "{figure}");
             assert_eq!(text_in(&link), Some(Ok(TEXT.as_bytes().to_vec())));
-            // As it arrives in a sentence, or between brackets.
+            // As it appears in a sentence, or between brackets.
             for added in [".", "> ", ") \n", "\".\r\n"] {
                 assert_eq!(text_in(&format!("{link}{added}")), Some(Ok(TEXT.as_bytes().to_vec())), "{added:?}");
             }

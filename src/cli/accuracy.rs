@@ -24,7 +24,7 @@ struct Accuracy<'a> {
     price: Option<Price>,
 }
 
-/// A line of a table for spreadsheets: all of a row but its figure.
+/// A line of a table for spreadsheets: a row without its figure.
 #[derive(Serialize)]
 struct StudyLine<'a> {
     study: Study,
@@ -50,7 +50,7 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
         let price = (studies.len() == Study::ALL.len()).then(|| overhead::measure(&effort, progress));
         (findings, price.flatten())
     });
-    // Output and files do not depend on the system's language.
+    // Output and files don't depend on the system's language.
     let written = written(args.lang);
     if let Some((path, format)) = plot {
         let name = sanitize::path(path);

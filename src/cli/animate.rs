@@ -1,5 +1,5 @@
 //! `camera-lab animate`: the view volume becomes the canonical one, step by step, as an animation or as a strip of
-//! stills; families and ways to other cameras are in `sweep`.
+//! stills. Families and ways to other cameras are in `sweep`.
 
 use super::args::AnimateArgs;
 use super::render::{no_picture, save};
@@ -14,7 +14,7 @@ use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::View;
 
-/// The size of each picture where none is given.
+/// The size of each picture if none is given.
 const SIZE: ImageSize = ImageSize { width: 480, height: 360 };
 
 pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {

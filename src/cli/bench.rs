@@ -1,4 +1,4 @@
-//! `camera-lab bench`: how long a picture takes.
+//! `camera-lab bench`: the time that a picture takes.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use crate::picture::{Composite, Pixels, Renderer};
 use crate::progress::at_once;
 use crate::views::{Request, Shot, View};
 
-/// Pictures that are drawn before the clock starts, so that buffers have their size.
+/// Pictures drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;
 
 /// The JSON output.
@@ -59,7 +59,7 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), *lang)
 }
 
-/// The times of the frames, shortest first, each made from scratch. `None` if pictures cannot be so large.
+/// The times of the frames, shortest first, each drawn from scratch. `None` if pictures can't be so large.
 fn measure(requests: &[Request], frames: usize) -> Option<Vec<Duration>> {
     let mut renderer = Renderer::default();
     let mut pictures = vec![Pixels::default(); requests.len()];
@@ -82,7 +82,7 @@ fn median(times: &[Duration]) -> Duration {
     (middle(times.len().saturating_sub(1) / 2) + middle(times.len() / 2)) / 2
 }
 
-/// The time that this share of sorted times does not exceed: the nearest rank.
+/// The time that this share of sorted times doesn't exceed (nearest rank).
 fn share(times: &[Duration], share: f64) -> Duration {
     #[expect(clippy::cast_possible_truncation, reason = "a rank in the list, which has a million entries at most")]
     let rank = (share * times.len() as f64).ceil() as usize;

@@ -49,7 +49,7 @@ struct FindingLine {
     wrong_share: Option<f64>,
 }
 
-/// Keys and the values that they get, in order.
+/// Keys and their new values, in order.
 struct Changes(Vec<(&'static str, Value)>);
 
 impl Serialize for Changes {
@@ -101,19 +101,19 @@ impl Examined {
     }
 }
 
-/// The figure and its error, if its camera is impossible. Operations need a camera: with any, the error is reported as
-/// of every other command.
+/// The figure and its error, if its camera is impossible. Operations need a camera, so with any of them, the error is
+/// reported as by every other command.
 fn impossible(args: &DiagnoseArgs, lang: Lang) -> Result<Option<(Opened, CameraError)>, Failure> {
     if !args.common.operations(lang)?.is_empty() {
         return Ok(None);
     }
-    // Other errors of the file are reported when it is opened as usual.
+    // Other errors of the file are reported when it's opened as usual.
     let opened = files::open_figure_with_any_camera(&args.figure).ok();
     Ok(opened.and_then(|(opened, error)| Some((opened, error?))))
 }
 
-/// The wrong pixels on the other side of a comparison, as far as the figure itself hasn't them. The keys of the figure
-/// can't repair them.
+/// The wrong pixels on the other side of a comparison, except those of the figure itself. The keys of the figure can't
+/// repair them.
 fn other_side(subject: &OpenFigure, own: &Diagnosis, lang: Lang) -> Result<Vec<Finding>, Failure> {
     let figure = &subject.opened.figure;
     let Some(other) = figure.compare.as_ref().and_then(|compare| compare.other_side(figure).ok()) else {
@@ -169,7 +169,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
     };
     if let Some(path) = args.output.as_ref().filter(|_| args.repair) {
         let (repaired, note) = repaired(figure, &diagnosis, lang);
-        // The file may be for another folder than the one from which its meshes are named.
+        // The file may be for another folder than the one that its mesh paths are relative to.
         let repaired = files::for_folder(&repaired, args.figure.parent(), path.parent());
         save(path, update(&opened.text, &repaired).as_bytes(), None, lang)?;
         if let Some(note) = note {
@@ -179,7 +179,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// The figure with the repair of the first finding, or the message in its place.
+/// The figure with the repair of the first finding, or the message that replaces it.
 fn repaired(figure: &Figure, diagnosis: &Diagnosis, lang: Lang) -> (Figure, Option<&'static str>) {
     let t = coach::texts(lang);
     let mut figure = figure.clone();
@@ -198,7 +198,7 @@ fn repaired(figure: &Figure, diagnosis: &Diagnosis, lang: Lang) -> (Figure, Opti
 fn sentences(answer: &Answer, health: &[Health], lang: Lang) -> String {
     let t = coach::texts(lang);
     let mut text = String::new();
-    // Writing to a String cannot fail.
+    // Writing to a String can't fail.
     if !health.is_empty() {
         let _ = writeln!(text, "{}\n", coach::seen(lang, answer.visible, answer.covered));
     }

@@ -1,4 +1,4 @@
-//! `camera-lab exercise`: exercises, their statements, and answers that are judged.
+//! `camera-lab exercise`: exercises, their statements, and judged answers.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -42,7 +42,7 @@ pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
     }
 }
 
-/// The output does not depend on the system's language.
+/// The output doesn't depend on the system's language.
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     #[derive(Serialize)]
     struct AskLine<'a> {
@@ -76,12 +76,12 @@ fn own(folder: Option<&Path>, lang: Lang) -> Result<OwnExercises, Failure> {
         .map_err(|error| Failure::BadInput(messages::file(lang, &sanitize::path(folder), &error)))
 }
 
-/// Why a file of the folder holds no exercise.
+/// The reason why a file of the folder holds no exercise.
 fn fault(bad: &BadExercise, lang: Lang) -> String {
     messages::file(lang, &sanitize::path(&bad.path), &bad.error)
 }
 
-/// Says which files of the folder are passed over.
+/// Reports which files of the folder are skipped.
 fn say_faults(own: &OwnExercises, lang: Lang) {
     own.faults.iter().for_each(|bad| say(&said::passed_over(lang, &fault(bad, lang))));
 }
@@ -200,7 +200,7 @@ fn answer_value(lang: Lang, ask: &Ask) -> Value {
 fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     let t = said::texts(lang);
     let mut text = format!("{}  ({})\n", texts::exercise_title(lang, exercise), exercise.id);
-    // Writing to a String cannot fail.
+    // Writing to a String can't fail.
     for paragraph in texts::statement(lang, exercise) {
         let _ = writeln!(text, "\n{}", plain(&paragraph));
     }
@@ -232,7 +232,7 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     text
 }
 
-/// The command that writes the picture to match. A figure would give the answer away.
+/// The command that writes the picture to match. A figure would reveal the answer.
 fn picture_command(exercise: &Exercise) -> String {
     format!("camera-lab exercise show {} --seed {} --picture OUT.png", exercise.id, exercise.seed)
 }
@@ -248,7 +248,7 @@ fn to_match(figure: &Figure, (written, size): (Lang, Size), name: &str, lang: La
     })
 }
 
-/// Writes the picture of a figure, without the figure, which tells the camera.
+/// Writes the picture of a figure, but not the figure in it, because that would reveal the camera.
 fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Result<(), Failure> {
     const SIZE: Size = Size { width: 960, height: 720, scale: 2.0 };
     let name = sanitize::path(path);
@@ -265,7 +265,7 @@ fn plain(markdown: &str) -> String {
     markdown.split('$').enumerate().map(part).collect()
 }
 
-/// Markdown without its marks. Mathematics stays as it is written.
+/// Markdown without its marks. Mathematics stays as written.
 fn unmarked(markdown: &str) -> String {
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { part.replace("**", "") };
     markdown.split('$').enumerate().map(part).collect::<Vec<_>>().join("$")
@@ -286,7 +286,7 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let unreadable = |ask: &Ask, error: &AnswerError| {
         Failure::BadInput(said::unreadable(lang, &ask.name, &texts::answer_error(lang, error)))
     };
-    // What is submitted together is one piece of work.
+    // Answers submitted together are one piece of work.
     let read = |(ask, text): &(&Ask, &str)| match exercises::read_answer(text, ask, &exercise.free) {
         Ok(answer) => Ok((ask.name.clone(), answer)),
         Err(error) => Err(unreadable(ask, &error)),
@@ -381,7 +381,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
     text
 }
 
-/// The name of the picture of a sheet's exercise, beside the sheet: of letters that LaTeX takes as they are.
+/// The name of the picture of a sheet's exercise, beside the sheet, with only letters that LaTeX takes unchanged.
 fn beside(sheet: &Path, number: usize) -> String {
     let stem = sheet.file_stem().unwrap_or_default().to_string_lossy();
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };

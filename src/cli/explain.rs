@@ -1,4 +1,5 @@
-//! `camera-lab explain`: the stages of the pipeline that a picture needs, and why each other one is left out.
+//! `camera-lab explain`: the stages of the pipeline that a picture needs, and the reason why each other one is left
+//! out.
 
 use std::fmt::Write as _;
 
@@ -26,7 +27,7 @@ struct Explanation<'a> {
     view: &'a str,
     stages: Vec<StageLine>,
     total_micros: f64,
-    /// The stages whose operations are not counted.
+    /// The stages whose operations aren't counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_counted: Option<Vec<&'static str>>,
     /// Only for the image, whose objects are those of the scene.
@@ -38,7 +39,7 @@ struct Explanation<'a> {
 struct ObjectLine<'a> {
     name: &'a str,
     place: &'static str,
-    /// The planes of the volume that it may cross, or that it is outside of.
+    /// The planes of the volume that it may cross, or that it lies outside.
     planes: Vec<&'static str>,
     reason: String,
 }
@@ -56,7 +57,7 @@ struct StageLine {
     /// The stage in whose time this one's is.
     #[serde(skip_serializing_if = "Option::is_none")]
     timed_with: Option<&'static str>,
-    /// Only where the cost is asked for.
+    /// Only if the cost is requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     operations: Option<OperationsLine>,
 }
@@ -141,12 +142,12 @@ fn micros(time: std::time::Duration) -> f64 {
     (time.as_secs_f64() * 1e9).round() / 1e3
 }
 
-/// A table: stage, counts in → out with their unit, microseconds, `cost` if it is asked for, reason.
+/// A table: stage, counts in → out with their unit, microseconds, `cost` if requested, reason.
 fn table(account: &RenderReport, view: &str, size: Size, cost: bool, lang: Lang) -> String {
     let words = texts::explain(lang);
     let mut text = format!("{view}, {} × {}\n\n", size.width, size.height);
     let mut row = |[stage, entering, leaving, unit, micros, why]: [&str; 6], operations: [&str; 3]| {
-        // Writing to a String cannot fail.
+        // Writing to a String can't fail.
         let _ = write!(text, "{stage:<18} {entering:>9} {leaving:>9}  {unit:<22} {micros:>9}  ");
         if cost {
             let _ = write!(text, "{}", columns_of_cost(operations));

@@ -1,4 +1,4 @@
-//! `camera-lab manual`: its manual pages, and the completions for shells, from the same arguments that it reads.
+//! `camera-lab manual`: its manual pages, and the completions for shells, from the same definitions as its arguments.
 
 use std::path::Path;
 
@@ -28,9 +28,9 @@ pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<(), Failure> {
     print(format!("{}\n", sanitize::path(&args.folder)).as_bytes(), lang)
 }
 
-/// A page of the command and one of each command below it, under the names that `man` looks for.
+/// A page of the command and one of each subcommand, under the names that `man` looks for.
 fn write_pages(folder: &Path, command: &clap::Command, lang: Lang) -> Result<(), Failure> {
-    // A built command knows its way from the top: `camera-lab-exercise-list`.
+    // A built command knows its full name: `camera-lab-exercise-list`.
     let path = folder.join(format!("{}.1", command.get_display_name().unwrap_or(command.get_name())));
     let mut text = Vec::new();
     let page = clap_mangen::Man::new(command.clone());

@@ -105,7 +105,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// A file; `images.txt` of COLMAP with the lenses of `cameras.txt` beside it.
+/// Reads a file. For `images.txt` of COLMAP, adds the lenses of `cameras.txt` beside it.
 fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     let bytes = files::read_file(path)?;
     if path.file_name().is_some_and(|name| name == "images.txt")
@@ -121,7 +121,7 @@ fn read(path: &Path) -> Result<Vec<u8>, FileError> {
 /// The word that asks for all cameras of a file.
 const ALL: &str = "all";
 
-/// The camera of a number from 1 or of a name.
+/// The camera with a number from 1 or with a name.
 fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted> {
     let Some(wanted) = wanted.filter(|wanted| *wanted != ALL) else { return cameras.first() };
     let by_name = cameras.iter().find(|camera| camera.name == wanted);
@@ -165,12 +165,12 @@ impl OneReading {
     }
 }
 
-/// How the matrix was read, and what it leaves open, as comments of a figure file.
+/// The reading of the matrix and the values that it leaves open, as comments of a figure file.
 fn comments(found: &Recognised, cameras: &[String], lang: Lang) -> String {
     let best = found.best();
     let mut text = format!("# {}\n", dialects::reading(lang, best, found.evidence));
     for reason in &best.reasons {
-        // Writing to a String cannot fail.
+        // Writing to a String can't fail.
         let _ = writeln!(text, "# - {}", dialects::reason(lang, *reason));
     }
     for assumed in &found.assumed {

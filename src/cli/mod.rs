@@ -1,7 +1,8 @@
 //! The command line: one file per subcommand, and their shared parts.
 //!
-//! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
-//! the language of `--lang` or of the system. Standard output and pictures never depend on the system.
+//! The exit status is 0 for success, 1 if the work couldn't be completed, and 2 for bad input. Errors go to standard
+//! error, one paragraph, in the language of `--lang` or of the system. Standard output and pictures never depend on the
+//! system.
 
 mod accuracy;
 mod animate;
@@ -45,28 +46,28 @@ use args::figure::FigureArgs;
 use args::words::written;
 use args::{Command, CommandLine};
 
-/// Why a command ends early.
+/// The reason why a command ends early.
 #[derive(Debug)]
 enum Failure {
-    /// Arguments or files that cannot be used: status 2.
+    /// Unusable arguments or files: status 2.
     BadInput(String),
-    /// The work could not be completed: status 1.
+    /// The work couldn't be completed: status 1.
     Failed(String),
-    /// An answer is not right, as already reported: status 1.
+    /// An answer is wrong, as already reported: status 1.
     NotRight,
-    /// The reader of the output is gone: a quiet end.
+    /// The reader of the output is gone, so the program ends quietly.
     ClosedPipe,
 }
 
 /// The task of the arguments.
 #[derive(Debug)]
 pub enum Asked {
-    /// Something that has been done, or could not be.
+    /// A finished action, or one that failed.
     Done(ExitCode),
     /// The window.
     Window(Box<Opening>),
-    /// The window, with a figure that cannot be opened: the exit status and the message. Without a console, a line on
-    /// standard error is not seen.
+    /// The window, with a figure that can't be opened: the exit status and the message. Without a console, the user
+    /// can't see a line on standard error.
     NoWindow {
         /// The exit status.
         status: u8,
@@ -80,15 +81,15 @@ pub enum Asked {
 pub struct Opening {
     /// The figure. Its camera is possible.
     pub figure: Figure,
-    /// Its file; `None` means a new figure.
+    /// Its file. `None` for a new figure.
     pub file: Option<SourceFile>,
     /// The user allows the figure to name any file.
     pub allow_files: bool,
-    /// The language of messages, and of the window where nothing is remembered.
+    /// The language of messages, and of the window if it remembers none.
     pub lang: Lang,
     /// The language that the arguments ask for.
     pub asked_lang: Option<Lang>,
-    /// The lesson that is played, from which step (from 0), and its file.
+    /// The lesson to play, the step to begin with (from 0), and the lesson's file.
     pub lesson: Option<OpenLesson>,
 }
 
@@ -136,18 +137,18 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
     })
 }
 
-/// Says on standard error why the program ends, and gives its exit status.
+/// Writes to standard error why the program ends, and returns its exit status.
 pub fn fail(status: u8, message: &str) -> ExitCode {
     say(message);
     ExitCode::from(status)
 }
 
-/// Writes a line to standard error. Where even that is closed, the status has to do.
+/// Writes a line to standard error. If even that is closed, the status has to do.
 fn say(message: &str) {
     let _ = writeln!(io::stderr(), "camera-lab: {}", sanitize::printable(message));
 }
 
-/// The language of the system, where it is one of ours.
+/// The language of the system, if it's one of ours.
 fn system_lang() -> Lang {
     match sys_locale::get_locale() {
         Some(locale) if locale.to_lowercase().starts_with("pt") => Lang::PtBr,
@@ -169,17 +170,17 @@ fn json_of(answer: &impl Serialize) -> Result<String, Failure> {
     Ok(serde_json::to_string_pretty(answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n")
 }
 
-/// The name that an unknown one may stand for.
+/// The nearest known name to an unknown one.
 fn nearest<'a>(names: impl Iterator<Item = &'a str>, unknown: &str) -> Option<&'a str> {
     let likenesses = names.map(|name| (strsim::jaro_winkler(name, unknown), name));
     likenesses.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.7).map(|(_, name)| name)
 }
 
-/// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is
-/// given back. The camera knows more digits of them.
+/// Opens the figure of the arguments and applies their operations. The figure has the parameters of the returned
+/// camera, which knows more digits of them.
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
-    // Faults of the arguments are reported first: they do not depend on the file.
+    // Faults of the arguments are reported first because they don't depend on the file.
     let operations = args.operations(lang)?;
     let mut opened =
         files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
@@ -189,8 +190,8 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     Ok((opened, camera))
 }
 
-/// The scene of a figure. Its meshes are looked for beside the figure file. Says on standard error which files are
-/// missing without which it can be drawn.
+/// The scene of a figure. Looks for its meshes beside the figure file. Lists on standard error the missing files
+/// without which the figure can still be drawn.
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut files = FigureFiles::new(folder, FileAccess::of(path, opened.from_picture, args.allow_files));
@@ -211,7 +212,7 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
     Ok(scene)
 }
 
-/// Why the triangle that a figure shows is not in its scene; `None` if it is, or none is shown.
+/// The reason why the triangle that a figure shows isn't in its scene. `None` if it is, or if the figure shows none.
 fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String> {
     let triangle = figure.show.triangle.as_ref()?;
     let Some(object) = scene.place_of(&triangle.object).map(|place| &scene.objects[place]) else {
@@ -228,7 +229,7 @@ struct OpenFigure {
     camera: Camera,
     scene: SharedScene,
     size: Size,
-    /// The output does not depend on the system's language.
+    /// The output doesn't depend on the system's language.
     lang: Lang,
 }
 
@@ -248,7 +249,7 @@ impl OpenFigure {
         Request { force_all_stages, ..request }
     }
 
-    /// Why there is no picture of this size.
+    /// The reason why there is no picture of this size.
     fn too_large(&self) -> Failure {
         let [width, height] = self.pixels();
         Failure::BadInput(texts::too_large(self.lang, width, height))

@@ -84,11 +84,11 @@ impl Answer {
     }
 }
 
-/// The arithmetic, and what stays open, as comments of a figure file.
+/// The arithmetic and the values that stay open, as comments of a figure file.
 fn comments(found: &PhotographCamera, lang: Lang) -> String {
     let mut text = String::new();
     for line in texts::steps(lang, found) {
-        // Writing to a String cannot fail.
+        // Writing to a String can't fail.
         let _ = writeln!(text, "# {line}");
     }
     for untold in &found.untold {

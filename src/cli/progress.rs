@@ -14,7 +14,7 @@ const MAX_WAIT: Duration = Duration::from_millis(500);
 /// Interval between messages.
 const STEP: Duration = Duration::from_millis(100);
 
-/// Does `work`. On a terminal, a line of standard error shows its progress, from half a second on until it is done.
+/// Does `work`. On a terminal, a line of standard error shows its progress if it takes longer than half a second.
 pub(super) fn watched<T>(lang: Lang, work: impl FnOnce(&Progress) -> T) -> T {
     if io::stderr().is_terminal() { told(lang, &mut io::stderr(), MAX_WAIT, work) } else { work(&Progress::default()) }
 }
@@ -29,7 +29,7 @@ fn told<T>(lang: Lang, out: &mut (impl Write + Send), patience: Duration, work: 
             while waits.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 wait = STEP;
                 if let Some((doing, share)) = seen.now() {
-                    // Nothing depends on it, and a failure cannot be reported anywhere.
+                    // Nothing depends on it, and a failure can't be reported anywhere.
                     let _ = write!(out, "\r\x1b[K{}", words::progress(lang, doing, share)).and_then(|()| out.flush());
                 }
             }

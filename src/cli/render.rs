@@ -64,7 +64,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     save(&out.output, &file.bytes, file.beside, lang)
 }
 
-/// Says what falls short in a picture; `names`: of the figure, and of the picture.
+/// Reports the shortcomings of a picture. `names` are those of the figure and of the picture.
 pub(super) fn report(file: &PictureFile, sheet: &Composite, dpi: Option<f64>, [figure, name]: [&str; 2], lang: Lang) {
     if let Some(over_budget) = &file.over_budget {
         say(&format!("{figure}: {}", messages::over_budget(lang, over_budget)));
@@ -88,7 +88,7 @@ pub(super) fn observer_of(path: Option<&Path>, args: &FigureArgs, lang: Lang) ->
     Ok(Some(ObserverOf { shot: Shot::of(&opened.figure), camera, scene }))
 }
 
-/// Another figure than the one that is shown, with its camera.
+/// Opens another figure than the displayed one, with its camera.
 pub(super) fn open_other(path: &Path, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
     let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
@@ -128,7 +128,7 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
         PictureError::Composite(NoComposite::NoRoom { count, gap }) => {
             Failure::BadInput(texts::no_room(lang, count, [width, height], gap))
         }
-        // Nobody cancels it: whoever wants to ends the program.
+        // The command line never cancels it. To cancel, the user ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
         PictureError::Strokes => {
             Failure::Failed(format!("{name}: {}", messages::over_budget(lang, &OverBudget::Strokes)))
@@ -140,7 +140,7 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
     }
 }
 
-/// Width and height in pixels of a picture `width` centimetres wide; by default, as high as the figure's image, or as
+/// Width and height in pixels of a picture `width` centimetres wide. By default, as high as the figure's image, or as
 /// `count` of them side by side.
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, count: usize) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);

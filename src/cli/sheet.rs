@@ -19,7 +19,7 @@ use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{Request, SharedScene, Shot, Size, View};
 
-/// The width of each picture in pixels where no size is given.
+/// The width of each picture in pixels if no size is given.
 const WIDTH: u32 = 480;
 
 pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
@@ -81,7 +81,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     save(&args.out.output, &file.bytes, file.beside, lang)
 }
 
-/// The figures of a family, each with its scene. Those whose objects are the same share one.
+/// The figures of a family, each with its scene. Those with the same objects share one.
 pub(super) fn members(
     path: &Path,
     opened: &Opened,
@@ -99,7 +99,7 @@ pub(super) fn members(
     })
 }
 
-/// Whole pixels. What is too large is refused where pictures are made.
+/// Rounds to whole pixels. Sizes that are too large are refused when the pictures are drawn.
 fn whole(side: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, reason = "what is too large is refused")]
     let side = side.round().max(1.0) as u32;

@@ -15,7 +15,7 @@ use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, with_observer};
 
-/// The number of pictures where none is given: of an animation, and of a strip of stills.
+/// The number of pictures if none is given, for an animation and for a strip of stills.
 const FRAMES: [usize; 2] = [40, 5];
 
 pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang: Lang) -> Result<(), Failure> {
@@ -65,7 +65,7 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     save(&args.output, &file.bytes, file.beside, lang)
 }
 
-/// The figure with each camera of the way to another one. It begins and ends slowly.
+/// The figure with each camera on the way to another one. It begins and ends slowly.
 fn way(figure: &Figure, from: &Camera, to: &Camera, frames: usize) -> Result<Vec<Variant>, crate::camera::CameraError> {
     let path = CameraPath::new(from, to)?;
     let last = frames.saturating_sub(1).max(1);

@@ -13,13 +13,14 @@ use crate::share;
 /// The files that a figure may name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FileAccess {
-    /// Of a figure that came without a folder, as in a link. It has the meshes of the program.
+    /// The reach of a figure that came without a folder, as in a link. It has the meshes of the program.
     Link,
     /// A step of a lesson file. Its meshes and textures, and the files they name, are in the lesson's folder or below.
     Lesson,
-    /// A figure from a picture: its meshes, and the files they name, are in the picture's folder or below.
+    /// A figure from a picture. Its meshes, and the files they name, are in the picture's folder or below.
     Picture,
-    /// A figure file: its meshes may be anywhere on this machine; the files they name are in their folder or below.
+    /// A figure file. Its meshes may be anywhere on this machine, but the files they name have to be in their folder or
+    /// below.
     #[default]
     Figure,
     /// Any file of this machine, as allowed by the user.
@@ -27,7 +28,7 @@ pub enum FileAccess {
 }
 
 impl FileAccess {
-    /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link; `allowed`:
+    /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link. If `allowed`,
     /// the user lets it name any file.
     pub fn of(path: &Path, from_picture: bool, allowed: bool) -> Self {
         let has_folder = !path.as_os_str().is_empty() && share::link_of(path).is_none();
@@ -39,8 +40,8 @@ impl FileAccess {
         }
     }
 
-    /// The reach of the steps of a lesson in a file with this path or in a link, or of one of the program (`None`).
-    /// `allowed`: the user lets it name any file.
+    /// The reach of the steps of a lesson in a file with this path or in a link, or of a built-in one (`None`). If
+    /// `allowed`, the user lets it name any file.
     pub fn of_lesson(path: Option<&Path>, allowed: bool) -> Self {
         let in_file = path.filter(|path| share::link_of(path).is_none());
         match (allowed, in_file) {
@@ -54,7 +55,7 @@ impl FileAccess {
 /// Reads the files that one figure names.
 ///
 /// *Guarantees*: only regular files of this machine, within the allowed folders, and never more than
-/// [`MAX_SCENE_BYTES`] of them in all. Files outside are not even looked at. The message does not reveal whether they
+/// [`MAX_SCENE_BYTES`] of them in all. Files outside aren't even looked at. The message doesn't reveal whether they
 /// exist.
 #[derive(Clone, Debug)]
 pub struct FigureFiles {
@@ -70,7 +71,7 @@ impl FigureFiles {
         Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
     }
 
-    /// The same with this number of bytes already read.
+    /// The same, with this number of bytes already read.
     #[must_use]
     pub fn after(self, spent: usize) -> Self {
         Self { left: self.left.saturating_sub(spent), ..self }
@@ -81,8 +82,7 @@ impl FigureFiles {
         MAX_SCENE_BYTES - self.left
     }
 
-    /// The files that meshes name and that could not be read. A mesh without its material library is drawn all the
-    /// same.
+    /// The unreadable files that meshes name. A mesh without its material library is drawn all the same.
     pub fn unread(&self) -> &[ReadError] {
         &self.unread
     }
@@ -90,7 +90,7 @@ impl FigureFiles {
     /// The bytes of a file, or of a built-in one (`camera-lab:teapot.obj`).
     ///
     /// # Errors
-    /// A refusal of the system, a file that is not regular, one outside the allowed folders, and too many bytes.
+    /// A refusal of the system, a file that isn't regular, one outside the allowed folders, and too many bytes.
     pub fn read(&mut self, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
         if let Some(bytes) = shipped_file(wanted.path, wanted.named_by) {
             return Ok(bytes.to_vec());
@@ -140,7 +140,7 @@ impl FigureFiles {
         Ok(bytes)
     }
 
-    /// The folder in which a file has to lie, where it has to, and who names it.
+    /// The folder in which a file has to lie, if there is such a limit, and the file that names it.
     fn bound(&self, wanted: Wanted<'_>) -> Option<(PathBuf, NamedBy)> {
         match (self.reach, wanted.named_by) {
             (FileAccess::Anywhere, _) | (FileAccess::Figure, None) => None,
@@ -159,20 +159,20 @@ enum Elsewhere {
     System(std::io::Error),
 }
 
-/// The path without links and `..`, where it lies in `folder` or below.
+/// The path without links and `..`, if it lies in `folder` or below.
 fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
-    // By its path first: of files outside, not even the existence is checked.
+    // Checks its path first: for files outside, not even the existence is checked.
     if !lexically_inside(folder, path) {
         return Err(Elsewhere::Outside);
     }
-    // `""` is the folder where the program runs.
+    // `""` is the folder in which the program runs.
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let folder = disk::canonical(folder).map_err(Elsewhere::System)?;
     let path = disk::canonical(path).map_err(Elsewhere::System)?;
     if path.starts_with(&folder) { Ok(path) } else { Err(Elsewhere::Outside) }
 }
 
-/// True if the words of `path` go on from `folder` and never above it.
+/// True if the parts of `path` continue those of `folder` and never go above it.
 fn lexically_inside(folder: &Path, path: &Path) -> bool {
     let Ok(rest) = path.strip_prefix(folder) else { return false };
     let mut depth = 0_usize;
@@ -233,7 +233,7 @@ mod tests {
         for path in outside {
             assert!(is_outside(files.read(of_mesh(path, "meshes/m.obj"))), "{path}");
         }
-        // The figure's own words reach further, and so do the user's.
+        // The figure's own paths reach further, and so do the user's.
         assert_eq!(files.read(of_figure("../secret")).unwrap(), b"secret");
         assert_eq!(files.read(of_figure(absolute)).unwrap(), b"secret");
         let mut files = FigureFiles::new(&folder, FileAccess::Anywhere);

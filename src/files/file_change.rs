@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use super::read_file;
 use crate::limits::MAX_FIGURE_BYTES;
 
-/// Time and size of a file: while they stay, it is taken to be unchanged without being read.
+/// Time and size of a file. While they stay the same, we take the file to be unchanged without reading it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stamp {
     modified: Option<SystemTime>,
@@ -19,16 +19,16 @@ pub struct Stamp {
 pub enum FileChange {
     /// The same bytes.
     Same(Stamp),
-    /// These bytes; `None` if they cannot be read, or are more than any figure file has.
+    /// These bytes. `None` if they can't be read, or if there are more than any figure file has.
     Other(Option<Vec<u8>>),
     /// The file is gone.
     Gone,
 }
 
-/// Looks at a file that held `known`. Where its time and size are still `stamp`, it is not read.
+/// Looks at a file that held `known`. Doesn't read it if its time and size are still `stamp`.
 pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> FileChange {
     let Ok(meta) = fs::metadata(path) else { return FileChange::Gone };
-    // Taken before the bytes are read: a later write has another one.
+    // Taken before the bytes are read, so that a later write has another one.
     let now = Stamp { modified: meta.modified().ok(), size: meta.len() };
     if stamp == Some(now) && now.modified.is_some() {
         return FileChange::Same(now);
@@ -63,7 +63,7 @@ mod tests {
         assert!(matches!(look(&path, b"mine", Some(stamp)), FileChange::Same(touched) if touched != stamp));
         fs::write(&path, "theirs").unwrap();
         assert_eq!(look(&path, b"mine", Some(stamp)), FileChange::Other(Some(b"theirs".to_vec())));
-        // Of the same size: it is the content that counts.
+        // The size is the same, so only the content tells them apart.
         fs::write(&path, "ours").unwrap();
         assert_eq!(look(&path, b"mine", None), FileChange::Other(Some(b"ours".to_vec())));
         file.set_len(MAX_FIGURE_BYTES as u64 + 1).unwrap();

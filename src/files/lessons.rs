@@ -9,22 +9,22 @@ use crate::lessons::{Lesson, parse_bytes};
 use crate::limits::MAX_LESSON_BYTES;
 use crate::share::{self, Held};
 
-/// The first step of a lesson begins within these bytes: before it are only its title, sentence and aims.
+/// The first step of a lesson begins within these bytes. Before it are only its title, sentence and aims.
 const HEAD: u64 = 64 << 10;
 
 /// The lessons of a folder.
 #[derive(Debug, Default)]
 pub struct OwnLessons {
-    /// The lessons with their files, in the order of the names of these.
+    /// The lessons with their files, sorted by file name.
     pub lessons: Vec<(PathBuf, Arc<Lesson>)>,
-    /// The files that cannot be used, in the same order.
+    /// The unusable files, in the same order.
     pub faults: Vec<(PathBuf, FileError)>,
 }
 
 /// Reads a lesson, and the text of its file or link.
 ///
 /// # Errors
-/// [`FileError`] if the file or link cannot be read, or holds no lesson.
+/// [`FileError`] if the file or link can't be read, or holds no lesson.
 pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
     let bytes = match share::link_of(path).and_then(share::text_in) {
         Some(text) => text?,
@@ -34,12 +34,11 @@ pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
     Ok((lesson, String::from_utf8_lossy(&bytes).into_owned()))
 }
 
-/// Reads the lessons of a folder: each file that ends with `.toml` and has a `[[step]]`. Folders in it are not looked
-/// into.
+/// Reads the lessons of a folder: each file that ends with `.toml` and has a `[[step]]`. Doesn't look into subfolders.
 ///
 /// # Errors
-/// [`FileError`] if the folder cannot be read, or has too many files. The fault of a single file is in `faults`, and
-/// the others can be used.
+/// [`FileError`] if the folder can't be read, or has too many files. The fault of a single file is in `faults`, and the
+/// others can be used.
 pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     let mut found = OwnLessons::default();
     for path in toml_files(folder)? {
@@ -56,7 +55,7 @@ pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     Ok(found)
 }
 
-/// True if there is a file or a link that is meant as a lesson.
+/// True for an existing file, or a link, that is meant as a lesson.
 pub fn is_lesson_file(path: &Path) -> bool {
     if let Some(link) = share::link_of(path) {
         return share::held_in(link) == Some(Held::Lesson);

@@ -6,7 +6,7 @@ use super::{is_network, whole};
 use crate::figure::Figure;
 use crate::scene::Shape;
 
-/// The name of a file in a figure of this folder: relative to the folder where the file is in it, with slashes; else
+/// The name of a file in a figure of this folder: relative to the folder, with slashes, if the file is in it, otherwise
 /// its whole path.
 pub fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
     let file = whole(path);
@@ -20,14 +20,14 @@ pub fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
     }
 }
 
-/// The folder of a file that is named without one is the current folder.
+/// The folder of a file named without one is the current folder.
 fn whole_folder(folder: &Path) -> PathBuf {
     whole(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
 }
 
-/// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names
-/// its meshes and its photograph anew, so that they are the same files. A figure without a folder names them as from
-/// where the program was started.
+/// A figure that names files relative to the folder `from`, as it's written into the folder `to`. In another folder it
+/// gets new names for its meshes and its photograph, so that they are the same files. A figure without a folder names
+/// them relative to the folder in which the program was started.
 pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
     let mut figure = figure.clone();
     if from.map(whole_folder) == to.map(whole_folder) {
@@ -40,7 +40,7 @@ pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Fi
     });
     for path in meshes.chain(figure.photograph.as_mut().map(|photograph| &mut photograph.file)) {
         let file = from.unwrap_or(Path::new("")).join(&*path);
-        // A foreign figure must not make the system look for another machine.
+        // A figure from elsewhere must not make the system look for another machine.
         if !is_network(&file) && file.exists() {
             *path = named_in_figure(to, &file);
         }

@@ -1,4 +1,4 @@
-//! The file system, for both shells: opening a figure, saving so that nothing is lost.
+//! The file system, for both shells: opens figures, and saves without losing data.
 
 pub mod disk;
 mod file_access;
@@ -37,13 +37,13 @@ pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
 pub use save::{is_read_only, remove_left_over, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};
 
-/// A reason why a file cannot be used. Displayed, it follows the name of the file.
+/// A reason why a file is unusable. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
-    /// The system does not let it be read.
+    /// The system refuses to read it.
     #[error("cannot be read: {}", system_words(.0.kind(), .0.raw_os_error()))]
     Read(io::Error),
-    /// The system does not let it be written.
+    /// The system refuses to write it.
     #[error("cannot be written: {}", system_words(.0.kind(), .0.raw_os_error()))]
     Write(io::Error),
     /// A directory.
@@ -52,7 +52,7 @@ pub enum FileError {
     /// A device, a pipe or a socket, which may have no end.
     #[error("{}", ReadProblem::NotRegular)]
     NotRegular,
-    /// Its path leads to another machine: opening it could send the user's name and password there.
+    /// Its path leads to another machine. Opening it could send the user's name and password there.
     #[error("{}", ReadProblem::Network)]
     Network,
     /// Windows keeps the name for a device or for something inside of a file.
@@ -63,7 +63,7 @@ pub enum FileError {
     /// An existing file that may not be written.
     #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
-    /// A file larger than any that is meant for this program.
+    /// A file larger than any file meant for this program.
     #[error("is larger than any figure or image; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
     TooLarge,
     /// A folder with more exercises than a lecture has.
@@ -83,20 +83,20 @@ pub enum FileError {
 /// Permission to replace files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overwrite {
-    /// A file that may be written. Another one is [`FileError::ReadOnly`].
+    /// A file that may be written. For other files, saving returns [`FileError::ReadOnly`].
     Writable,
-    /// Also a read-only file: the user has agreed. It stays read-only.
+    /// Also a read-only file, because the user has agreed. It stays read-only.
     ReadOnlyToo,
 }
 
-/// A figure and the text that it was read from, which [`update`](crate::figure::update) wants.
+/// A figure and its source text, for [`update`](crate::figure::update).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
     /// The figure.
     pub figure: Figure,
     /// The text of the figure file.
     pub text: String,
-    /// True if the text came out of a picture or a link: saving must not replace the picture by it.
+    /// True if the text came from a picture or a link. Saving must not replace the picture by it.
     pub from_picture: bool,
 }
 
@@ -107,14 +107,14 @@ pub struct SourceFile {
     pub path: PathBuf,
     /// The text of the figure file, so that saving keeps the comments.
     pub text: String,
-    /// True if it is a picture that holds this text: saving must not replace the picture by it.
+    /// True if it's a picture that holds this text. Saving must not replace the picture by the text.
     pub is_picture: bool,
 }
 
 impl Opened {
-    /// The figure, and the file with this path that it came from.
+    /// The figure, and the file that it came from, with this path.
     pub fn at(self, path: &Path) -> (Figure, SourceFile) {
-        // A link has no folder: relative names in its figure lead nowhere.
+        // A link has no folder, so relative names in its figure lead nowhere.
         let path = if share::link_of(path).is_some() { PathBuf::new() } else { whole(path) };
         (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
     }
@@ -123,14 +123,14 @@ impl Opened {
 /// Opens a figure file, a PNG that holds one, or a link that does.
 ///
 /// # Errors
-/// [`FileError`]; for a figure file with a fault it names the line.
+/// [`FileError`], which names the line of a fault in a figure file.
 pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
     let (bytes, is_link) = figure_bytes(path)?;
     let opened = figure_from(&bytes)?;
     Ok(Opened { from_picture: opened.from_picture || is_link, ..opened })
 }
 
-/// As [`open_figure`], but of a figure whose camera is impossible. It comes with the error of its camera.
+/// As [`open_figure`], but accepts a figure whose camera is impossible. It comes with the error of its camera.
 ///
 /// # Errors
 /// As for [`open_figure`], except for an impossible camera.
@@ -142,7 +142,7 @@ pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<Camera
     Ok((Opened { figure, text, from_picture: from_picture || is_link }, error))
 }
 
-/// The bytes behind a path, and whether they come from a link.
+/// The bytes behind a path, and true if they come from a link.
 fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
     match share::link_of(path).and_then(share::text_in) {
         Some(text) => Ok((text?, true)),
@@ -153,14 +153,14 @@ fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
 /// The figure in the bytes of a figure file, or of a PNG that holds one.
 ///
 /// # Errors
-/// [`FileError`]; for a figure file with a fault it names the line.
+/// [`FileError`], which names the line of a fault in a figure file.
 pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
     let (bytes, from_picture) = figure_text(bytes)?;
     let figure = read::parse_bytes(&bytes)?;
     Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
 }
 
-/// The text of the figure in the bytes of a file, and whether the file is a picture.
+/// The text of the figure in the bytes of a file, and true if the file is a picture.
 fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FileError> {
     let from_vectors = vector::figure_in(bytes);
     let from_picture = png::is_png(bytes) || from_vectors.is_some();
@@ -174,7 +174,7 @@ fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FileError> {
 /// The bytes of a regular file of this machine.
 ///
 /// # Errors
-/// [`FileError`] for a refusal of the system, a file that is not regular or too large, and network paths.
+/// [`FileError`] if the system refuses, if the file isn't regular or is too large, and for network paths.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
     read_at_most(path, MAX_FILE_BYTES)
 }
@@ -186,7 +186,7 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
 #[cfg(not(target_arch = "wasm32"))]
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let (file, length) = open_regular(path)?;
-    // Nothing is read of a file that reports too large a size; one that grows meanwhile is not trusted either.
+    // A file that reports too large a size isn't read at all. One that grows meanwhile isn't trusted either.
     if length > most {
         return Err(FileError::TooLarge);
     }
@@ -206,7 +206,7 @@ pub(crate) fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
-/// As in a folder: a page has its files in memory.
+/// As in a folder, because a page has its files in memory.
 ///
 /// # Errors
 /// As for [`read_file`].
@@ -221,7 +221,7 @@ pub(crate) fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
 #[cfg(not(target_arch = "wasm32"))]
 fn open_regular(path: &Path) -> Result<(File, u64), FileError> {
     check_path(path)?;
-    // Asked before it is opened: opening a pipe waits until somebody writes to it.
+    // Check before opening it, because opening a pipe waits until another process writes to it.
     let kind = fs::metadata(path).map_err(FileError::Read)?.file_type();
     if kind.is_dir() {
         return Err(FileError::Directory);
@@ -230,7 +230,7 @@ fn open_regular(path: &Path) -> Result<(File, u64), FileError> {
         return Err(FileError::NotRegular);
     }
     let file = File::open(path).map_err(FileError::Read)?;
-    // Checked again on the open file: another one may have taken its place.
+    // Checked again on the open file, because another one may have taken its place.
     let now = file.metadata().map_err(FileError::Read)?;
     if !now.is_file() {
         return Err(FileError::NotRegular);
@@ -248,12 +248,12 @@ fn check_path(path: &Path) -> Result<(), FileError> {
 
 /// A path that means the same file from every folder. Links in it stay.
 pub fn whole(path: &Path) -> PathBuf {
-    // An error is an empty path, or a current folder that is gone: then nothing better is to be had.
+    // An error is an empty path, or a current folder that is gone. Then the path as given is the best we have.
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its
-/// long names of local disks (`\\\\?\\C:\\`) begin so too, and are local.
+/// long names of local disks (`\\\\?\\C:\\`) begin like that too, but are local.
 pub fn is_network(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();
     let separators = text.iter().take_while(|byte| matches!(byte, b'/' | b'\\')).count();
@@ -301,7 +301,7 @@ mod tests {
         let pipe = directory.path().join("pipe.toml");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status();
         assert!(made.is_ok_and(|status| status.success()));
-        // Would wait for ever if it were opened.
+        // Would wait for ever if it was opened.
         assert!(matches!(open_figure(&pipe), Err(FileError::NotRegular)));
     }
 }

@@ -11,27 +11,27 @@ use crate::numbers::natural_order;
 /// The exercises of a folder.
 #[derive(Debug, Default)]
 pub struct OwnExercises {
-    /// The exercises, in the order of the names of their files.
+    /// The exercises, sorted by file name.
     pub entries: Vec<Entry>,
-    /// The files that cannot be used, in the same order.
+    /// The unusable files, in the same order.
     pub faults: Vec<BadExercise>,
 }
 
-/// A file in a folder of exercises that holds none that can be used.
+/// A file in a folder of exercises that holds no usable one.
 #[derive(Debug)]
 pub struct BadExercise {
     /// The path of the file.
     pub path: PathBuf,
-    /// Why not.
+    /// The reason why it's unusable.
     pub error: FileError,
-    /// The identifier of the exercise that it seems to be.
+    /// The probable identifier of the exercise.
     pub id: Option<String>,
 }
 
-/// Reads the exercises of a folder: each file that ends with `.toml`, one each. Folders in it are not looked into.
+/// Reads the exercises of a folder, one from each file that ends with `.toml`. Doesn't look into subfolders.
 ///
 /// # Errors
-/// [`FileError`] if the folder cannot be read, or has too many of them. The fault of a single file is in `faults`, and
+/// [`FileError`] if the folder can't be read, or has too many of them. The fault of a single file is in `faults`, and
 /// the others can be used.
 pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     let mut found = OwnExercises::default();
@@ -44,16 +44,16 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     Ok(found)
 }
 
-/// The files of a folder that end with `.toml`, in the order in which people expect them.
+/// The files of a folder that end with `.toml`, in natural order.
 ///
 /// # Errors
-/// [`FileError`] if the folder cannot be read, or has too many of them.
+/// [`FileError`] if the folder can't be read, or has too many of them.
 pub(super) fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     if super::is_network(folder) {
         return Err(FileError::Network);
     }
     let mut files = Vec::new();
-    // An entry that the system cannot describe has no name to report.
+    // An entry that the system can't describe has no name to report.
     for path in fs::read_dir(folder).map_err(FileError::Read)?.flatten().map(|entry| entry.path()) {
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
             files.push(path);

@@ -1,9 +1,8 @@
-//! Saving: the file is there afterwards as a whole, or, after an error, as it was before; permissions, links and owner
-//! stay.
+//! Saves a file as a whole. After an error, the file is as it was before. Permissions, links and owner stay.
 //!
 //! The new bytes go into a temporary file beside the old one, which is then renamed. That would cut hard links, and
-//! give the file another owner where the user may write it without owning it: such a file, and one in a folder where
-//! nothing can be made, is written in place.
+//! give the file another owner if the user may write it without owning it. Such a file, and one in a folder where no
+//! file can be created, is written in place.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, Metadata, OpenOptions};
@@ -17,18 +16,18 @@ use crate::scene::system_kind;
 /// Saves `bytes` under `path`.
 ///
 /// *Guarantees*: after an error the file is as it was. A link stays a link, also one that leads nowhere yet.
-/// Permissions stay, and hard links, owner and group as far as the system allows. What an earlier run left behind when
-/// it was killed is removed.
+/// Permissions stay, and hard links, owner and group as far as the system allows. Temporary files of an earlier run
+/// that was killed are removed.
 ///
 /// # Errors
-/// [`FileError::Write`] where the system refuses; [`FileError::ReadOnly`] as `overwrite` has it;
-/// [`FileError::Directory`], [`FileError::Network`] and [`FileError::ReservedName`] for such paths.
+/// [`FileError::Write`] if the system refuses, [`FileError::ReadOnly`] depending on `overwrite`, and
+/// [`FileError::Directory`], [`FileError::Network`] or [`FileError::ReservedName`] for such paths.
 pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileError> {
     check_path(path)?;
     let target = end_of_links(path).map_err(FileError::Write)?;
     let result = match fs::metadata(&target) {
         Ok(before) if before.is_dir() => return Err(FileError::Directory),
-        // A device or a pipe cannot be replaced.
+        // A device or a pipe can't be replaced.
         Ok(before) if !before.is_file() => {
             return open_to_write(&target).and_then(|mut file| file.write_all(bytes)).map_err(FileError::Write);
         }
@@ -53,7 +52,7 @@ pub fn is_read_only(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
 }
 
-/// To root every file is writable: the owner's setting counts.
+/// Root may write every file, so the owner's setting counts.
 fn may_not_be_written(meta: &Metadata, opened: &io::Result<File>) -> bool {
     meta.permissions().readonly() || opened.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::PermissionDenied)
 }
@@ -62,7 +61,7 @@ fn open_to_write(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).open(path)
 }
 
-/// The end of a chain of links, whether a file is there or not.
+/// The end of a chain of links, even if no file is there.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     // The limit of Linux.
     const MOST: usize = 40;
@@ -74,7 +73,7 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many links, one after the other"))
 }
 
-/// Replaces a regular file; `writable` is the file itself where the system lets it be written.
+/// Replaces a regular file. `writable` is the file itself if the system lets it be written.
 fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<File>) -> io::Result<()> {
     let mut temporary = match (Temporary::beside(target), writable.is_ok()) {
         (Ok(temporary), _) => temporary.fill(bytes)?,
@@ -83,13 +82,13 @@ fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<
     };
     let same_owner = temporary.take_owner(before);
     match writable {
-        // The copy beside it holds the new bytes until they are all written.
+        // The copy beside it holds the new bytes until all of them are written.
         Ok(file) if has_other_names(before) || !same_owner => write_in_place(file, target, bytes),
         writable => {
             temporary.file.set_permissions(before.permissions())?;
             let Err(error) = take_the_place(&mut temporary, target, before) else { return Ok(()) };
             match writable {
-                // A folder where nobody may replace the files of others, or, on Windows, a program that has it open.
+                // A folder where users may not replace the files of others, or, on Windows, a program that has it open.
                 Ok(file) => write_in_place(file, target, bytes),
                 Err(why) if system_kind(why.kind(), why.raw_os_error()) == io::ErrorKind::ResourceBusy => Err(why),
                 Err(_) => Err(error),
@@ -98,7 +97,7 @@ fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<
     }
 }
 
-/// Puts the new file in the place of the old one, which Windows wants to be writable for that.
+/// Puts the new file in the place of the old one, which Windows requires to be writable for that.
 fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -> io::Result<()> {
     #[cfg(windows)]
     if before.permissions().readonly() {
@@ -115,8 +114,7 @@ fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -
     temporary.rename(target)
 }
 
-/// Writes over the old bytes, and restores them where the new ones do not fit. A file that cannot be read is not
-/// overwritten.
+/// Writes over the old bytes, and restores them if the new ones don't fit. Doesn't overwrite a file that can't be read.
 fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
     let old = fs::read(path)?;
     let mut put = |bytes: &[u8]| {
@@ -131,7 +129,7 @@ fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
     })
 }
 
-/// True for a file that other names lead to as well (hard links).
+/// True for a file with other names (hard links).
 #[cfg(unix)]
 fn has_other_names(file: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt as _;
@@ -143,7 +141,7 @@ fn has_other_names(_: &Metadata) -> bool {
     false
 }
 
-/// A new file in the folder of another one, which it can become in one step. Locked while its program lives. Removed
+/// A new file in the folder of another one, which it can replace in one step. Locked while its program lives. Removed
 /// unless renamed.
 struct Temporary {
     path: PathBuf,
@@ -181,7 +179,7 @@ impl Temporary {
         Ok(self)
     }
 
-    /// Takes the owner and group of another file over. False if the system does not allow it.
+    /// Takes over the owner and group of another file. Returns false if the system doesn't allow it.
     #[cfg(unix)]
     fn take_owner(&self, of: &Metadata) -> bool {
         use std::os::unix::fs::{MetadataExt as _, fchown};
@@ -205,34 +203,34 @@ impl Temporary {
 impl Drop for Temporary {
     fn drop(&mut self) {
         if !self.renamed {
-            // A temporary file that cannot be removed is left.
+            // If the temporary file can't be removed, it stays.
             let _ = fs::remove_file(&self.path);
         }
     }
 }
 
-/// The folder that a file is in; for a name alone the current one.
+/// The folder that a file is in. For a name alone, the current one.
 fn folder_of(target: &Path) -> Option<&Path> {
     let folder = target.parent()?;
     Some(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
 }
 
-/// Makes a rename outlast a power cut, where the system can.
+/// Makes a rename outlast a power cut, if the system can.
 fn sync_folder_of(target: &Path) {
     if cfg!(unix)
         && let Some(folder) = folder_of(target).and_then(|folder| File::open(folder).ok())
     {
-        // The file is whole either way; some file systems refuse to sync a folder.
+        // The file is whole either way. Some file systems refuse to sync a folder.
         let _ = folder.sync_all();
     }
 }
 
-/// Removes temporary files that nobody is writing any more, left by killed programs.
+/// Removes temporary files left by killed programs, which no process is writing any more.
 pub fn remove_left_over(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
         let Some(process) = process_of(&entry.file_name()) else { continue };
-        // Of a link this is the link itself; anything but a file of the disk could block whoever opens it.
+        // For a link this is the link itself. Opening anything but a regular file could block.
         let Some(meta) = entry.metadata().ok().filter(Metadata::is_file) else { continue };
         let path = entry.path();
         if is_older(&meta, settled_after(process)) && open_to_write(&path).is_ok_and(|file| file.try_lock().is_ok()) {
@@ -241,20 +239,20 @@ pub fn remove_left_over(folder: &Path) {
     }
 }
 
-/// Between making a file and locking it there is a moment. The process of a file may live where its number says
+/// There is a moment between creating a file and locking it. The process of a file may run where its number means
 /// nothing: on another machine, or in a container of its own.
 fn settled_after(process: u32) -> Duration {
     let is_gone = Path::new("/proc/self").exists() && !Path::new(&format!("/proc/{process}")).exists();
     Duration::from_secs(if is_gone { 2 } else { 60 })
 }
 
-/// A file that was written later than now was so by another clock, or before this one was put back.
+/// A file written later than now was written by another clock, or before this one was set back.
 fn is_older(meta: &Metadata, than: Duration) -> bool {
     let age = |time: SystemTime| time.elapsed().unwrap_or_else(|ahead| ahead.duration());
     meta.modified().is_ok_and(|time| age(time) > than)
 }
 
-/// The number of the process that made a temporary file; `None` for every other name.
+/// The number of the process that created a temporary file. `None` for every other name.
 fn process_of(name: &OsStr) -> Option<u32> {
     let (process, attempt) = name.to_str()?.strip_prefix(PREFIX)?.strip_suffix(ENDING)?.split_once('-')?;
     let number =
@@ -325,7 +323,7 @@ mod tests {
         let being_written = file(".camera-lab-2-0.tmp", minutes_ago);
         being_written.lock().unwrap();
         drop(file(".camera-lab-3-0.tmp", SystemTime::now()));
-        // A clock that was put back by years has left this.
+        // Left by a clock that was set back by years.
         drop(file(".camera-lab-4-0.tmp", SystemTime::now() + Duration::from_secs(100_000_000)));
         let foreign =
             ["mine.tmp", ".camera-lab-x-0.tmp", ".camera-lab-1.tmp", ".camera-lab-1-0-0.tmp", ".camera-lab-+1-0.tmp"];
@@ -397,7 +395,7 @@ mod tests {
             let names = [".camera-lab-1-0.tmp", ".camera-lab-1-1.tmp", ".camera-lab-1-2.tmp"].map(place);
             let long_ago = std::process::Command::new("touch").args(["-h", "-d", "2001-01-01"]).args(names).status();
             assert!(long_ago.is_ok_and(|status| status.success()));
-            // Would wait for ever if the pipe were opened.
+            // Would wait for ever if the pipe was opened.
             save_writable(&place("a.toml"), b"x").unwrap();
             assert_eq!(directory.names().len(), 5);
             assert_eq!(fs::read(place("mine")).unwrap(), b"mine");
@@ -419,7 +417,7 @@ mod tests {
             let directory = Directory::new("owner");
             let path = directory.path().join("theirs.toml");
             fs::write(&path, "old").unwrap();
-            // Only root may give files away; everybody else finds the owner unchanged anyway.
+            // Only root may give files away. For other users the owner doesn't change anyway.
             let given = chown(&path, Some(1), Some(1)).is_ok();
             let before = fs::metadata(&path).unwrap();
             save_writable(&path, b"new").unwrap();

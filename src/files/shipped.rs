@@ -1,4 +1,4 @@
-//! The figures and meshes that are part of the program. They are there wherever it is, installed or not.
+//! The built-in figures and meshes, which are available wherever the program is, installed or not.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -29,12 +29,12 @@ pub enum Topic {
     Limits,
 }
 
-/// A figure that is part of the program.
+/// A built-in figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ShippedFigure {
     /// Its name, without an ending.
     pub name: &'static str,
-    /// The heading under which the gallery has it.
+    /// The heading for it in the gallery.
     pub topic: Topic,
     text: &'static str,
 }
@@ -49,7 +49,7 @@ macro_rules! shipped {
     };
 }
 
-/// All of them, in the order in which they are shown. Every named scene is among them.
+/// All of them, in the order of display. Every named scene is among them.
 pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at", "two-eyes";
@@ -77,7 +77,7 @@ pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
     "solar";
 ];
 
-/// The figures, read when the first is asked for what it says.
+/// The built-in figures, parsed when first needed.
 static FIGURES: LazyLock<Vec<Figure>> =
     LazyLock::new(|| SHIPPED_FIGURES.iter().map(|figure| parse(&figure.text()).unwrap_or_default()).collect());
 
@@ -96,7 +96,7 @@ impl ShippedFigure {
             .unwrap_or_default()
     }
 
-    /// The text of its figure file. Its meshes are those of the program, so that it means the same in every folder.
+    /// The text of its figure file. Its meshes are built-in, so that it means the same in every folder.
     pub fn text(self) -> Cow<'static, str> {
         if self.text.contains("../meshes/") {
             self.text.replace("../meshes/", SHIPPED).into()
@@ -106,7 +106,7 @@ impl ShippedFigure {
     }
 }
 
-/// The bytes of a built-in file named by a scene, or by a built-in mesh; `None` for files.
+/// The bytes of a built-in file named by a scene, or by a built-in mesh. `None` for files.
 pub(super) fn shipped_file(path: &str, named_by: Option<&str>) -> Option<&'static [u8]> {
     let by_mesh = named_by.is_some_and(|mesh| mesh.starts_with(SHIPPED));
     let name =

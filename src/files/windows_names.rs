@@ -1,4 +1,4 @@
-//! Names that Windows keeps for itself: a figure that is saved as `nul.toml` there would be gone without a word.
+//! Names that Windows reserves. A figure saved as `nul.toml` there would be gone without a message.
 
 use std::path::{Component, Path};
 
@@ -14,7 +14,7 @@ fn is_reserved_by_windows(path: &Path) -> bool {
     })
 }
 
-/// By <https://learn.microsoft.com/windows/win32/fileio/naming-a-file>: whatever the ending, in any case.
+/// By <https://learn.microsoft.com/windows/win32/fileio/naming-a-file>, with any ending and in any case.
 fn is_reserved_name(name: &str) -> bool {
     if name.contains(':') {
         return true;

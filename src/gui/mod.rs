@@ -1,4 +1,4 @@
-//! The window: a thin shell over the library. What it shows, the command line can print.
+//! The window: a thin shell over the library. The command line can print everything it shows.
 
 pub mod app;
 mod background;
@@ -28,17 +28,17 @@ pub use app::state::State;
 pub struct Start {
     /// The figure. Its camera must be possible.
     pub figure: Figure,
-    /// Its file; `None` means a new figure.
+    /// Its file. `None` for a new figure.
     pub file: Option<SourceFile>,
     /// The language of the interface.
     pub lang: Lang,
-    /// The user lets the figure name any file of this machine.
+    /// True if the user lets the figure name any file of this machine.
     pub allow_files: bool,
-    /// The lesson that is played. Its step has the figure.
+    /// The lesson being played. Its step has the figure.
     pub lesson: Option<OpenLesson>,
 }
 
-/// Why there is no window.
+/// The reason why there is no window.
 #[derive(Debug, thiserror::Error)]
 pub enum GuiError {
     /// No display, or no usable OpenGL.
@@ -49,20 +49,20 @@ pub enum GuiError {
     Camera(#[from] crate::camera::CameraError),
 }
 
-/// The figure that the window begins with: the default scene, from where it and its view volume are worth seeing.
+/// The figure that the window begins with: the default scene, from a good viewpoint for it and its view volume.
 pub fn fresh() -> Figure {
     Figure::of_preset(Preset::default())
 }
 
-/// The initial size of the window, in points: with title bar and task bar it fits a screen of 1280 × 720, so that
-/// messages at its bottom are seen.
+/// The initial size of the window, in points. With title bar and task bar it fits a screen of 1280 × 720, so that
+/// messages at its bottom are visible.
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
-/// Opens the window and returns when it is closed. Its language is the one in `asked`, else the stored one, else that
-/// of `start`.
+/// Opens the window and returns when it's closed. Its language is the one in `asked`, else the stored one, else that of
+/// `start`.
 ///
 /// # Errors
-/// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
+/// [`GuiError::NoWindow`] if there is no display or no usable OpenGL.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
     let restore = start.file.is_none() && start.lesson.is_none() && start.figure == fresh();

@@ -12,7 +12,7 @@ use crate::i18n::messages::expressions::in_expression;
 use crate::limits::MAX_SIDE;
 use crate::sanitize::{self, escaped};
 
-/// Arguments that are at fault, in one paragraph.
+/// Faulty arguments, in one paragraph.
 pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     let before_the_command =
         error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
@@ -32,17 +32,17 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
 }
 
 texts_with_values! {
-    /// A command that does not exist.
+    /// A command that doesn't exist.
     unknown_command(lang, name: &str, commands: &[String]): "there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help",
         "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
         (name = escaped(name), commands = commands.join(", "));
 
-    /// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
+    /// A text that isn't a point. If it has three parts, the one that isn't a number, with the reason.
     point(lang, text: &str, fault: Option<(&str, &ExpressionError)>): "--point is \"{text}\"{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3",
         "--point é \"{text}\"{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3"
         (text = escaped(text), why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error))));
 
-    /// A text that is not a pixel.
+    /// A text that isn't a pixel.
     pixel(lang, text: &str): "--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0",
         "--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0" (text = escaped(text));
 
@@ -50,38 +50,38 @@ texts_with_values! {
     animation_ending(lang, name: &str): "{name}: unknown extension; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)",
         "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)";
 
-    /// A text that is not a pixel with a depth.
+    /// A text that isn't a pixel with a depth.
     depth_pixel(lang, text: &str): "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5",
         "--depth-pixel é \"{text}\"; permitido: dois inteiros e um número I,J,Z (coluna, linha, profundidade), como --depth-pixel 512,384,0.5"
         (text = escaped(text));
 
-    /// A text that is not a size.
+    /// A text that isn't a size.
     size(lang, text: &str): "--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600",
         "--size é \"{text}\"; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600"
         (text = escaped(text));
 
-    /// A text that is no number, or one that an option does not take.
+    /// A text that isn't a number, or a number that an option doesn't take.
     number(lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64): "{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}",
         "{option} é \"{text}\"; permitido: um número de {least} a {most}, como {option} {example}"
         (text = escaped(text), least = range.start(), most = range.end());
 
-    /// A text that is not a number of frames.
+    /// A text that isn't a number of frames.
     frames(lang, text: &str): "--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100",
         "--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100" (text = escaped(text));
 
-    /// A text that is not a seed.
+    /// A text that isn't a seed.
     seed(lang, text: &str): "--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1",
         "--seed é \"{text}\"; permitido: um inteiro de 0 a 18446744073709551615, como --seed 1" (text = escaped(text));
 
-    /// A file of charts whose extension is not that of a format.
+    /// A file of charts whose extension isn't that of a format.
     plot_ending(lang, path: &str): "{path}: its extension is not that of a plot format; allowed: {endings}",
         "{path}: a extensão não é de um formato de gráfico; permitido: {endings}" (endings = picture_endings());
 
-    /// A picture that is larger than pictures can be.
+    /// A picture larger than pictures can be.
     too_large(lang, width: u64, height: u64): "the image would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all",
         "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo";
 
-    /// An ending that is not a picture's.
+    /// An ending that isn't a picture's.
     ending(lang, name: &str): "--output is \"{name}\"; allowed: a file name that ends in {endings}",
         "--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}"
         (name = escaped(name), endings = picture_endings());
@@ -147,7 +147,7 @@ fn portuguese(error: &clap::Error) -> String {
     text
 }
 
-/// A fault in a file, with the line where it is known.
+/// A fault in a file, with the line if it's known.
 pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
     match line {
         Some(line) => both!(lang; "{name}, line {line}: {what}", "{name}, linha {line}: {what}"),
@@ -161,7 +161,7 @@ pub const fn show_without_value(lang: Lang) -> &'static str {
         "não tem valor; permitido: CHAVE=VALOR, como stage=clip")
 }
 
-/// A key, `[show] triangle.object`, names an object that the scene has not; with those that it has.
+/// A key, `[show] triangle.object`, names an object that the scene doesn't have. Lists those that it has.
 pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> String {
     const MOST: usize = 12;
     let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", escaped(name))).collect();
@@ -173,7 +173,7 @@ pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> 
         "{key} é \"{object}\", que a cena não tem; permitido: {names}")
 }
 
-/// The triangle that is to be followed is beyond the last one of its object.
+/// The triangle to follow is beyond the last one of its object.
 pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
     let object = escaped(object);
     match count.checked_sub(1) {
@@ -184,7 +184,7 @@ pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> S
     }
 }
 
-/// Several views where a strip of stills is written.
+/// Several views for a strip of stills.
 pub const fn one_view_in_a_strip(lang: Lang) -> &'static str {
     pick!(lang; "a strip of stills shows one view; for several, write a .gif or .apng, or use \"sheet\"",
         "uma tira de quadros mostra uma só vista; para várias, grave um .gif ou .apng, ou use \"sheet\"")
@@ -201,7 +201,7 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
     }
 }
 
-/// A pixel that the image does not have. It has a ray all the same.
+/// A pixel that the image doesn't have. It has a ray all the same.
 pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
     let ImageSize { width, height } = image;
     let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
@@ -266,13 +266,13 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
     }
 }
 
-/// A sheet on which so many pictures have no room beside the gaps between them.
+/// A sheet on which this many pictures have no room beside the gaps between them.
 pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
     both!(lang; "{count} images with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
         "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores")
 }
 
-/// A size on paper that is less than a pixel.
+/// A size on paper of less than a pixel.
 pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
     let centimetres = escaped(centimetres);
     both!(lang; "{option} {centimetres} is less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi",

@@ -1,4 +1,4 @@
-//! The words about families of pictures: what cannot be varied, and why.
+//! The words about families of pictures, with the reasons why some keys can't be varied.
 
 use super::{Lang, messages};
 use crate::figure::variation::VariationError;
@@ -35,7 +35,7 @@ texts! {
     square: "square", "quadrado";
 }
 
-/// Why there is no family.
+/// The reason why there is no family.
 pub fn error(lang: Lang, error: &VariationError) -> String {
     match error {
         VariationError::NoValues => both!(lang;
@@ -65,11 +65,11 @@ texts_with_values! {
     frames(lang, text: &str): "--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}",
         "--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}" (text = escaped(text));
 
-    /// A number of variations that a command has no use for.
+    /// A number of variations that a command can't use.
     variations(lang, count: usize, most: usize): "--vary is given {count} times; allowed: at least once and at most {most} times",
         "--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}";
 
-    /// Rows that would not have the pictures of a figure below one another.
+    /// Rows that wouldn't have the pictures of a figure below one another.
     uneven_rows(lang, count: usize, columns: usize): "{count} figures with several images each do not fill rows of {columns}; allowed: a number of columns that divides {count}",
         "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}";
 }

@@ -2,7 +2,7 @@
 
 use crate::i18n::window::search::folded;
 
-/// The greatest length of a name that is made of a title.
+/// The greatest length of a name made from a title.
 const MAX_NAME: usize = 60;
 
 /// The words of a title as the name of a file, without accents. `None` if nothing is left of them.

@@ -53,7 +53,7 @@ macro_rules! both {
 }
 
 /// Functions that give texts with values: `name(lang, count: usize): "{count} objects", "{count} objetos";`. Values
-/// that aren't written as they are follow in parentheses: `(file = escaped(file))`.
+/// that aren't inserted unchanged follow in parentheses: `(file = escaped(file))`.
 macro_rules! texts_with_values {
     ($($(#[$doc:meta])* $name:ident($lang:ident $(, $value:ident: $type:ty)*):
         $en:literal, $pt:literal $(($($written:tt)*))?;)*) => {
@@ -94,7 +94,7 @@ pub fn told(lang: Lang, text: &Bilingual) -> &str {
     pick!(lang; &text.en, &text.pt_br)
 }
 
-/// A text of a file that is changed in a language.
+/// A text of a file, to change it in a language.
 pub fn told_mut(lang: Lang, text: &mut Bilingual) -> &mut String {
     pick!(lang; &mut text.en, &mut text.pt_br)
 }

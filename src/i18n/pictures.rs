@@ -8,7 +8,7 @@ use crate::picture::{Composite, Crowded, Metadata, NoAreas};
 use crate::stage::Stage;
 use crate::views::Labels;
 
-/// The words of [`Labels`], those of which it is made, and its other fields, made of the texts `t`.
+/// The words of [`Labels`]: those that it consists of, and its other fields, made from the texts `t`.
 macro_rules! words {
     (
         labels { $($label:ident: $label_en:literal, $label_pt:literal;)* }
@@ -81,7 +81,7 @@ words! {
         samples: "samples per pixel", "amostras por pixel";
     }
     parts {
-        // The planes, outside of which an object is.
+        // The planes that an object can be outside of.
         plane_left: "left", "esquerda";
         plane_right: "right", "direita";
         plane_bottom: "bottom", "baixo";
@@ -172,7 +172,7 @@ pub const fn labels(lang: Lang) -> &'static Labels {
     pick!(lang; &LABELS_EN, &LABELS_PT_BR)
 }
 
-/// Three pictures with less room on their paper than their letters want.
+/// Three pictures with less room on their paper than their letters need.
 pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let Crowded { smallest, wanted, room } = crowded;
     let number = |value: &f64| lang.mark().printed(&format!("{value:.1}"));
@@ -201,8 +201,8 @@ const fn stages(lang: Lang) -> [&'static str; Stage::ALL.len()] {
     names
 }
 
-/// The words that go with pictures into their file: the title of the figure, or the names of the pictures; its caption,
-/// and each picture in words.
+/// The words that go with pictures into their file: the title of the figure, or the names of the pictures, its caption,
+/// and a description of each picture.
 pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> Metadata {
     let own =
         |text: &Option<Bilingual>| text.as_ref().map(|text| told(lang, text).to_owned()).filter(|t| !t.is_empty());
@@ -215,7 +215,7 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
     Metadata { figure: text, title, description, language: lang.tag(), stem: String::new() }
 }
 
-/// Why the faces of a page of vectors are a picture, although areas were asked for.
+/// The reason why the faces of a page of vectors are a picture, although areas were requested.
 pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
     match why {
         NoAreas::Shaded => both!(lang;

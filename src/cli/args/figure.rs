@@ -65,7 +65,7 @@ pub(in crate::cli) fn size(text: Option<&str>, lang: Lang) -> Result<Option<Imag
         .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
 }
 
-/// The number of an option that is given, with the range that it takes and an example.
+/// The number of an option if it's given, with the range that it takes and an example.
 pub(in crate::cli) fn option(
     name: &str,
     text: &Option<String>,

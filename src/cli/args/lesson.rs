@@ -109,7 +109,7 @@ impl LessonRenderArgs {
         number.ok_or_else(|| Failure::BadInput(texts::per_page(lang, per_page)))
     }
 
-    /// A given option that says nothing of a handout, or of a folder of images.
+    /// A given option that has no meaning for a handout, or for a folder of images.
     pub(in crate::cli) fn unused(&self, is_handout: bool) -> Option<&'static str> {
         let of_pictures =
             [("--size", self.size.is_some()), ("--view", self.view.is_some()), ("--format", self.format.is_some())];

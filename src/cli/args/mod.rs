@@ -280,7 +280,7 @@ pub(super) struct CodeArgs {
     pub(super) target: CodeTarget,
 }
 
-/// The language that the arguments ask for, even where they are at fault otherwise.
+/// The language that the arguments ask for, even if they are wrong otherwise.
 pub(super) fn written_lang(args: &[OsString]) -> Option<Lang> {
     let texts = || args.iter().skip(1).map(|arg| arg.to_str().unwrap_or_default());
     let after = texts().zip(texts().skip(1)).find(|(name, _)| *name == "--lang").map(|(_, value)| value);
@@ -293,7 +293,7 @@ pub(super) fn commands() -> Vec<String> {
     CommandLine::command().get_subcommands().map(|command| command.get_name().to_owned()).collect()
 }
 
-/// The first argument, where it seems to be meant as a command but is none. (It may be a figure file too.)
+/// The first argument if it seems to be meant as a command but isn't one. (It may be a figure file too.)
 pub(super) fn unknown_command(args: &[OsString]) -> Option<String> {
     let first = args.get(1)?.to_str()?;
     let plain = first.starts_with(|c: char| c.is_ascii_alphabetic()) && !first.contains(['.', '/', '\\']);
@@ -358,7 +358,7 @@ impl AnimateArgs {
         number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
     }
 
-    /// The number of images, if it is given.
+    /// The number of images, if it's given.
     pub(super) fn frames(&self, lang: Lang) -> Result<Option<usize>, Failure> {
         let Some(text) = &self.frames else { return Ok(None) };
         let frames = text.trim().parse().ok().filter(|frames| (2..=MAX_FRAMES).contains(frames));

@@ -76,7 +76,7 @@ pub(in crate::cli) struct OutputArgs {
 }
 
 impl OutputArgs {
-    /// The factor of width, height, strokes and letters, if it is given.
+    /// The factor of width, height, strokes and letters, if it's given.
     pub(in crate::cli) fn scale(&self, lang: Lang) -> Result<Option<f32>, Failure> {
         #[expect(clippy::cast_possible_truncation, reason = "0.1 to 16")]
         let narrow = |scale: f64| scale as f32;
@@ -86,11 +86,11 @@ impl OutputArgs {
 
 /// Default of pixels per inch: that of office printers.
 const DPI: f64 = 300.0;
-/// Height of the letters of names on paper in points, where it is not given.
+/// Height of the letters of names on paper in points, if it isn't given.
 const LETTERS: f64 = 9.0;
 
 impl OutputArgs {
-    /// Width and height in centimetres, where they are given.
+    /// Width and height in centimetres, if they are given.
     pub(in crate::cli) fn centimetres(&self, lang: Lang) -> Result<[Option<f64>; 2], Failure> {
         let side = |name, text| option(name, text, (&PAPER_CM, 8.0), lang);
         if let Some((width, height)) = self.paper.map(PaperPreset::size) {
@@ -99,14 +99,14 @@ impl OutputArgs {
         Ok([side("--width-cm", &self.width_cm)?, side("--height-cm", &self.height_cm)?])
     }
 
-    /// The arguments in units of paper; `None` if there are none.
+    /// The arguments in units of paper. `None` if there are none.
     pub(in crate::cli) fn on_paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
         let letters = option("--letters", &self.letters, (&PAPER_LETTERS, 9.0), lang)?;
         let lines = option("--lines", &self.lines, (&PAPER_LINES, 0.6), lang)?;
         let [width, height] = self.centimetres(lang)?;
         let dpi = option("--dpi", &self.dpi, (&PAPER_DPI, DPI), lang)?;
         let any = [letters, lines, width, dpi].iter().any(Option::is_some);
-        // A size in pixels is that of CSS, where no number of them is printed.
+        // A size in pixels is in CSS pixels if no pixels per inch are printed.
         let is_vector = PictureFormat::of(&self.output).is_some_and(PictureFormat::is_vector);
         let usual = if is_vector && width.is_none() { PER_INCH } else { DPI };
         let letters = letters.or(self.paper.map(PaperPreset::letters)).or(width.map(|_| LETTERS));
@@ -134,7 +134,7 @@ impl OutputArgs {
         Ok(format)
     }
 
-    /// The file that is wanted: these views, of this size.
+    /// The requested file: these views, of this size.
     pub(in crate::cli) fn spec(
         &self,
         (views, size): (Views, SheetSize),
@@ -148,7 +148,7 @@ impl OutputArgs {
         ExportSpec { views, size, scale, transparent: self.transparent, paper, keeps_width, options }
     }
 
-    /// True if the number of pixels per inch is more than a guess. It is given, or a size on paper is.
+    /// True if the number of pixels per inch is more than a guess, because it or a size on paper is given.
     fn is_for_paper(&self) -> bool {
         self.dpi.is_some() || self.width_cm.is_some() || self.paper.is_some()
     }

@@ -51,7 +51,7 @@ pub(in crate::cli) struct FamilyArgs {
 }
 
 impl FamilyArgs {
-    /// The variations; `frames`: the number of values of a range without one.
+    /// The variations. `frames` is the number of values of a range without one.
     pub(in crate::cli) fn variations(&self, frames: Option<usize>, lang: Lang) -> Result<Vec<Variation>, Failure> {
         let read = |text: &String| {
             Variation::parse(text, frames).map_err(|error| {
@@ -63,7 +63,7 @@ impl FamilyArgs {
 }
 
 impl SheetArgs {
-    /// The number of columns, if it is given.
+    /// The number of columns, if it's given.
     pub(in crate::cli) fn columns(&self, lang: Lang) -> Result<Option<usize>, Failure> {
         let Some(text) = &self.columns else { return Ok(None) };
         let columns = text.trim().parse().ok().filter(|columns| (1..=MAX_FAMILY).contains(columns));

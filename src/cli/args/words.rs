@@ -60,7 +60,7 @@ impl LangArg {
     }
 }
 
-/// The language in which the output and what is written into pictures are; they never depend on the system.
+/// The language of the output and of texts in pictures, which never depend on the system.
 pub(in crate::cli) fn written(asked: Option<LangArg>) -> Lang {
     asked.map_or(Lang::En, LangArg::lang)
 }

@@ -34,7 +34,7 @@ use crate::sanitize;
 use crate::scene::Scene;
 use crate::share;
 
-/// Runs the command; for `play`, gives what the window opens with.
+/// Runs the command. For `play`, returns the options with which the window opens.
 pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>, Failure> {
     match &args.command {
         LessonCommand::List(args) => list(args, lang)?,
@@ -48,7 +48,7 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
 
 /// The lesson with an identifier, or in a file.
 fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
-    // As the address of a page has it, for the lessons of the program.
+    // For the built-in lessons, as in the address of a page.
     let of_address = args.id.rsplit_once("?lesson=").and_then(|(_, asked)| asked.split(['&', '#']).next());
     let id = of_address.unwrap_or(&args.id);
     if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == id) {
@@ -200,7 +200,7 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
             say(&command_line::in_file(lang, &name, line, &texts::no_part(lang, key)));
         }
         for (part, say) in faults_of(lesson, &ids, Some(path), args.allow_files, lang) {
-            // What was read is there.
+            // The text has been read, so it's there.
             let (line, key) = place(text, part).map_or((None, String::new()), |(line, key)| (Some(line), key));
             faults.push(command_line::in_file(lang, &name, line, &say(&key)));
         }
@@ -214,10 +214,10 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     }
 }
 
-/// A fault: where it is, and its message, which begins with a key.
+/// A fault: its place, and its message, which begins with a key.
 type Fault = (Part, Box<dyn Fn(&str) -> String>);
 
-/// The parts that a lesson needs so that someone else can teach it. It's good without them, and plays.
+/// The parts that a lesson needs so that another lecturer can teach it. It's good without them, and plays.
 fn missing_of(lesson: &Lesson) -> impl Iterator<Item = &'static str> {
     let parts =
         [("aims", lesson.aims.is_empty()), ("plan", lesson.plan.is_none()), ("sentence", lesson.sentence.is_none())];
@@ -264,7 +264,7 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
     faults
 }
 
-/// The number of steps of a lesson of the program.
+/// The number of steps of a built-in lesson.
 fn steps_of(id: &str) -> Option<usize> {
     shipped().iter().find(|shipped| shipped.lesson.id == id).map(|shipped| shipped.lesson.steps.len())
 }
@@ -290,7 +290,7 @@ fn faults_of_goal(
     }
     let Ok(camera) = Camera::new(&figure.camera) else { return faults };
     if !faults.is_empty() {
-        // What is hidden or seen is not known.
+        // A goal about unknown objects can't be checked any further.
         return faults;
     }
     if goal.is_reached(Subject { figure, camera: &camera, scene }, seen) {
@@ -316,7 +316,7 @@ fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let size = size(args.size.as_deref(), lang)?;
     let found = find(&args.which, lang)?;
-    // A handout is wanted, and not a folder of pictures.
+    // The output is a handout, and not a folder of pictures.
     let is_handout = args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"));
     if let Some(option) = args.unused(is_handout) {
         return Err(Failure::BadInput(texts::unused_option(lang, option, is_handout)));
@@ -324,7 +324,7 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     if is_handout {
         return write_handout(args, &found, lang);
     }
-    // A folder of pictures that has the name of one is a slip.
+    // A folder of pictures with the name of a picture is a slip.
     if args.output.extension().is_some() && PictureFormat::of(&args.output).is_some() {
         return Err(Failure::BadInput(texts::output_name(lang, &sanitize::path(&args.output))));
     }
@@ -332,7 +332,7 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let written = written(args.which.lang);
     let format = args.format.unwrap_or(PictureFormat::Png);
     let digits = lesson.steps.len().to_string().len().max(2);
-    // Nothing is written if a step is faulty.
+    // If a step is faulty, no file is written.
     let mut made = Vec::new();
     for (k, step) in lesson.steps.iter().enumerate() {
         let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, format.ending());
@@ -365,7 +365,7 @@ fn play(args: &PlayArgs, lang: Lang) -> Result<Box<Opening>, Failure> {
 /// The window that plays the lesson in a file or a link.
 ///
 /// # Errors
-/// It cannot be read, or holds no lesson.
+/// If it can't be read, or holds no lesson.
 pub(super) fn opened(path: &Path, allow_files: bool, langs: (Lang, Option<Lang>)) -> Result<Opening, Failure> {
     let (lesson, _) = read(path, langs.0)?;
     Ok(opening(OpenLesson { lesson: Arc::new(lesson), path: Some(path.to_owned()), step: 0 }, allow_files, langs))

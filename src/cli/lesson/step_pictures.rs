@@ -20,18 +20,18 @@ use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Size, Views, scene_of};
 
-/// The size of a picture of a step, where none is given; of several, each.
+/// The size of a picture of a step if none is given, or of each of several.
 const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
 
-/// A lesson, and where it comes from.
+/// A lesson and its origin.
 pub(in crate::cli) struct Found {
     pub(in crate::cli) lesson: Arc<Lesson>,
     /// `None` means one of the program.
     pub(in crate::cli) path: Option<PathBuf>,
 }
 
-/// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and why files are missing
-/// without which it can be drawn.
+/// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and the reasons why files
+/// are missing without which it can be drawn.
 pub(in crate::cli) fn scene(
     figure: &Figure,
     path: Option<&PathBuf>,
@@ -76,7 +76,7 @@ pub(in crate::cli) fn composite(
     })
 }
 
-/// The size of a file: as given, or of that many pictures.
+/// The size of a file: as given, or for that many pictures.
 pub(in crate::cli) fn size_of(given: Option<ImageSize>, views: Views) -> Size {
     let count = u32::try_from(views.views().count()).unwrap_or(1);
     let ImageSize { width, height } =

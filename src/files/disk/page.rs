@@ -1,8 +1,8 @@
 //! The substitute for a file system in a page of a browser.
 //!
-//! Files in [`KEPT`] are stored by the page from one visit to the next, as text. Any other file that is written is
-//! handed to the user, as a download. It cannot be read again. Readable are the files that the user has given to the
-//! page, until the page is left.
+//! The page stores files in [`KEPT`] from one visit to the next, as text. Any other file that is written goes to the
+//! user as a download and can't be read again. Readable are the files that the user has given to the page, until the
+//! user leaves it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -26,7 +26,7 @@ pub struct Page {
     pub download: fn(&str, &[u8]) -> io::Result<()>,
     /// True if another page of this origin holds the lock of this name.
     pub held_elsewhere: fn(&str) -> bool,
-    /// Takes the lock of this name, or gives it back.
+    /// Takes or releases the lock of this name.
     pub hold: fn(&str, bool),
     /// The seconds since the beginning of 1970.
     pub clock: fn() -> u64,
@@ -35,7 +35,7 @@ pub struct Page {
 #[derive(Debug)]
 struct Files {
     page: Option<Page>,
-    /// The files that the user has given to the page.
+    /// The files given by the user to the page.
     given: BTreeMap<PathBuf, Vec<u8>>,
     /// The locks of this page.
     held: BTreeSet<String>,
@@ -52,12 +52,12 @@ fn page() -> io::Result<Page> {
     files().page.ok_or_else(|| io::ErrorKind::Unsupported.into())
 }
 
-/// Sets the functions of the page. Before, nothing can be stored.
+/// Sets the functions of the page. Nothing can be stored before that.
 pub fn begin(page: Page) {
     files().page = Some(page);
 }
 
-/// Gives a file to the page. It can be read from now on, under its name.
+/// Gives a file to the page. From now on it can be read under its name.
 pub fn give(path: PathBuf, bytes: Vec<u8>) {
     files().given.insert(path, bytes);
 }
@@ -72,17 +72,17 @@ fn time_of(name: &str) -> String {
     format!("{name}.time")
 }
 
-/// The bytes of a stored or given file, if they are not more than `most`.
+/// The bytes of a stored or given file of at most `most` bytes.
 ///
 /// # Errors
-/// [`FileError`] where there is no such file, or it is larger.
+/// [`FileError`] if there is no such file, or it's larger.
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let bytes = match name(path) {
         Some(name) => {
             let kept = page().ok().and_then(|page| (page.kept)(name));
             kept.ok_or_else(|| FileError::Read(io::ErrorKind::NotFound.into()))?.into_bytes()
         }
-        // Folders of the user are not visible: for a file named in one, only the name counts.
+        // Folders of the user aren't visible. For a file named in one, only the name counts.
         None => {
             crate::files::check_path(path)?;
             let files = files();
@@ -96,7 +96,7 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
 /// Keeps the bytes, or hands them to the user.
 ///
 /// # Errors
-/// [`FileError::Write`] where the page refuses.
+/// [`FileError::Write`] if the page refuses.
 pub fn save(path: &Path, bytes: &[u8], _: Overwrite) -> Result<(), FileError> {
     write(path, bytes).map_err(FileError::Write)
 }
@@ -113,12 +113,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     };
     let text = str::from_utf8(bytes).map_err(|_| io::ErrorKind::InvalidData)?;
     (page.keep)(name, Some(text))?;
-    // Only how old it is would not be known.
+    // If this fails, only the age of the file is unknown.
     let _ = (page.keep)(&time_of(name), Some(&(page.clock)().to_string()));
     Ok(())
 }
 
-/// Whether something is stored under this path. A download replaces nothing.
+/// True if a file is stored under this path. A download replaces nothing.
 pub fn exists(path: &Path) -> bool {
     name(path).zip(page().ok()).is_some_and(|(name, page)| (page.kept)(name).is_some())
 }
@@ -150,7 +150,7 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     remove(from)
 }
 
-/// A page has no folders to be made.
+/// A page has no folders to create.
 ///
 /// # Errors
 /// None.
@@ -166,12 +166,12 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     Ok(path.to_owned())
 }
 
-/// A name means the same from everywhere. There is one folder.
+/// True for a path with a file name. There is one folder, so a name means the same from everywhere.
 pub fn is_whole(path: &Path) -> bool {
     path.file_name().is_some()
 }
 
-/// In a page nothing is half written.
+/// A page never leaves half-written files behind.
 pub const fn remove_left_over(_: &Path) {}
 
 /// A download is never read-only.
@@ -179,14 +179,14 @@ pub const fn is_read_only(_: &Path) -> bool {
     false
 }
 
-/// A lock against other pages of this origin, as long as it lives. The browser releases it with the page.
+/// A lock against other pages of this origin, for as long as this value lives. The browser releases it with the page.
 #[derive(Debug)]
 pub struct Lock(String);
 
-/// The lock of this name, unless another page, or this one, has it.
+/// The lock of this name, unless this or another page has it.
 ///
 /// # Errors
-/// Where a page keeps nothing.
+/// If a page can't keep anything.
 pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     let (Some(name), page) = (name(path), page()?) else { return Ok(None) };
     let mut files = files();
@@ -198,7 +198,7 @@ pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     Ok(Some(Lock(name.to_owned())))
 }
 
-/// Nothing waits in a page: work under this lock is done in one go.
+/// Does nothing, because no other code of a page runs while work under this lock is done.
 ///
 /// # Errors
 /// None.
@@ -241,7 +241,7 @@ mod tests {
         Ok(())
     }
 
-    // One test: files given to a page are there for the whole program.
+    // One test, because files given to a page exist for the whole program.
     #[test]
     fn what_is_kept_comes_back_and_what_is_saved_is_handed_to_the_user() {
         let kept = Path::new("/camera-lab/session-0.json");
@@ -259,7 +259,7 @@ mod tests {
         save(kept, "θ = 3".as_bytes(), Overwrite::Writable).unwrap();
         assert_eq!(read(kept).unwrap(), "θ = 3".as_bytes());
         assert_eq!(written(kept), SystemTime::UNIX_EPOCH.checked_add(Duration::from_secs(1000)));
-        // A file that does not fit leaves the old one.
+        // If a file doesn't fit, the old one stays.
         assert_eq!(write(kept, &[b'a'; 21]).unwrap_err().kind(), io::ErrorKind::StorageFull);
         assert!(matches!(save(kept, &[0xff], Overwrite::Writable), Err(FileError::Write(_))));
         assert!(matches!(read_at_most(kept, 3), Err(FileError::TooLarge)));

@@ -5,14 +5,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// A lock against other windows, as long as it lives. The system releases it when the program ends, however it ends.
+/// A lock against other windows, for as long as this value lives. The system releases it when the program ends, however
+/// it ends.
 #[derive(Debug)]
 pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
 
 /// The lock in this file, unless another window has it.
 ///
 /// # Errors
-/// Where the file cannot be made, or cannot be locked by anybody.
+/// If the file can't be created, or the system can't lock it.
 pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     let file = open(path)?;
     match file.try_lock() {
@@ -22,10 +23,10 @@ pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     }
 }
 
-/// The lock in this file. Waits while another window has it. Where there are no locks, it keeps nobody away.
+/// The lock in this file. Waits while another window has it. If there are no locks, it keeps no window away.
 ///
 /// # Errors
-/// Where the file cannot be made.
+/// If the file can't be created.
 pub fn lock(path: &Path) -> io::Result<Lock> {
     let file = open(path)?;
     let _ = file.lock();
@@ -36,12 +37,12 @@ fn open(path: &Path) -> io::Result<File> {
     OpenOptions::new().create(true).truncate(false).write(true).open(path)
 }
 
-/// True if there is something with this name.
+/// True if this name exists.
 pub fn exists(path: &Path) -> bool {
     path.exists()
 }
 
-/// When a file was written last, where the system knows.
+/// The time when a file was written last, if the system knows it.
 pub fn written(path: &Path) -> Option<SystemTime> {
     fs::metadata(path).and_then(|meta| meta.modified()).ok()
 }
@@ -49,15 +50,15 @@ pub fn written(path: &Path) -> Option<SystemTime> {
 /// Gives a file another name.
 ///
 /// # Errors
-/// Where the system refuses.
+/// If the system refuses.
 pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     fs::rename(from, to)
 }
 
-/// Removes a file; where there is none, that is all right.
+/// Removes a file. If it doesn't exist, that's no error.
 ///
 /// # Errors
-/// Where the system refuses.
+/// If the system refuses.
 pub fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -68,17 +69,17 @@ pub fn remove(path: &Path) -> io::Result<()> {
 /// Writes a file of the program's own.
 ///
 /// # Errors
-/// Where the system refuses.
+/// If the system refuses.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     fs::write(path, bytes)
 }
 
-/// Makes a folder, and those that it lies in.
+/// Creates a folder, and the folders that it lies in.
 ///
 /// # Errors
-/// Where the system refuses.
+/// If the system refuses.
 pub fn create_folder(path: &Path) -> io::Result<()> {
-    // A file in the place of the last folder is reported like one in the place of another.
+    // A file in the place of the last folder is reported like a file in the place of any other.
     fs::create_dir_all(path).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
         _ => error,
@@ -88,7 +89,7 @@ pub fn create_folder(path: &Path) -> io::Result<()> {
 /// The path without links and `..`.
 ///
 /// # Errors
-/// Where the system finds nothing.
+/// If the system doesn't find it.
 pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     fs::canonicalize(path)
 }

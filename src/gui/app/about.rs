@@ -1,4 +1,4 @@
-//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has it
+//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has them
 //! too.
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
@@ -7,10 +7,10 @@ use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::i18n::window::Texts;
 
-/// Names and licences of all libraries, and the texts of the licences; `.ci/third-party` writes it.
+/// Names and licences of all libraries, and the texts of the licences, written by `.ci/third-party`.
 const THIRD_PARTY: &str = include_str!("../../../THIRD-PARTY.md");
 
-/// Shows the dialog; `first`: it has just been opened.
+/// Shows the dialog. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, first: bool) {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
@@ -20,7 +20,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, fir
     let height = (ui.ctx().content_rect().height() - 220.0).max(80.0);
     let lines: Vec<&str> = THIRD_PARTY.lines().collect();
     let row = ui.text_style_height(&TextStyle::Small);
-    // As high from the first frame on: the dialog would grow for some frames.
+    // At its full height from the first frame, or the dialog would grow for some frames.
     let area = ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink(false);
     area.show_rows(ui, row, lines.len(), |ui, range| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);

@@ -1,4 +1,4 @@
-//! Does, after the panels of a frame, the actions that features asked of each other.
+//! Performs, after the panels of a frame, the actions that features requested from each other.
 
 use eframe::egui::Context;
 
@@ -10,7 +10,7 @@ use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::gui::model::photograph::PhotographTool;
 
-/// Does what has been asked since the last call.
+/// Performs the actions requested since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {
     // One may bring others.
     while !state.model.actions.is_empty() {
@@ -27,7 +27,7 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
             }
             Action::Offered(open) => {
                 begin(ctx, state, AfterSave::Lesson(open));
-                // It stays if the question about changes does.
+                // It stays if the question about changes is open.
                 if state.learn.lesson.is_some() {
                     state.learn.take_offer(&mut state.model);
                 }

@@ -10,24 +10,24 @@ use crate::gui::model::command::Command;
 use crate::i18n::window::Texts;
 pub use table::MENUS;
 
-/// A menu: its title, and its commands in groups, between which is a line.
+/// A menu: its title, and its commands in groups with lines between them.
 #[derive(Debug)]
 pub struct Menu {
     pub(in crate::gui) title: fn(&Texts) -> &'static str,
-    /// False: its place is elsewhere, at the titles of the pictures.
+    /// False if its place is elsewhere, at the titles of the pictures.
     pub in_bar: bool,
     groups: &'static [&'static [Row]],
 }
 
 impl Menu {
-    /// Its commands in groups, as far as a window of this kind has them.
+    /// Its commands in groups, without those that a window of this kind lacks.
     pub fn groups(&self, model: &Model) -> impl Iterator<Item = impl Iterator<Item = Command>> {
         let commands = |group: &'static [Row]| group.iter().map(|row| row.command);
         self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(model)))
     }
 }
 
-/// All that is known of a command.
+/// The properties of a command.
 #[derive(Clone, Copy, Debug)]
 struct Row {
     command: Command,
@@ -37,9 +37,9 @@ struct Row {
     /// Label and hint.
     words: fn(&Texts) -> (&'static str, &'static str),
     enabled: fn(&State) -> bool,
-    /// Its menu lists it only while it is enabled.
+    /// True if its menu lists it only while it's enabled.
     only_if_enabled: bool,
-    /// The reason why it is disabled, where that is not plain.
+    /// The reason why it's disabled, if that isn't obvious.
     hint_disabled: Option<fn(&Texts) -> &'static str>,
     on: Option<fn(&State) -> bool>,
     run: fn(&mut State, &Context),
@@ -50,10 +50,10 @@ struct Row {
 enum InBrowser {
     /// The command and its keys.
     All,
-    /// The command alone: its keys do something that people want of every browser (a new window or tab, the address,
-    /// reloading, zooming, other tabs).
+    /// Only the command, because users expect its keys to do something else in every browser (a new window or tab, the
+    /// address, reloading, zooming, other tabs).
     WithoutKeys,
-    /// Nothing: a page has no files that it could open again by itself, and is closed by the browser.
+    /// Nothing, because a page can't reopen files by itself, and the browser closes it.
     Nothing,
 }
 
@@ -82,7 +82,7 @@ impl Command {
         (self.row().words)(t).1
     }
 
-    /// The hint while it is disabled: the reason, where that is not plain.
+    /// The hint while it's disabled: the reason, if that isn't obvious.
     pub fn hint_disabled(self, t: &Texts) -> &'static str {
         self.row().hint_disabled.map_or_else(|| self.hint(t), |hint| hint(t))
     }
@@ -110,12 +110,12 @@ impl Command {
         !(model.in_browser && self.row().in_browser == InBrowser::Nothing)
     }
 
-    /// Whether it would do something.
+    /// True if it would have an effect.
     pub fn is_enabled(self, state: &State) -> bool {
         (self.row().enabled)(state)
     }
 
-    /// Whether its menu lists it now.
+    /// True if its menu lists it now.
     pub fn is_listed(self, state: &State) -> bool {
         !self.row().only_if_enabled || self.is_enabled(state)
     }
@@ -130,7 +130,7 @@ impl Command {
         (self.row().run)(state, ctx);
     }
 
-    /// True for what a text field does itself while it has the keyboard.
+    /// True for an action that a text field does itself while it has the keyboard.
     pub fn is_for_text_too(self) -> bool {
         matches!(self, Self::Undo | Self::Redo)
     }

@@ -40,7 +40,7 @@ use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 
-/// Shows the question that is open, if any, and acts on the answer. Gives a command that is to be done.
+/// Shows the open question, if any, and acts on the answer. Returns a command to perform.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if state.file_flow.waits_for_system() {
         wait_for_system(ctx, &state.model, &mut state.file_flow);
@@ -66,7 +66,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if let Dialog::Compare(form) = dialog {
         let draws = state.annotations.any();
         let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
-        // A command may have opened another one meanwhile.
+        // A command may have opened another one in between.
         if state.file_flow.dialog.is_none() {
             state.file_flow.dialog = stays.map(Dialog::Compare);
         }
@@ -236,7 +236,7 @@ fn wait_for_system(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow)
     Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
         ui.set_width(380.0);
         text(ui, t.choosing_title, t.choosing_text);
-        // A system that does not answer must not keep the window for ever.
+        // A system that doesn't answer must not keep the window for ever.
         if matches!(buttons(ui, t.cancel, &[], None), Pressed::Cancel) {
             file_flow.asking = None;
         }
@@ -250,7 +250,7 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
     ui.add_space(10.0);
 }
 
-/// Asks about text of a lesson that cannot be saved in its file.
+/// Asks about text of a lesson that can't be saved in its file.
 fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: AfterSave, first: bool) {
     let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.model.settings.lang));
     text(ui, words.unsaved_text_title, words.unsaved_text);
@@ -270,7 +270,7 @@ fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: After
     }
 }
 
-/// Asks about the children of objects that are deleted.
+/// Asks about the children of deleted objects.
 fn ask_delete(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -298,7 +298,7 @@ fn ask_delete(
     scene::remove(model, &names, children);
 }
 
-/// Asks about a file changed by another program: the choice that loses nothing is the default.
+/// Asks about a file changed by another program. The choice that loses nothing is the default.
 fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
     let name = state.model.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
     text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
@@ -330,7 +330,7 @@ fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut chan
     }
 }
 
-/// The lines that differ: those of the file with −, those of the window with +.
+/// The differing lines: those of the file with −, those of the window with +.
 fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
     let visuals = ui.visuals().clone();
     ui.label(RichText::new(t.compare_file).monospace().color(visuals.error_fg_color));
@@ -342,7 +342,7 @@ fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
     let height = (ui.ctx().content_rect().height() - 280.0).max(80.0);
     let line = ui.text_style_height(&egui::TextStyle::Monospace);
     ui.spacing_mut().item_spacing.y = 1.0;
-    // As high at once as it is going to be, as in the help.
+    // At its final height at once, as in the help.
     let area = egui::ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
     area.show_rows(ui, line, comparison.lines.len(), |ui, rows| {
         for (whose, text) in comparison.lines.get(rows).unwrap_or_default() {
@@ -397,7 +397,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     }
 }
 
-/// Goes on with a typed path. Errors are shown below the path, and there alone.
+/// Goes on with a typed path. Shows errors below the path, and only there.
 fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: String) {
     (state.model.message, state.file_flow.refused) = (None, None);
     file_flow::chosen(ctx, state, purpose.clone(), PathBuf::from(path.trim()));
@@ -407,7 +407,7 @@ fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: 
     }
 }
 
-/// Selects the name in a proposed path, without its folder and its ending: typing replaces it.
+/// Selects the name in a proposed path, without its folder and its ending, so that typing replaces it.
 fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     let begin = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
     let end = path[begin..].rfind('.').map_or(path.len(), |at| begin + at);
@@ -423,8 +423,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, file_flow: &mut Fil
         (t.show_image, pictures.keys_in_image),
     ];
     ui.heading(t.help);
-    // As high from the first frame on as it is going to be: a dialog that grows moves its buttons away from the
-    // pointer.
+    // At its final height from the first frame, because a dialog that grows moves its buttons away from the pointer.
     let height = (ui.ctx().content_rect().height() - 160.0).max(120.0);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
     area.show(ui, |ui| {

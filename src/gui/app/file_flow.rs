@@ -45,8 +45,8 @@ use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
 
-/// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
-/// changes of the figure. Whatever replaces or closes a document comes through here.
+/// Does the `next` action, after asking about all losses: text of a lesson that can't be saved, and changes of the
+/// figure. Every action that replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.learn.end_move(&mut state.model);
     state.model.settle_layout(state.learn.lesson.is_some());
@@ -65,7 +65,7 @@ pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     }
 }
 
-/// Does the `next` action. Changes are lost. Only [`begin`] and the answer to its question call this.
+/// Does the `next` action. Changes are lost, so only [`begin`] and the answer to its question call this.
 pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
@@ -79,7 +79,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         AfterSave::Text(text) => match parse(&text).map(|figure| Document::new(figure, None)) {
             Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
             Ok(Err(error)) => state.model.say(Message::Camera(error)),
-            // The program wrote it, of a camera that it had measured: a test opens every one.
+            // The program wrote it, for a camera that it had measured. A test opens every one.
             Err(_) => {}
         },
         AfterSave::Lesson(open) => state.learn.play(&mut state.model, open),
@@ -92,11 +92,11 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     }
 }
 
-/// Goes on to the next document that closing would lose. Closes the window once there is none.
+/// Goes on to the next document that closing would lose. If there are none left, closes the window.
 fn quit(ctx: &egui::Context, state: &mut State) {
     state.learn.gather_held(&mut state.model);
     if let Some((_, document)) = state.model.kept.pop() {
-        // If the window is not closed after all, the figure is still there.
+        // If the window isn't closed after all, the figure is still there.
         if state.learn.has_unsaved(&state.model) {
             state.model.given_up.push((Source::of(&state.model.document), state.model.document.clone()));
         }
@@ -109,13 +109,13 @@ fn quit(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// Closes the window, whatever is going on.
+/// Closes the window, regardless of running work.
 pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
     file_flow.may_close = true;
     ctx.send_viewport_cmd(ViewportCommand::Close);
 }
 
-/// Saves to the figure's own file. Asks for one where there is none.
+/// Saves to the figure's own file. If it has none, asks for one.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
     match state.model.document.path().cloned().or_else(named) {
@@ -124,10 +124,10 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     }
 }
 
-/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no
-/// folders to choose: it asks only for the name of a figure.
+/// Asks for a file, with the system's dialog or with a text field if there is none. A page in a browser has no folders
+/// to choose from, so it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
-    // A figure that was made of a card has words of its own.
+    // A figure made from a card has words of its own.
     let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.document.shipped_name().is_some();
     if asks_title && state.file_flow.titled != Some(state.model.document.id()) {
         let form = TitleForm::of(&state.model, Some(purpose));
@@ -155,7 +155,7 @@ fn ask_in_window(state: &mut State, purpose: Purpose) {
     state.file_flow.dialog = Some(Dialog::Path(purpose, text));
 }
 
-/// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
+/// Opens the system's dialog for the waiting question, in front of the window of `frame`.
 pub(in crate::gui) fn open_dialog(ctx: &egui::Context, file_flow: &mut FileFlow, frame: &eframe::Frame) {
     if let Some(asking) = &mut file_flow.asking
         && let Some(question) = asking.question.take()
@@ -187,7 +187,7 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     }
 }
 
-/// Goes on with the file that was chosen. Asks before a file is replaced.
+/// Goes on with the chosen file. Asks before it replaces a file.
 pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
     let kind = FileKind::of(state, &purpose);
     let path = kind.with_ending(files::whole(&path));
@@ -200,7 +200,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         }
     }
     let own = state.model.document.path() == Some(&path);
-    // A step is added to what is there.
+    // A step is added to the file's content.
     let adds = purpose.adds_step();
     let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
     if is_new && !replaced(&purpose, &path).is_empty() {
@@ -210,7 +210,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     }
 }
 
-/// The files that are there already, and that writing to `path` replaces. A picture may have another file beside it.
+/// The existing files that writing to `path` replaces. A picture may have another file beside it.
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures =
         matches!(purpose, Purpose::Export(_) | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_)));
@@ -295,7 +295,7 @@ fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf
     state.model.say(Message::Exporting);
 }
 
-/// Opens a figure, a lesson, or a link in a file. One that was left with changes is as it was left.
+/// Opens a figure, a lesson, or a link in a file. A figure that was left with changes returns with them.
 fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
     match state.model.take_kept(Some(&Source::File(files::whole(path)))) {
         Some(kept) => {
@@ -313,7 +313,7 @@ pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
     read(ctx, state, ToRead::Next(search));
 }
 
-/// Reads something. If it takes long, the window goes on, and [`poll`] takes the content.
+/// Reads a file. If it takes long, the window goes on, and [`poll`] takes the content.
 fn read(ctx: &egui::Context, state: &mut State, wanted: ToRead) {
     state.file_flow.reading.begin(ctx, &state.model, wanted);
     take_content(ctx, state, state.file_flow.reading.patience);
@@ -341,7 +341,7 @@ fn reload(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// Continues with the window's figure although the file holds another one. The same content is not asked about again.
+/// Continues with the window's figure although the file holds another one. Doesn't ask about the same content again.
 pub fn keep_mine(file_flow: &mut FileFlow) {
     file_flow.decided = file_flow.theirs.take();
 }
@@ -351,7 +351,7 @@ pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSav
     file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
 }
 
-/// The figure as it is written to `path`.
+/// The figure in the form for `path`.
 fn for_folder(model: &Model, path: &Path) -> Figure {
     files::for_folder(&model.figure_to_save(), model.document.folder(), path.parent())
 }
@@ -362,12 +362,12 @@ pub fn text_to_save(model: &Model) -> String {
     update(model.document.source(), &figure)
 }
 
-/// The text of the present screen, as links carry it.
+/// The text of the present screen, in the form for links.
 pub fn text_as_shown(model: &Model) -> String {
     update(model.document.source(), &model.figure_as_shown())
 }
 
-/// The present content of the figure's file, where it differs from the one read or saved last.
+/// The present content of the figure's file, if it differs from the content read or saved last.
 fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
     if document.path().is_none_or(|own| own != path) {
         return None;
@@ -410,13 +410,12 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
     }
 }
 
-/// Says that a file has been written: to where it was wanted, or into the hands of a browser.
+/// Reports that a file has been written: to the requested path, or as a download of the browser.
 fn say_saved(model: &mut Model, path: PathBuf) {
     model.say(if model.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
 }
 
-/// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
-/// restored.
+/// Checks if another program has changed the figure's file, when the window gets the focus and when it was restored.
 fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
     if std::mem::take(&mut file_flow.look) || focused {
@@ -426,7 +425,7 @@ fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
         Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {
             file_flow.theirs = Some(theirs);
         }
-        // As it was: there is nothing to say any more.
+        // The file is as it was, so there is nothing left to report.
         Some(FileChange::Same(_)) => (file_flow.theirs, file_flow.decided) = (None, None),
         Some(FileChange::Other(_) | FileChange::Gone) | None => {}
     }
@@ -456,20 +455,21 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// Asks what closing the window would lose. A dialog that was open comes back if the window stays.
+/// Asks about the losses of closing the window. If the window stays, a dialog that was open comes back.
 fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
     if state.file_flow.is_closing() {
-        // It has been asked.
+        // The question has been asked.
         return;
     }
-    // The answer of a dialog of the system is not waited for any more.
+    // We don't wait for the answer of a system dialog any more.
     state.file_flow.asking = None;
     let document = state.model.document.id();
     state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
     begin(ctx, state, AfterSave::Quit);
 }
 
-/// Opens files that were dropped, or given to a page. The first one, once no question is open that it would replace.
+/// Opens files that were dropped, or given to a page. The first one waits until no question is open that it would
+/// replace.
 fn take_given(ctx: &egui::Context, state: &mut State) {
     let dropped: Vec<PathBuf> =
         ctx.input(|input| input.raw.dropped_files.iter().map(|file| files::whole(file.path())).collect());
@@ -487,7 +487,7 @@ fn take_given(ctx: &egui::Context, state: &mut State) {
         state.gallery.end();
     }
     take_file(ctx, state, path.clone());
-    // An error matters more. The files that come with one to a page are those that it names.
+    // An error matters more. In a page, the files that come with one are those that it names.
     if count > 1 && !state.model.in_browser && !state.model.message.as_ref().is_some_and(Message::is_error) {
         state.model.say(Message::FirstOfDropped(path, count));
     }
@@ -502,15 +502,15 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
     let mut shapes = state.model.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
     if state.model.in_browser && shapes.any(is_this) {
-        // The scene names it, and had to do without it.
+        // The scene names it, but hasn't been able to read it so far.
         return state.model.scene_cache.read_again();
     }
     mesh(&mut state.model, MeshFor::New, &path);
     state.model.settings.tab = Tab::Scene;
 }
 
-/// Reports finished exports. A window that waits for them closes with the last one, unless one has failed: nobody would
-/// see that.
+/// Reports finished exports. A window that waits for them closes with the last one, unless one has failed, because the
+/// user wouldn't see that.
 fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow) {
     let mut failed = false;
     for (path, result) in file_flow.exported() {

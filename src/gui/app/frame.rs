@@ -1,9 +1,9 @@
 //! A frame of the window, in five phases: the input, the panels, the pictures, the dialogs, and the work in the
 //! background.
 //!
-//! Their order is the protocol between them. Keys change the figure before a panel shows it. The panels set what the
-//! pointer is on, and the pictures mark it in the same frame. Dialogs lie over both. What was done is committed, and
-//! handed to the threads that write files, after everything has been shown.
+//! Their order is the protocol between them. Keys change the figure before a panel shows it. The panels note the target
+//! of the pointer, and the pictures mark it in the same frame. Dialogs lie over both. After everything has been shown,
+//! the changes are committed and handed to the threads that write files.
 
 use std::time::Duration;
 
@@ -30,10 +30,10 @@ use crate::gui::storage::session_news;
 use crate::gui::why;
 use crate::i18n::window::{self, Texts};
 
-/// Below this width, in points, there is room for one panel beside the pictures.
+/// Below this width, in points, there is room for only one panel beside the pictures.
 const NARROW: f32 = 960.0;
 
-/// Commands that the panels have called, done when the pictures have been shown.
+/// Commands that the panels have called, performed after the pictures have been shown.
 #[derive(Default)]
 struct Called {
     of_bar: Option<Command>,
@@ -41,7 +41,7 @@ struct Called {
 }
 
 impl App {
-    /// One frame; `ui` is the whole window.
+    /// Shows one frame. `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
         self.input(&ctx);
@@ -51,7 +51,7 @@ impl App {
         self.background(&ctx);
     }
 
-    /// Goes on with what moves by itself, and does what the keyboard asks for.
+    /// Advances animations, and performs the commands of the keyboard.
     fn input(&mut self, ctx: &egui::Context) {
         let os = ctx.os();
         ctx.input_mut(|input| {
@@ -78,7 +78,7 @@ impl App {
         {
             self.perform(ctx, command);
         }
-        // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
+        // Each key press acts in its turn. If one opens a dialog, later keys are for the dialog.
         while !self.state.file_flow.is_asking()
             && let Some(command) = self.keyboard(ctx)
         {
@@ -96,7 +96,7 @@ impl App {
         }
     }
 
-    /// Does what features have asked of each other.
+    /// Performs the requests of features to each other.
     pub(super) fn act(&mut self, ctx: &egui::Context) {
         actions::perform(ctx, &mut self.state);
     }
@@ -113,7 +113,7 @@ impl App {
             })
         });
         let of_bar = of_bar.and_then(|bar| bar.inner);
-        // Notices wait until the presentation is over.
+        // Notices wait until the end of the presentation.
         if !presenting {
             self.notices(ui);
         }
@@ -147,7 +147,7 @@ impl App {
         self.act(ui.ctx());
     }
 
-    /// The panels that are open: studies below, parameters at the left, operations and explanations at the right.
+    /// The open panels: studies below, parameters at the left, operations and explanations at the right.
     fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts) {
         let sides = *self.state.model.settings.panels();
         if self.state.numerics.shown {
@@ -195,7 +195,7 @@ impl App {
         }
     }
 
-    /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
+    /// Operations above, at their own height but not more than about half if the numbers below are unfolded.
     fn right(&mut self, ui: &mut egui::Ui) {
         let share = if self.state.model.settings.numbers_open { 0.56 } else { 0.8 };
         let half = ui.available_height() * share;
@@ -210,7 +210,7 @@ impl App {
         });
     }
 
-    /// The pictures; then the commands that they and the panels have called.
+    /// Shows the pictures, then performs the commands that they and the panels have called.
     fn pictures(&mut self, ui: &mut egui::Ui, called: Called) {
         let ctx = ui.ctx().clone();
         let pictures = egui::CentralPanel::no_frame().show(ui, |ui| pictures(ui, &mut self.canvas, &mut self.state));
@@ -225,7 +225,7 @@ impl App {
             self.perform(&ctx, command);
         }
         let of_speaker = lesson::speaker_window(&ctx, &self.state.model, &self.state.learn);
-        // Its window does not know of questions in this one.
+        // The speaker's window doesn't know of questions in this one.
         let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = called.of_lesson.or(of_speaker) {
             self.perform(&ctx, command);
@@ -244,7 +244,7 @@ impl App {
         self.focus.end(ctx);
     }
 
-    /// Settings and title for the system, then session and preferences. A figure that moves is kept when it rests.
+    /// Settings and title for the system, then session and preferences. A moving figure is stored when it rests.
     fn background(&mut self, ctx: &egui::Context) {
         self.apply_settings(ctx);
         self.refuse_links(ctx);
@@ -290,7 +290,7 @@ impl App {
     }
 }
 
-/// Shows the pictures with the parts that other features give them, then does the actions that they leave.
+/// Shows the pictures with their inputs from other features, then performs the resulting actions.
 pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
     let State { model, learn, annotations, explain, file_flow, label_mode, photograph, .. } = state;
     let inputs = Inputs {
@@ -308,13 +308,13 @@ pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
     actions::perform(ui.ctx(), state);
 }
 
-/// Names the handle of a panel in the language of the window: egui's own name for it is English.
+/// Names the handle of a panel in the language of the window, because egui's own name for it is English.
 fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
     let handle = ui.scope_id().with_salt(egui::IdSalt::new(panel)).with("__resize");
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
 }
 
-/// Tells the effect of dropping a file that is held over the window.
+/// Shows the effect of dropping a file held over the window.
 fn drop_hint(ctx: &egui::Context, model: &Model) {
     if ctx.input(|input| input.raw.hovered_files.is_empty()) {
         return;

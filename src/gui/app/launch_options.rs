@@ -1,4 +1,4 @@
-//! Launch options of one window, which are not stored: from the command line, or from the address of a page
+//! Launch options of one window, which aren't stored. They come from the command line, or from the address of a page
 //! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure
 //! inside a page.
 
@@ -21,11 +21,11 @@ pub struct LaunchOptions {
     pub lang: Option<Lang>,
     /// The ground of the window and its pictures.
     pub theme: Option<Theme>,
-    /// The pictures that are shown.
+    /// The displayed pictures.
     pub views: Option<Views>,
-    /// The pictures alone: neither panels nor menus.
+    /// True for the pictures alone, without panels and menus.
     pub bare: bool,
-    /// The lesson of the program that is played, by its place.
+    /// The built-in lesson to play, by its place.
     pub lesson: Option<usize>,
     /// Its step, from 1.
     pub step: Option<usize>,
@@ -73,7 +73,7 @@ impl LaunchOptions {
         }
     }
 
-    /// The lesson to be played. It takes the place of the figure: `file_flow` asks first.
+    /// The lesson to play. It replaces the figure, so `file_flow` asks first.
     pub fn open_lesson(self) -> Option<OpenLesson> {
         let lesson = shipped().get(self.lesson?)?.lesson.clone();
         let last = lesson.steps.len().saturating_sub(1);

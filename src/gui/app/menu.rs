@@ -15,22 +15,22 @@ use crate::gui::model::command::Command;
 use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
 
-/// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
+/// Below this width, in points, the menus have no room beside the switches, as on a telephone held upright.
 pub(in crate::gui) const PHONE: f32 = 600.0;
 
-/// From this width on, in points, the switches that most look for have their words.
+/// From this width on, in points, the most used switches have their words.
 const WORDS: f32 = 1000.0;
 
 /// From this width on, every switch of the bar has its word.
 const ALL_WORDS: f32 = 1500.0;
 
-/// The least room for the name of a figure that is longer, in points.
+/// The least room for a longer name of a figure, in points.
 const LEAST_NAME: f32 = 48.0;
 
 /// A switch at the right end of the bar.
 struct Switch {
     command: Command,
-    /// The sign in place of the word in a window that is narrower than a width, in points.
+    /// The sign that replaces the word if the window is narrower than a width, in points.
     sign: Option<(&'static str, f32)>,
     word: fn(&Texts) -> &'static str,
 }
@@ -45,7 +45,7 @@ const SWITCHES: &[Switch] = &[
     Switch { command: Command::Presentation, sign: Some(("▶", WORDS)), word: |t| t.menu_present },
 ];
 
-/// The signs of the bar with their commands, as a legend lists them.
+/// The signs of the bar with their commands, for a legend.
 pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> {
     let switches = SWITCHES.iter().filter_map(|switch| Some((switch.sign?.0, switch.command)));
     HISTORY.into_iter().map(|(command, sign)| (sign, command)).chain(switches)
@@ -53,7 +53,7 @@ pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> 
 
 const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "↷")];
 
-/// Shows the bar. The chosen command, if any.
+/// Shows the bar. Returns the chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.model.settings.lang);
     let mut chosen = None;
@@ -73,7 +73,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         }
         let mut of_title = None;
         let middle = |ui: &mut egui::Ui| {
-            // News get the little space that there is on a telephone.
+            // On a telephone, news get the little space there is.
             if !is_phone {
                 title(ui, t, &state.model, &state.learn, &mut of_title);
             }
@@ -95,7 +95,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     chosen
 }
 
-/// The menus, one beside or below the other. The chosen command, if any.
+/// The menus, one beside or below the other. Returns the chosen command, if any.
 fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     let mut chosen = None;
     for menu in MENUS.iter().filter(|menu| menu.in_bar) {
@@ -119,7 +119,7 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     chosen
 }
 
-/// `has_marks`: of the entries of its menu, some can be on.
+/// `has_marks` is true if some entries of its menu can be on.
 fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Command, bool)) -> bool {
     let keys = keys(ui, &state.model, command);
     let mark = match command.is_on(state) {
@@ -135,7 +135,7 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Comm
         .clicked()
 }
 
-/// The keys of a command as they are written, if it has any here.
+/// The written keys of a command, if it has any here.
 fn keys(ui: &egui::Ui, model: &Model, command: Command) -> Option<String> {
     command.keys(model).next().map(|keys| written(ui.ctx(), &keys, model.settings.lang))
 }
@@ -160,7 +160,7 @@ fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mu
         let name = command.label(t).trim_end_matches('…');
         let font = TextStyle::Body.resolve(ui.style());
         if elide::width(ui, &font, name) > ui.available_width() {
-            // A small window has them in its menus alone.
+            // A small window has them only in its menus.
             continue;
         }
         let link = ui.link(name);
@@ -168,7 +168,7 @@ fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mu
             *chosen = Some(command);
         }
     }
-    // A letter or two of a name say nothing.
+    // A letter or two of a name are no help.
     let font = TextStyle::Body.resolve(ui.style());
     if ui.available_width() < elide::width(ui, &font, &text).min(LEAST_NAME) {
         return;

@@ -1,6 +1,6 @@
 //! The program of the window: its frames, commands, menus, search, questions about files, and preferences.
 //!
-//! Only here are features used, in order, and only functions here take everything that the window knows.
+//! Only this module uses features, in order, and only its functions take the whole state of the window.
 
 pub(super) mod about;
 mod actions;
@@ -94,7 +94,7 @@ impl App {
         self.apply_first_settings(ctx);
     }
 
-    /// Goes on as the system wants it now, where the user has not chosen otherwise.
+    /// Follows the system's setting if the user hasn't chosen one.
     #[cfg(target_arch = "wasm32")]
     pub(in crate::gui) fn follow_system(&mut self, theme: Theme, reduce_motion: bool) {
         if let Some(preferences) = &mut self.preferences {
@@ -110,7 +110,7 @@ impl App {
         &self.title
     }
 
-    /// Stores the session in `folder` from now on. With `restore`, restores that of a window that did not close.
+    /// Stores the session in `folder` from now on. With `restore`, restores that of a window that didn't close.
     pub fn keep_session(&mut self, folder: &Path, restore: bool) {
         let (sessions, left) = Sessions::begin(folder, restore);
         self.sessions = Some(sessions);
@@ -126,12 +126,12 @@ impl App {
             if let Some(text) = text {
                 self.state.learn.resume_text(&mut self.state.model, text, figure);
             }
-            // Another program may have gone on with the file.
+            // Another program may have changed the file since.
             self.state.file_flow.look = true;
         }
     }
 
-    /// Collects notices about sessions and preferences. Each stays until dismissed, write failures as long as they
+    /// Collects notices about sessions and preferences. Each stays until dismissed. Write failures stay as long as they
     /// last.
     fn show_notices(&mut self) {
         let said = &mut self.state.file_flow.news;
@@ -147,7 +147,7 @@ impl App {
         }
     }
 
-    /// Takes the first key press out of the input that calls a command, and gives the command.
+    /// Removes from the input the first key press that calls a command, and returns the command.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
         let typing = ctx.text_edit_focused();
         // On a Mac, Option writes accents and signs.
@@ -168,8 +168,8 @@ impl App {
             shortcuts.extend(presentation::PAGES);
         }
         shortcuts.retain(|(keys, _)| !writes(keys));
-        // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first, and also where their command can
-        // do nothing: Ctrl+Shift+Z with nothing to redo must not undo.
+        // Ctrl+Shift+S is Ctrl+S as well, so shortcuts with more keys are tested first, also if their command can do
+        // nothing. For example, Ctrl+Shift+Z must not undo if there is nothing to redo.
         shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
         let called_by = |event: &egui::Event| match event {
             egui::Event::Key { key, modifiers, pressed: true, .. } => shortcuts
@@ -192,7 +192,7 @@ impl App {
         self.act(ctx);
     }
 
-    /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
+    /// Lets links in texts, which may have another author, open only pages and mail, but no files or programs of this
     /// machine.
     fn refuse_links(&mut self, ctx: &egui::Context) {
         let mut refused = None;
@@ -226,7 +226,7 @@ impl App {
     }
 
     /// Theme and zoom before the first frame. [`egui::Context::set_zoom_factor`] would scale the size of the window in
-    /// the frame before, and before the first one that is 10,000 points: pictures as large would be drawn.
+    /// the frame before. Before the first one that's 10,000 points, and the program would draw pictures as large.
     fn apply_first_settings(&self, ctx: &egui::Context) {
         ctx.options_mut(|options| options.zoom_factor = self.zoom(Vec2::ZERO));
         self.apply_theme(ctx);
@@ -261,13 +261,13 @@ impl App {
     }
 }
 
-/// Whether a link may be opened outside of the window.
+/// True if a link may be opened outside the window.
 fn opens(link: &str) -> bool {
     let scheme = link.split_once(':').map(|(scheme, _)| scheme.to_ascii_lowercase());
     scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
 }
 
-/// The corner of a screen besides the one that the window is on, in points of the window's; `None` means there is none.
+/// The corner of a screen other than the window's, in points of the window's. `None` if there is no other.
 #[cfg(not(target_arch = "wasm32"))]
 fn other_screen(frame: &eframe::Frame) -> Option<egui::Pos2> {
     let window = frame.winit_window()?;
@@ -295,7 +295,7 @@ impl eframe::App for App {
         file_flow::open_dialog(ui.ctx(), &mut self.state.file_flow, frame);
     }
 
-    /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.
+    /// The ground of the window. Clearing it costs little, but painting it once more, in software, takes milliseconds.
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         visuals.panel_fill.to_normalized_gamma_f32()
     }
@@ -313,12 +313,12 @@ impl eframe::App for App {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.state.learn.save_text(&mut self.state.model);
-        // Once, whatever came of it.
+        // Only once, whatever the outcome.
         self.state.model.settings.welcomed = true;
         if let Some(preferences) = &mut self.preferences {
             preferences.finish(&mut self.state);
         }
-        // The user has been asked about unsaved changes. A system that ends the program has not done that.
+        // The program has asked the user about unsaved changes, but not if the system ended it.
         if let Some(sessions) = self.sessions.as_mut().filter(|_| self.state.file_flow.may_close) {
             sessions.forget();
         }

@@ -22,21 +22,21 @@ use crate::i18n::{told, window};
 const SHOWN: f64 = 8.0;
 const FADES: f64 = 0.7;
 
-/// The enlargement of a presentation on the usual screen, and on one without a scale of its own that is finer.
+/// The enlargement of a presentation on the usual screen, and on a finer one without a scale of its own.
 const ENLARGEMENT: f32 = 1.6;
 const USUAL_SCREEN: egui::Vec2 = vec2(1920.0, 1080.0);
 const FINEST: f32 = 6.0;
 
-/// The zoom of a presentation in a window of this size in points without any zoom: letters have at least the share of a
-/// large screen that they have of the usual one, also if the system gives the screen no scale.
+/// The zoom of a presentation in a window of this size in points without any zoom. Letters have at least the share of a
+/// large screen that they have of the usual one, even if the system gives the screen no scale.
 pub(in crate::gui) fn zoom(window: egui::Vec2) -> f32 {
     ENLARGEMENT * (window / USUAL_SCREEN).min_elem().clamp(1.0, FINEST)
 }
 
-/// Colour of the pen and of the spot: seen on light and on dark ground.
+/// Colour of the pen and of the spot, visible on light and on dark ground.
 const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
 
-/// The plain keys of a presentation: those of a remote control among them.
+/// The plain keys of a presentation, including those of a remote control.
 pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Command::NextFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Command::PreviousFigure),
@@ -53,13 +53,13 @@ pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
 /// The keys of a remote control, which turn the steps of a lesson without a presentation too.
 pub(in crate::gui) const PAGES: [(KeyboardShortcut, Command); 2] = [KEYS[0], KEYS[1]];
 
-/// The arrows of a remote control, where no picture and no field has the keyboard.
+/// The arrows of a remote control, when no picture and no field has the keyboard.
 pub(in crate::gui) const ARROWS: [(KeyboardShortcut, Command); 2] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight), Command::NextFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Command::PreviousFigure),
 ];
 
-/// Handles Esc, where it means nothing else: it clears annotations; without any it leaves the presentation. Returns the
+/// Handles Esc if it has no other meaning: it clears annotations, or without any leaves the presentation. Returns the
 /// command.
 pub(in crate::gui) fn escape(
     ctx: &Context,
@@ -75,11 +75,11 @@ pub(in crate::gui) fn escape(
     Some(if annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
 }
 
-/// Seconds after which a pointer that rests is as good as gone.
+/// Seconds after which a resting pointer disappears.
 const REST: f64 = 3.0;
 
-/// The pointer of a presentation: if it rests, nothing of it remains, no bar, no hint, no cross hairs. If you
-/// use a remote control, you can't move it away.
+/// The pointer of a presentation. When it rests, it disappears with its bar, hint and cross hairs, because you can't
+/// move it away with a remote control.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::gui) struct RestingPointer {
     moved: f64,
@@ -87,7 +87,8 @@ pub(in crate::gui) struct RestingPointer {
 }
 
 impl RestingPointer {
-    /// Takes the pointer out of the input once it has rested. `is_free`: nothing is held, asked or open.
+    /// Takes the pointer out of the input once it has rested. `is_free` means that nothing is held or open, and no
+    /// question is pending.
     pub(in crate::gui) fn follow(&mut self, input: &mut RawInput, now: f64, is_free: bool) {
         let is_of_pointer = |event: &Event| {
             matches!(
@@ -103,7 +104,7 @@ impl RestingPointer {
         }
     }
 
-    /// Hides the arrow too, or looks again when it has rested.
+    /// Hides the arrow too, or requests a frame for the time when it will have rested.
     pub(in crate::gui) fn show(self, ctx: &Context, presents: bool) {
         if self.gone {
             ctx.set_cursor_icon(CursorIcon::None);
@@ -117,8 +118,8 @@ impl RestingPointer {
 /// The height at the upper border in which the pointer calls the bar, in points.
 const EDGE: f32 = 26.0;
 
-/// The bar of a presentation, over the pictures. It comes when the pointer goes to the upper border, and stays while
-/// one of its menus is open. The chosen command. News take its place meanwhile.
+/// The bar of a presentation, over the pictures. It appears when the pointer goes to the upper border, and stays while
+/// one of its menus is open. News take its place meanwhile. Returns the chosen command.
 pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let id = Id::unique("bar of the presentation");
     let was_shown = ctx.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
@@ -130,7 +131,7 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
     if !is_shown {
         let message = state.model.message.as_ref().filter(|message| !message.is_error())?;
-        // At the foot of the pictures: above them are the title and the caption.
+        // At the foot of the pictures, because the title and the caption are above them.
         let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
         area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
             let most = (ctx.content_rect().width() - 60.0).max(100.0);
@@ -152,7 +153,7 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
 /// Lines of a caption, at most.
 const CAPTION_ROWS: usize = 2;
 
-/// The title and the caption of the figure, large, above the pictures. Nothing where it has none.
+/// The title and the caption of the figure, large, above the pictures. Shows nothing if it has none.
 pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
     let figure = model.document.figure();
     let has_none = figure.title.is_none() && figure.caption.is_none();
@@ -207,7 +208,7 @@ pub(in crate::gui) fn show(ctx: &Context, model: &Model, annotations: &mut Annot
     }
 }
 
-/// The pointer draws over the pictures, which do not feel it meanwhile.
+/// The pointer draws over the pictures, which don't react to it meanwhile.
 fn pen(ctx: &Context, annotations: &mut Annotations, room: Rect) {
     let strokes = &mut annotations.strokes;
     Area::new(Id::unique("pen")).order(Order::Middle).fixed_pos(room.min).show(ctx, |ui| {
@@ -225,8 +226,8 @@ fn pen(ctx: &Context, annotations: &mut Annotations, room: Rect) {
     });
 }
 
-/// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away,
-/// that is said.
+/// The keys of a presentation while they are visible, with their opacity. While Esc would remove something, they say
+/// so.
 pub(in crate::gui) fn keys(
     ctx: &Context,
     model: &Model,
@@ -251,7 +252,7 @@ pub(in crate::gui) fn keys(
     Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
 }
 
-/// A sentence on a ground of its own, whose centre is at a place, in a room so wide.
+/// A sentence on a ground of its own, centred at a place, in a room of this width.
 fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32)) {
     let style = ctx.global_style();
     let color = style.visuals.strong_text_color();
@@ -289,7 +290,7 @@ mod tests {
         assert!(after(vec![], 13.0, true), "it has rested for three seconds");
         assert!(!after(vec![], 14.0, true), "once");
         assert!(!after(moved(), 20.0, true) && !after(vec![], 22.0, true) && after(vec![], 23.1, true));
-        // While something is held or asked, it stays.
+        // While a button is held or a question is open, it stays.
         assert!(!after(vec![], 30.0, false) && !after(vec![], 32.0, true) && after(vec![], 33.0, true));
     }
 }

@@ -60,7 +60,7 @@ enum Target {
     Note(&'static str),
     Exercise(String),
     Figure(&'static str),
-    /// A lesson of the program, by its place, and a step of it.
+    /// A built-in lesson, by its place, and a step of it.
     Step(usize, usize),
 }
 
@@ -111,7 +111,7 @@ impl Entry {
     }
 }
 
-/// Everything that can be found, in the order in which equally good results are listed.
+/// All searchable entries, in the order of equally good results.
 fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
     let lang = model.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
@@ -188,7 +188,7 @@ fn controls(lang: Lang) -> Vec<Entry> {
     ]
 }
 
-/// The results, best first: where the words begin the title, are in it, are elsewhere; the same by other names.
+/// The results, best first: the words begin the title, are in it, or are elsewhere, and then the same by other names.
 fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
     let called = also_called(&search.wanted);
     // The ways of shading are its choices.
@@ -196,7 +196,7 @@ fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
     let rank = |entry: &Entry| {
         let title = folded(&entry.title);
         let whole = format!("{title} {}", folded(&entry.about));
-        // The hint of an explanation is about as short as a title, and is what people look for first.
+        // The hint of an explanation is about as short as a title, and users look for it first.
         let is_explained = matches!(entry.target, Target::Explanation(_));
         let is_shading = entry.target == shading;
         let of_name = |name: &str| match name {
@@ -206,7 +206,7 @@ fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
             _ => None,
         };
         let own = called.first().and_then(|name| of_name(name));
-        // Another name counts after the title, before a word somewhere in the text.
+        // Another name counts after the title, but before a word somewhere in the text.
         let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
         [own, others].into_iter().flatten().min()
     };
@@ -216,8 +216,8 @@ fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
     ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
 }
 
-/// Shows the field and the results. Goes to the one that is chosen, or gives its command. `first`: it has just been
-/// opened.
+/// Shows the field and the results. Goes to the chosen one, or returns its command. `first` is true when it has just
+/// been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Option<Command> {
     state.file_flow.dialog = Some(Dialog::Search);
     let lang = state.model.settings.lang;
@@ -240,7 +240,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
         response.request_focus();
     }
     let mut wanted = None;
-    // As high from the first frame on as it is going to be: nothing moves under the pointer.
+    // At its final height from the first frame, so that nothing moves under the pointer.
     let height = (ui.ctx().content_rect().height() - 170.0).clamp(120.0, 420.0);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink(false);
     area.show(ui, |ui| {

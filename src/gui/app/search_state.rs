@@ -1,16 +1,16 @@
 //! The search for anything in the window.
 
-/// The words of the search, and what was found by them.
+/// The words of the search, and its results.
 #[derive(Clone, Debug, Default)]
 pub struct Search {
-    /// The words, as typed.
+    /// The typed words.
     pub wanted: String,
-    /// The place of the result that Enter goes to.
+    /// The place of the result that Enter opens.
     pub chosen: usize,
 }
 
 impl Search {
-    /// Begins anew.
+    /// Starts again.
     pub(in crate::gui) fn begin(&mut self) {
         *self = Self::default();
     }

@@ -1,4 +1,4 @@
-//! Everything the window knows: the model, and the state of each feature.
+//! The whole state of the window: the model, and the state of each feature.
 
 use std::sync::Arc;
 
@@ -28,15 +28,15 @@ use crate::views::View;
 /// Everything the window knows.
 #[derive(Debug)]
 pub struct State {
-    /// The document, the layout and all else that every feature may use.
+    /// The document, the layout and all other state for every feature.
     pub model: Model,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
-    /// The address of that page, where others can open it too.
+    /// The address of that page, if others can open it too.
     pub own_address: Option<String>,
     /// The address of a page with this program, for links, as entered by the user.
     pub page_address: String,
-    /// The files that were opened or saved last.
+    /// The recent files.
     pub recent: Recent,
     /// The figures that one can begin with.
     pub gallery: Gallery,
@@ -44,7 +44,7 @@ pub struct State {
     pub search: Search,
     /// The last export settings.
     pub export: Export,
-    /// The family that is exported.
+    /// The exported family.
     pub family: FamilyChoice,
     /// The figure whose camera was kept as A.
     pub camera_a: Option<Arc<Figure>>,
@@ -52,7 +52,7 @@ pub struct State {
     pub annotations: Annotations,
     /// The mode in which labels are the author's.
     pub label_mode: LabelMode,
-    /// The lines on the photograph, which say where its camera was.
+    /// The lines on the photograph, which determine the position of its camera.
     pub photograph: PhotographTool,
     /// The studies of error against run time.
     pub numerics: Numerics,
@@ -62,13 +62,12 @@ pub struct State {
     pub learn: Learn,
     /// The list of cameras.
     pub cameras: CameraList,
-    /// The link that a dialog shows.
-    /// By the address, and whether it holds a whole lesson. Made when the dialog is opened, since nothing behind it
-    /// changes.
+    /// The link that a dialog shows, by the address and whether it holds a whole lesson. Computed when the dialog is
+    /// opened, since nothing behind it changes.
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
 }
 
-/// The document at the start. Operations of the command line are a change of the figure in the file. They can be
+/// The document at the start. Operations of the command line are a change of the figure in the file, so they can be
 /// undone, and closing the window asks about them.
 fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
@@ -84,7 +83,7 @@ impl State {
     /// The state in which the window opens.
     ///
     /// # Errors
-    /// [`CameraError`] where the figure's camera is impossible.
+    /// [`CameraError`] if the figure's camera is impossible.
     pub fn new(start: Start) -> Result<Self, CameraError> {
         let image = start.figure.image;
         let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
@@ -121,7 +120,7 @@ impl State {
         Ok(state)
     }
 
-    /// Whether closing the window would lose something.
+    /// True if closing the window would lose something.
     pub fn would_lose_something(&self) -> bool {
         self.learn.has_unsaved(&self.model)
             || self.learn.unsaved_text().is_some()

@@ -8,7 +8,7 @@ use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::i18n::window;
 
-/// The news, as much of it as there is room for.
+/// The latest message, shortened to the available room.
 pub fn news(ui: &mut egui::Ui, model: &Model) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         if let Some(message) = model.message.as_ref().filter(|message| !message.is_error()) {
@@ -16,7 +16,7 @@ pub fn news(ui: &mut egui::Ui, model: &Model) {
             let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());
             let said = elide::parts(&text, |text| elide::width(ui, &font, text) <= room);
             let said = RichText::new(said);
-            // What somebody has to do is no news that one may miss.
+            // A task for the user isn't news that can be missed.
             let said = if matches!(message, Message::TaskFirst) { said.strong() } else { said.weak() };
             let label = Label::new(said).truncate().show_tooltip_when_elided(false);
             ui.add(label).explained(text);

@@ -1,6 +1,5 @@
-//! Keys in their order: text typed before Tab is for the field that has the focus then, and text after it for the next
-//! one, even where both come in one frame. The focus moves at the beginning of a frame, before any field reads the
-//! text.
+//! Keys in their order. Text typed before Tab is for the field that has the focus then, and text after it for the next
+//! one, even if both come in one frame. The focus moves at the beginning of a frame, before any field reads the text.
 
 use eframe::egui::{Event, Key};
 

@@ -8,10 +8,10 @@ use super::worker::{Running, Worker};
 use crate::clock;
 use crate::progress::Progress;
 
-/// Time that a frame waits for an answer without which it can do.
+/// Time that a frame waits for an answer that it can do without.
 pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_millis(4);
 
-/// A value, with what it was made from. It is made anew only from something else.
+/// A value with its key. It's computed again only if the key changes.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct Memo<K, V> {
     last: Option<(K, V)>,
@@ -34,7 +34,7 @@ impl<K: PartialEq, V> Memo<K, V> {
         &self.last.insert(made).1
     }
 
-    /// Makes the value anew when it is wanted next.
+    /// Forces the value to be computed again next time.
     pub(in crate::gui) fn forget(&mut self) {
         self.last = None;
     }
@@ -46,25 +46,25 @@ type Asked<K> = (u64, K);
 /// The number of a question, the question, and its answer.
 type Answered<K, V> = (u64, K, V);
 
-/// Answers questions beside the window's thread. One that has not been begun is forgotten when the next is asked, and
-/// none is asked twice in a row.
+/// Answers questions beside the window's thread. A question that hasn't been started is dropped when the next comes,
+/// and none is asked twice in a row.
 #[derive(Debug)]
 pub(in crate::gui) struct Latest<K, V> {
     worker: Worker<Asked<K>, Answered<K, V>>,
-    /// The question that was asked last.
+    /// The last question.
     asked: Option<K>,
     /// Its number: questions count from 1.
     number: u64,
     /// It may still be answered.
     waits: bool,
-    /// Questions up to this number are given up. Their answers are not taken.
+    /// Questions up to this number are given up. Their answers are ignored.
     given_up: u64,
     /// The answer that was received last.
     newest: Option<Answered<K, V>>,
 }
 
 impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
-    /// `make` makes what answers: on the thread, which has this `name`, and anew after a panic.
+    /// `make` creates the function that answers, on the thread with this `name`, and again after a panic.
     pub(in crate::gui) fn new<A: AsyncFnMut(&K, &Progress) -> V + 'static>(
         name: &'static str,
         make: impl Fn() -> A + Send + Sync + 'static,
@@ -80,35 +80,35 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         Self { worker, asked: None, number: 0, waits: false, given_up: 0, newest: None }
     }
 
-    /// Asks, unless that was asked last; `ctx` is asked for a frame when there is an answer.
+    /// Asks, unless that was the last question. Requests a frame of `ctx` when there is an answer.
     pub(in crate::gui) fn ask(&mut self, ctx: &egui::Context, key: K) {
         if self.asked.as_ref() != Some(&key) {
             self.ask_again(ctx, key);
         }
     }
 
-    /// Asks, also what was asked last.
+    /// Asks, even if it's the last question again.
     pub(in crate::gui) fn ask_again(&mut self, ctx: &egui::Context, key: K) {
         self.number += 1;
         self.worker.ask(ctx, 0, (self.number, key.clone()));
         (self.asked, self.waits) = (Some(key), true);
     }
 
-    /// Gives up what was asked. No answer to it is taken.
+    /// Gives up the question. Its answer will be ignored.
     pub(in crate::gui) fn give_up(&mut self) {
         (self.asked, self.waits, self.given_up) = (None, false, self.number);
     }
 
-    /// Ends what is being done. What comes of that is an answer too, where it is not given up.
+    /// Ends the running work. Its result is an answer too, unless it's given up.
     pub(in crate::gui) fn stop(&self) {
         self.worker.cancel();
     }
 
-    /// Receives an answer: to the question that was asked last, or to one before it that has not been given up. Waits
-    /// up to `patience` for it.
+    /// Receives an answer to the last question, or to one before it that hasn't been given up. Waits up to `patience`
+    /// for it.
     pub(in crate::gui) fn poll(&mut self, patience: Duration) {
         if !self.receive(patience) && !self.worker.is_pending(0) {
-            // The answer has come in between, or what answers has panicked.
+            // The answer has arrived in between, or the answering function has panicked.
             self.receive(Duration::ZERO);
             self.waits = false;
         }
@@ -129,23 +129,23 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         self.newest.take().map(|(_, key, value)| (key, value))
     }
 
-    /// The answer to the question that was asked last, once it has been received.
+    /// The answer to the last question, once it has been received.
     pub(in crate::gui) fn answer(&self) -> Option<&V> {
         let (number, _, value) = self.newest.as_ref()?;
         (self.asked.is_some() && *number == self.number).then_some(value)
     }
 
-    /// The answer that was received last, with its question.
+    /// The last received answer, with its question.
     pub(in crate::gui) fn newest(&self) -> Option<(&K, &V)> {
         self.newest.as_ref().map(|(_, key, value)| (key, value))
     }
 
-    /// The question that was asked last, as long as it may still be answered: what answers has not panicked.
+    /// The last question, as long as it may still be answered because the answering function hasn't panicked.
     pub(in crate::gui) fn waiting(&self) -> Option<&K> {
         self.asked.as_ref().filter(|_| self.waits)
     }
 
-    /// The work that is being done.
+    /// The running work.
     pub(in crate::gui) fn running(&self) -> Option<Running> {
         self.worker.running()
     }
@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn what_is_given_up_is_not_taken_for_the_answer_to_the_same_question() {
         let ctx = egui::Context::default();
-        // The first answer comes when it is given up.
+        // The first answer comes when it's given up.
         let mut latest = Latest::new("waiting", || {
             let mut answers = 0;
             async move |n: &u32, progress: &Progress| {

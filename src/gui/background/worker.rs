@@ -1,4 +1,4 @@
-//! Work that is done beside the window's thread, or, where there are no threads, in slices in the frames.
+//! Work that is done beside the window's thread, or in slices in the frames if there are no threads.
 
 mod in_frames;
 mod shares;
@@ -19,10 +19,10 @@ use in_frames::InFrames;
 /// Begins jobs, one at a time.
 type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;
 
-/// Makes what does the jobs.
+/// Creates the function that does the jobs.
 type Make<Job, Outcome> = Arc<dyn Fn() -> Work<Job, Outcome> + Send + Sync>;
 
-/// A job that is being done, and that ends a slice where it [pauses](crate::progress::pause).
+/// A running job, which ends a slice at each [pause](crate::progress::pause).
 type Slices<Outcome> = Pin<Box<dyn Future<Output = Option<Outcome>>>>;
 
 /// Work done by `work`, with its state from one job to the next.
@@ -33,7 +33,8 @@ fn one_by_one<Job: 'static, Outcome: 'static>(
     Box::new(move |job, progress| {
         let kept = Rc::clone(&kept);
         Box::pin(async move {
-            // It is there: no job begins before the last one has ended, and after a panic all of it is made anew.
+            // It's there because no job begins before the last one has ended, and after a panic all of it is created
+            // anew.
             let mut work = kept.take()?;
             let outcome = work(job, &progress).await;
             kept.set(Some(work));
@@ -43,8 +44,8 @@ fn one_by_one<Job: 'static, Outcome: 'static>(
 }
 
 /// Does the jobs of each slot one after the other, and those of several slots side by side. Of each slot the latest job
-/// wins: one that has not been begun is forgotten when the next comes. Without threads every slot that waits gets the
-/// same share of the time: a light job is not as late as a heavy one, and none starves.
+/// wins, so one that hasn't been started is dropped when the next comes. Without threads every waiting slot gets the
+/// same share of the time, so that a light job isn't as late as a heavy one, and none starves.
 pub(in crate::gui) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     shared: Arc<Shared<Job, Outcome, SLOTS>>,
     place: Backend<Job, Outcome, SLOTS>,
@@ -55,7 +56,7 @@ pub(in crate::gui) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
 
 /// The place of the work.
 enum Backend<Job, Outcome, const SLOTS: usize> {
-    /// On a thread for each slot, begun with its first job: true for those that there are.
+    /// On a thread for each slot, begun with its first job. True for existing threads.
     Threads([bool; SLOTS]),
     /// In the frames.
     InFrames(InFrames<Job, Outcome, SLOTS>),
@@ -63,19 +64,19 @@ enum Backend<Job, Outcome, const SLOTS: usize> {
 
 /// A job that has been done.
 pub(in crate::gui) struct Done<Outcome> {
-    /// The result; `None` if the work panicked.
+    /// The result. `None` if the work panicked.
     pub(in crate::gui) outcome: Option<Outcome>,
     /// Its duration.
     pub(in crate::gui) time: Duration,
 }
 
-/// A job that is being done.
+/// A running job.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::gui) struct Running {
     pub(in crate::gui) slot: usize,
-    /// Its duration; for work in one slice in a frame, that of the last one.
+    /// Its duration. For work in one slice in a frame, that of the last one.
     pub(in crate::gui) time: Duration,
-    /// The activity, and its share done, where it is known.
+    /// The activity, and its finished share, if known.
     pub(in crate::gui) now: Option<(Activity, Option<f32>)>,
 }
 
@@ -88,12 +89,12 @@ struct Shared<Job, Outcome, const SLOTS: usize> {
 
 struct Mailbox<Job, Outcome, const SLOTS: usize> {
     wanted: [Option<Job>; SLOTS],
-    /// The slots whose jobs are being done, and since when.
+    /// The slots with running jobs, and their start.
     busy: [Option<Duration>; SLOTS],
     /// Slots with cancelled jobs, whose results are still taken.
     cancelled: [bool; SLOTS],
     finished: [Option<Done<Outcome>>; SLOTS],
-    /// The window waits for `done`, and needs no other call.
+    /// True if the window waits for `done`, and needs no other call.
     waited_for: bool,
     quit: bool,
 }
@@ -119,7 +120,7 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
         std::array::from_fn(|slot| self.wanted[slot].is_some() && self.busy[slot].is_none())
     }
 
-    /// Takes the job of a slot to do it. As long as the mailbox is held, whoever cancels means this job.
+    /// Takes the job of a slot to do it. While the mailbox is locked, a cancellation means this job.
     fn begin(&mut self, slot: usize, progress: &Progress, clock: fn() -> Duration) -> Option<Job> {
         let job = self.wanted[slot].take()?;
         self.busy[slot] = Some(clock());
@@ -138,8 +139,8 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
 }
 
 impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
-    /// `make` makes the function that does the jobs of a slot: on its thread, with the first job, and anew after a
-    /// panic; without threads, one for all slots. `name` is the threads'.
+    /// `make` creates the function that does the jobs of a slot, on its thread, with the first job and again after a
+    /// panic. Without threads, there is one for all slots. `name` names the threads.
     pub(in crate::gui) fn new<W: AsyncFnMut(Job, &Progress) -> Outcome + 'static>(
         name: &'static str,
         clock: fn() -> Duration,
@@ -168,14 +169,14 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         }
     }
 
-    /// Does the jobs in the frames, as where there are no threads.
+    /// Does the jobs in the frames, as if there were no threads.
     #[cfg(test)]
     pub(in crate::gui) fn without_thread(mut self, ctx: &egui::Context) -> Self {
         self.place = Backend::InFrames(InFrames::new(ctx, (self.make)()));
         self
     }
 
-    /// Requests a job. Requests a frame of `ctx` when it is done.
+    /// Requests a job. Requests a frame of `ctx` when it's done.
     pub(in crate::gui) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
         if let Backend::Threads(begun) = &mut self.place
             && !begun[slot]
@@ -186,7 +187,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             match thread.spawn(move || work(&shared, slot, &wake, &make, clock)) {
                 Ok(_) => begun[slot] = true,
                 Err(_) if begun.contains(&true) => {
-                    // The threads that there are go on; this job is one that was not done.
+                    // The existing threads go on, and this job counts as not done.
                     self.shared.mailbox().end(slot, Done { outcome: None, time: Duration::ZERO });
                     ctx.request_repaint();
                     return;
@@ -200,17 +201,18 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         drop(mailbox);
         self.shared.wake.notify_all();
         if matches!(self.place, Backend::InFrames(_)) {
-            // It is done in the next frame: nothing else may request one.
+            // The next frame does it, and nothing else may request one.
             ctx.request_repaint();
         }
     }
 
-    /// Whether the last requested job is not done yet.
+    /// True if the last requested job isn't done yet.
     pub(in crate::gui) fn is_pending(&self, slot: usize) -> bool {
         self.shared.mailbox().is_pending(slot)
     }
 
-    /// The job that has been done for the longest time, or one that will be in the next frame and take long there.
+    /// The job that has been running for the longest time, or one that the next frame will do and that takes long
+    /// there.
     pub(in crate::gui) fn running(&self) -> Option<Running> {
         if let Backend::InFrames(in_frames) = &self.place
             && let Some(announced) = in_frames.announced()
@@ -292,7 +294,7 @@ fn work<Job, Outcome, const SLOTS: usize>(
         drop(mailbox);
 
         let start = clock();
-        // A panic here is a bug, but not one for which the window should freeze: half-done parts are made anew.
+        // A panic here is a bug, but not one for which the window should freeze. Half-done parts are created again.
         let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, progress.clone())))).ok().flatten();
         if outcome.is_none() {
             work = make();
@@ -382,12 +384,12 @@ mod tests {
             let done = worker.take(Duration::ZERO).map(|done| done.and_then(|done| done.outcome));
             (done, worker.running().map(|running| (running.slot, running.time)))
         };
-        // Light ones at once, as many as there is time for.
+        // Light ones at once, as many as fit into the time.
         assert_eq!(frame(&[(0, 10), (1, 25), (2, 10)]), ([Some(10), Some(25), None], None));
         assert_eq!(frame(&[]), ([None, None, Some(10)], None));
-        // Nobody knows that this one takes long.
+        // The worker doesn't know yet that this one takes long.
         assert_eq!(frame(&[(2, 700)]), ([None, None, Some(700)], None));
-        // Now it is known, and light work comes before.
+        // Now it knows, and light work comes before.
         assert_eq!(frame(&[(2, 800), (0, 40)]), ([Some(40), None, None], None));
         assert_eq!(frame(&[]), ([None; 3], Some((2, Duration::from_millis(700)))));
         assert_eq!(frame(&[]), ([None, None, Some(800)], None));
@@ -398,7 +400,7 @@ mod tests {
     fn in_the_frames_slices_show_how_far_they_are_and_are_given_up() {
         static NOW: Mutex<Duration> = Mutex::new(Duration::ZERO);
         let ctx = egui::Context::default();
-        // Four steps of twenty milliseconds; how many have been done.
+        // Four steps of twenty milliseconds, and the number of finished ones.
         let mut worker: Worker<u32, u32, 2> = Worker::new(
             "steps",
             || *NOW.lock().unwrap(),
@@ -429,7 +431,7 @@ mod tests {
         worker.ask(&ctx, 0, 10);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running(), measured(0.5, 40));
-        // Jobs requested meanwhile wait until it is done.
+        // Jobs requested meanwhile wait until it's done.
         worker.ask(&ctx, 1, 20);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running(), measured(1.0, 80));
@@ -438,12 +440,11 @@ mod tests {
         worker.cancel();
         assert_eq!(frame(&mut worker), [None, Some((22, 40))]);
         assert!(!worker.is_pending(1) && worker.running().is_none());
-        // A cancelled job is done when it is requested anew, and no slice of it took long: nothing has to be announced
-        // before.
+        // A cancelled job is done when it's requested anew. No slice of it took long, so it needn't be announced.
         worker.ask(&ctx, 1, 30);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running().map(|running| running.time.as_millis()), Some(40));
-        // Where the frame itself takes long, so does the slice.
+        // If the frame itself takes long, so does the slice.
         *NOW.lock().unwrap() += Duration::from_millis(50);
         assert_eq!(frame(&mut worker), [None, Some((34, 80))]);
     }

@@ -1,4 +1,4 @@
-//! The question of how pictures are exported, with the picture as it will be.
+//! The export dialog, with a preview of the picture.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
@@ -30,23 +30,23 @@ pub(in crate::gui) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x;
 /// The height of the settings without a family and without paper, in points.
 const SETTINGS_HIGH: f32 = 290.0;
 
-/// The height of what stands above and below the settings, in points.
+/// The height of the parts above and below the settings, in points.
 const AROUND: f32 = 130.0;
 
-/// The narrowest picture that is worth its room.
+/// The narrowest picture that deserves its room.
 const LEAST_PICTURE: f32 = 120.0;
 
 /// The parts of the window's state that the dialog changes.
 pub(in crate::gui) struct Choices<'a> {
-    /// The family that is exported.
+    /// The exported family.
     pub(in crate::gui) family: &'a mut FamilyChoice,
     /// The settings of the last export.
     pub(in crate::gui) last: &'a mut Export,
-    /// The picture as it will be.
+    /// The preview.
     pub(in crate::gui) preview: &'a mut Option<Preview>,
 }
 
-/// Asks how, and returns the button that was pressed: the file comes next.
+/// Asks for the settings, and returns the pressed button. The file comes next.
 pub(in crate::gui) fn show(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -65,7 +65,7 @@ pub(in crate::gui) fn show(
     ui.heading(t.export_heading);
     ui.add_space(6.0);
     let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
-    // In a low window the settings scroll, and the buttons stay in sight.
+    // In a low window the settings scroll, and the buttons stay visible.
     let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height.min(SETTINGS_HIGH));
     let area = area.auto_shrink([false, true]);
@@ -108,13 +108,13 @@ pub(in crate::gui) fn show(
     }
 }
 
-/// True, under this name, where a checkbox of the dialog has the focus.
+/// Stores true under this name if a checkbox of the dialog has the focus.
 fn on_checkbox() -> Id {
     Id::unique("checkbox of the export dialog has the focus")
 }
 
-/// Enter exports wherever it has nothing else to do: where nothing has the focus, and on checkboxes, which the space
-/// bar switches.
+/// True if Enter exports, because it has no other use there: without a focus, and on checkboxes, which the space bar
+/// switches.
 fn enter(ui: &egui::Ui) -> bool {
     let free = ui.memory(|memory| memory.focused()).is_none() && !egui::Popup::is_any_open(ui.ctx());
     let on_checkbox = ui.data_mut(|data| data.remove_temp::<bool>(on_checkbox())).is_some();
@@ -129,7 +129,7 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
     }
 }
 
-/// The picture as it will be, how large it is, and the button that copies it.
+/// The preview of the picture, its size, and the button that copies it.
 fn picture(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -153,7 +153,7 @@ fn picture(
     paint(ui, &preview, rect, export.is_without_ground());
     if preview.texture.is_none() {
         let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
-        // A child of its own: the content below does not move.
+        // A child of its own, so that the content below doesn't move.
         let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
         let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
         ui.new_child(place).add(egui::Label::new(RichText::new(why).weak()).wrap());
@@ -191,7 +191,7 @@ fn picture(
     *choices.preview = Some(preview);
 }
 
-/// The picture in the middle of a place, on a chequered ground where it has none of its own.
+/// The picture in the middle of a place, on a chequered ground if it has none of its own.
 fn paint(ui: &egui::Ui, preview: &Preview, room: Rect, transparent: bool) {
     let painter = ui.painter().with_clip_rect(room.expand(1.0).intersect(ui.clip_rect()));
     let border = ui.visuals().widgets.noninteractive.bg_stroke;
@@ -210,7 +210,7 @@ fn paint(ui: &egui::Ui, preview: &Preview, room: Rect, transparent: bool) {
     painter.rect_stroke(rect, 0.0, border, egui::StrokeKind::Outside);
 }
 
-/// Squares of two greys, as image editors show that there is nothing.
+/// Squares of two greys, the sign of transparency in image editors.
 fn chequers(painter: &egui::Painter, rect: Rect) {
     const SIDE: f32 = 8.0;
     painter.rect_filled(rect, 0.0, Color32::from_gray(250));
@@ -297,7 +297,7 @@ fn settings(
     let able = export.format.has_transparency();
     ui.add_enabled_ui(able, |ui| {
         let hint = if able { t.export_transparent_hint } else { t.export_opaque_hint };
-        // A format without transparency shows the effect, and forgets nothing.
+        // A format without transparency shows the effect, and keeps the setting.
         let mut shown = export.is_without_ground();
         checkbox(ui, &mut shown, t.export_transparent, hint);
         if able {
@@ -309,7 +309,7 @@ fn settings(
     errors
 }
 
-/// The formats side by side. One that is for paper asks for its width there.
+/// The formats side by side. A format for paper asks for its width there.
 fn formats(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
     row(ui, "", t.export_format, t.export_format_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
@@ -350,7 +350,7 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, enter: &mut 
     errors
 }
 
-/// A place that the picture is made for, which sets its size and its letters.
+/// A destination of the picture, which sets its size and its letters.
 fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
     let words = families::texts(t.lang);
     let names = PaperPreset::ALL.map(|preset| match preset {
@@ -361,7 +361,7 @@ fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
     });
     let size = |preset: PaperPreset| {
         let (width, height) = preset.size();
-        // A picture of 4 by 3, where the height is free.
+        // A picture of 4 by 3, if the height is free.
         [width, height.unwrap_or(0.75 * width)]
     };
     let is = |preset: &PaperPreset| paper.size == size(*preset) && paper.letters == preset.letters();

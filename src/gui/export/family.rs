@@ -11,15 +11,15 @@ use crate::i18n::families;
 use crate::i18n::window::Texts;
 use crate::limits::MAX_TYPED_NAME;
 
-/// The rows of the dialog: those of the values once something varies. `enter` becomes true if Enter is pressed in the
-/// values.
+/// The rows of the dialog, with those of the values once something varies. `enter` becomes true if Enter is pressed in
+/// the values.
 pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut FamilyChoice, enter: &mut bool) {
     let words = families::texts(t.lang);
     let mut subject = family.first.subject;
     if subject == Subject::Nothing {
         choice_row(ui, words.family, words.family_hint, &mut subject, &subjects(t, words.none));
     } else {
-        // Side by side: one click for the one you want.
+        // Side by side, so that each is one click away.
         ui.label(words.family).explained(words.family_hint);
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(2.0, 2.0);
@@ -62,7 +62,7 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
     }
 }
 
-/// The values take the keyboard, if they are typed.
+/// Gives the keyboard to the values, if they are typed.
 pub(in crate::gui) fn take_keyboard(ctx: &egui::Context, t: &Texts, family: &FamilyChoice) {
     if family.first.subject != Subject::Nothing && words_of(family.first.subject, t).is_empty() {
         number_field::take_keyboard(ctx, families::texts(t.lang).values);
@@ -87,7 +87,8 @@ fn subjects(t: &'static Texts, nothing: &'static str) -> Vec<(Subject, &'static 
     [(Subject::Nothing, nothing)].into_iter().chain(ready).chain([(Subject::Typed, words.typed)]).collect()
 }
 
-/// The values of a key: those that have words are switched, the others are typed. True if Enter is pressed in them.
+/// The values of a key. Those that have words are switched, and the others typed. Returns true if Enter is pressed in
+/// them.
 fn values(ui: &mut egui::Ui, t: &'static Texts, varied: &mut Varied, name: &str) -> bool {
     let hint = families::texts(t.lang).values_hint;
     let words = words_of(varied.subject, t);

@@ -1,8 +1,8 @@
-//! The family that is exported: one or two keys or operations, with their values.
+//! The exported family: one or two keys or operations, with their values.
 
 use crate::figure::variation::{Variation, VariationError};
 
-/// The families that have a name: a key or an operation, and the values that it begins with.
+/// The named families: a key or an operation, and its initial values.
 pub const READY: [(&str, &str); 9] = [
     ("camera.view_angle", "20, 40, 60, 90"),
     ("azimuth", "0, 90, 180, 270"),
@@ -20,7 +20,7 @@ pub const BETWEEN_CAPTIONS: char = ';';
 /// The key or operation that varies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Subject {
-    /// Nothing: the figure alone, or no second key.
+    /// Nothing, so the figure alone, or no second key.
     #[default]
     Nothing,
     /// One of [`READY`].
@@ -42,7 +42,7 @@ impl Subject {
         }
     }
 
-    /// The subject with a word; `None` if none has it.
+    /// The subject with a word. `None` if there is none.
     pub fn of_word(word: &str) -> Option<Self> {
         match word {
             "" => Some(Self::Nothing),
@@ -57,12 +57,12 @@ impl Subject {
 pub struct Varied {
     /// The key or operation.
     pub subject: Subject,
-    /// Its values as they are typed; with the key before them, where that is typed too.
+    /// Its values as typed, with the key before them if that is typed too.
     pub values: String,
 }
 
 impl Varied {
-    /// The variation; `None` means there is none.
+    /// The variation. `None` if there is none.
     pub fn variation(&self) -> Option<Result<Variation, VariationError>> {
         match self.subject {
             Subject::Nothing => None,
@@ -71,7 +71,7 @@ impl Varied {
         }
     }
 
-    /// Takes a subject, with the values that it begins with.
+    /// Takes a subject, with its initial values.
     pub fn choose(&mut self, subject: Subject) {
         self.subject = subject;
         match subject {
@@ -85,22 +85,22 @@ impl Varied {
 /// The settings of a family.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FamilyChoice {
-    /// The key that varies. Nothing: no family is wanted.
+    /// The key that varies. If it's `Nothing`, there is no family.
     pub first: Varied,
-    /// The key that varies along each row, where there is one. The first then varies from row to row.
+    /// The key that varies along each row, if there is one. The first then varies from row to row.
     pub second: Varied,
-    /// The number of pictures in a row; `None` means as many as there is room for, or as the second has values.
+    /// The number of pictures in a row. `None` for as many as there is room for, or as the second has values.
     pub columns: Option<usize>,
     /// Letters before the captions.
     pub parts: bool,
-    /// Captions in place of the values, as they are typed, with [`BETWEEN_CAPTIONS`] between them.
+    /// Captions in place of the values, as typed, with [`BETWEEN_CAPTIONS`] between them.
     pub captions: String,
     /// The keys of the last family, also of an earlier session.
     pub last: [Varied; 2],
 }
 
 impl Default for FamilyChoice {
-    /// No family; one that is asked for has letters, since a text names its parts.
+    /// No family. A requested one has letters, since a text names its parts.
     fn default() -> Self {
         let nothing = Varied::default();
         let (first, second) = (nothing.clone(), nothing.clone());
@@ -109,7 +109,7 @@ impl Default for FamilyChoice {
 }
 
 impl FamilyChoice {
-    /// The family that was there last, or one of the view angle.
+    /// The last family, or one of the view angle.
     pub fn or_last(mut self) -> Self {
         if self.first.subject == Subject::Nothing {
             [self.first, self.second] = self.last.clone();
@@ -120,7 +120,7 @@ impl FamilyChoice {
         self
     }
 
-    /// Takes a subject. Nothing ends the family, which is remembered.
+    /// Takes a subject. [`Subject::Nothing`] ends the family, which is remembered.
     pub fn choose(&mut self, subject: Subject) {
         if subject == Subject::Nothing {
             self.last = self.remembered();
@@ -128,7 +128,7 @@ impl FamilyChoice {
         self.first.choose(subject);
     }
 
-    /// Drops a family that was not exported. The one before comes back when a family is asked for.
+    /// Drops a family that wasn't exported. The one before comes back when a family is requested.
     pub fn give_up(&mut self) {
         (self.first, self.second) = (Varied::default(), Varied::default());
         self.captions.clear();
@@ -142,10 +142,10 @@ impl FamilyChoice {
         }
     }
 
-    /// The variations; `None` means no family is wanted.
+    /// The variations. `None` if there is no family.
     ///
     /// # Errors
-    /// [`VariationError`] of the first that is at fault.
+    /// [`VariationError`] of the first faulty one.
     pub fn variations(&self) -> Option<Result<Vec<Variation>, VariationError>> {
         let first = self.first.variation()?;
         Some([Some(first), self.second.variation()].into_iter().flatten().collect())

@@ -1,4 +1,4 @@
-//! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
+//! Pictures into files, in the same way as `camera-lab render`, so that the bytes are the same.
 
 pub(super) mod export_dialog;
 pub(super) mod family;
@@ -46,21 +46,21 @@ pub struct Export {
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// Multiple of the size on screen; `None` means the size was typed.
+    /// Multiple of the size on screen. `None` if the size was typed.
     pub times: Option<u32>,
-    /// The size is that on paper, below; `times` does not count.
+    /// True if the size is that on paper, below. Then `times` doesn't count.
     pub on_paper: bool,
     /// The settings for paper.
     pub paper: Paper,
-    /// The format that is proposed. The name of the file decides.
+    /// The proposed format. The name of the file decides.
     pub format: PictureFormat,
-    /// Without ground, where the format has transparency.
+    /// Without ground, if the format has transparency.
     pub transparent: bool,
     /// Crop the empty background around each picture.
     pub crop: bool,
-    /// How the faces of vectors are written.
+    /// The representation of faces in vectors.
     pub faces: Faces,
-    /// The letters of vectors are outlines, and no text.
+    /// True if the letters of vectors are outlines, and not text.
     pub outlines: bool,
     /// The theme of the picture.
     pub theme: Theme,
@@ -82,7 +82,7 @@ pub struct Paper {
     pub dpi: f64,
     /// Height of the letters of names in points.
     pub letters: f64,
-    /// Width of the edges of solids in points; `None` means in proportion to the letters.
+    /// Width of the edges of solids in points. `None` if they are in proportion to the letters.
     pub lines: Option<f64>,
 }
 
@@ -102,7 +102,7 @@ impl Default for Paper {
 }
 
 impl Export {
-    /// The file that is wanted. Of a `family` in multiples of the screen, each picture is as large as there.
+    /// The requested file. Of a `family` in multiples of the screen, each picture is as large as there.
     pub(super) fn spec(&self, family: bool) -> ExportSpec {
         let letters = if self.outlines { Letters::Outlines } else { Letters::Text };
         let dpi = self.on_paper.then_some(self.paper.dpi);
@@ -124,8 +124,8 @@ impl Export {
         }
     }
 
-    /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
-    /// order of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
+    /// All three pictures as on the screen, for paper. `sizes` are the width and height of each picture on the screen,
+    /// in the order of [`View::ALL`], and `scale` is in pixels there for one unit of stroke width.
     pub fn new(sizes: [[u32; 2]; View::COUNT], scale: f32) -> Self {
         let mut export = Self {
             what: Views::All,
@@ -146,8 +146,8 @@ impl Export {
         export
     }
 
-    /// Sets the size to that on paper, or to that on the screen, `times` as large, which may be more than a picture can
-    /// have; `sizes` and `scale` as in [`new`](Self::new).
+    /// Sets the size to that on paper, or to `times` that on the screen, which may be more than a picture can have.
+    /// `sizes` and `scale` are as in [`new`](Self::new).
     pub fn fit_screen(&mut self, sizes: [[u32; 2]; View::COUNT], scale: f32) {
         if self.on_paper {
             let paper = self.paper.asked();
@@ -174,7 +174,7 @@ impl Export {
 }
 
 impl Export {
-    /// True if the picture is going to have no ground.
+    /// True if the picture will have no ground.
     pub fn is_without_ground(&self) -> bool {
         self.transparent && self.format.has_transparency()
     }
@@ -191,8 +191,8 @@ fn pixels(side: f64) -> u32 {
     side
 }
 
-/// Room for three pictures side by side: as on the screen, or, where they are stacked there, as large as the largest, 4
-/// by 3.
+/// Room for three pictures side by side: as on the screen, or, if they are stacked there, as large as the largest, 4 by
+/// 3.
 fn together(sizes: [[u32; 2]; View::COUNT]) -> [u32; 2] {
     if sizes.iter().all(|size| size[1] == sizes[0][1]) {
         return [sizes.iter().map(|size| size[0]).sum(), sizes[0][1]];
@@ -208,10 +208,10 @@ const FILM: Size = Size { width: 640, height: 480, scale: 1.0 };
 /// Duration of a step in it.
 const STEP_SECONDS: f64 = 2.0;
 
-/// The result of an export. A shortfall, or the reason why nothing was written.
+/// The result of an export: a shortfall, or the reason why no file was written.
 pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
 
-/// A picture that is being written.
+/// A picture being written.
 #[derive(Debug)]
 pub(super) struct Exporting {
     path: PathBuf,
@@ -290,7 +290,7 @@ impl ExportSource {
     }
 }
 
-/// Everything that a picture in a file depends on.
+/// All inputs of a picture in a file.
 pub(super) struct Task {
     subject: ExportSource,
     source: String,
@@ -315,7 +315,7 @@ impl Exporting {
         Self::with(ctx, task, || async |task: Task, progress: &Progress| task.run(progress).await)
     }
 
-    /// As [`start`](Self::start), by other means of drawing and writing.
+    /// As [`start`](Self::start), with other functions that draw and write.
     pub(super) fn with<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(
         ctx: &egui::Context,
         task: Task,
@@ -337,12 +337,12 @@ impl Exporting {
         self.worker.running()
     }
 
-    /// Gives it up. It still comes to its end, but soon.
+    /// Gives it up. It still ends, but soon.
     pub(super) fn cancel(&self) {
         self.worker.cancel();
     }
 
-    /// The result and its path, once it has ended.
+    /// The result and its path, once it's done.
     pub(super) fn take(&mut self) -> Option<(PathBuf, Exported)> {
         let [done] = self.worker.take(Duration::ZERO);
         Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))
@@ -400,7 +400,7 @@ impl Task {
     }
 }
 
-/// Writes charts, in the format that the name of the file says.
+/// Writes charts, in the format given by the ending of the file.
 pub(super) fn save_chart(block: &Block, lang: Lang, path: &Path, overwrite: Overwrite) -> Result<(), FileError> {
     let format = PictureFormat::of(path).unwrap_or(PictureFormat::Svg);
     let (bytes, beside) = encode(std::slice::from_ref(block), lang.tag(), format, path)

@@ -1,5 +1,5 @@
-//! The picture that the export dialog shows, and the one that it copies: drawn beside the window's thread, in the same
-//! way as the one that is written.
+//! The picture that the export dialog shows, and the one that it copies. They are drawn beside the window's thread, in
+//! the same way as the exported one.
 
 use std::time::Duration;
 
@@ -15,34 +15,34 @@ use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, FileOptions, Pixels};
 use crate::progress::Progress;
 
-/// The preview is drawn at this multiple of its displayed size: thin strokes stay whole.
+/// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 2.0;
 
 const SHOWN: usize = 0;
 const COPIED: usize = 1;
 
-/// The preview of the export dialog as long as it is open.
+/// The preview of the export dialog as long as it's open.
 pub struct Preview {
     worker: Worker<PreviewJob, Done, 2>,
     /// The last request.
     asked: Option<(Export, FamilyChoice)>,
     /// The picture, once there is one.
     pub texture: Option<TextureHandle>,
-    /// The message where several pictures have little space on their paper.
+    /// The message if several pictures have little space on their paper.
     pub(in crate::gui) crowded: Option<Crowded>,
-    /// Width and height in pixels of what is exported. A family may be far larger than the picture of its figure.
+    /// Width and height of the export in pixels. A family may be far larger than the picture of its figure.
     pub size: Option<[u32; 2]>,
-    /// Why there is no picture.
+    /// The reason why there is no picture.
     pub(in crate::gui) fault: Option<ExportError>,
     /// The result of the last copy.
     pub(in crate::gui) copied: Option<Result<(), ExportError>>,
 }
 
-/// A picture that is wanted.
+/// A requested picture.
 struct PreviewJob {
     subject: ExportSource,
     export: Export,
-    /// The pixels of the preview's place; `None` means the size of the export.
+    /// The pixels of the preview's place. `None` for the size of the export.
     room: Option<[f32; 2]>,
     /// Vectors as text in place of pixels.
     as_svg: bool,
@@ -50,7 +50,7 @@ struct PreviewJob {
 
 /// The result of a job.
 enum Drawn {
-    /// Pixels, the message where several pictures have little space on their paper, and the size of the export.
+    /// Pixels, the message if several pictures have little space on their paper, and the size of the export.
     Picture(Pixels, Option<Crowded>, [u32; 2]),
     /// A picture of vectors as text.
     Svg(String),
@@ -87,8 +87,8 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
 }
 
 impl Preview {
-    /// Takes results, and requests a new preview where the settings have changed; `room`: width and height in pixels of
-    /// its place.
+    /// Takes results, and requests a new preview if the settings have changed. `room` is the width and height in pixels
+    /// of its place.
     pub(in crate::gui) fn follow(
         &mut self,
         ctx: &Context,
@@ -123,7 +123,7 @@ impl Preview {
         }
     }
 
-    /// Draws the picture at its size, and puts it on the clipboard then: vectors as the text of an SVG file.
+    /// Draws the picture at its size, and then puts it on the clipboard. Vectors go there as the text of an SVG file.
     pub(in crate::gui) fn copy(&mut self, ctx: &Context, export: &Export, subject: ExportSource) {
         self.copied = None;
         self.worker.ask(
@@ -139,7 +139,7 @@ impl Preview {
     }
 }
 
-/// Whether an export of this size is small enough for the clipboard.
+/// True if an export of this size is small enough for the clipboard.
 pub(in crate::gui) fn can_be_copied(export: &Export, [width, height]: [u32; 2]) -> bool {
     export.format.is_vector() || u64::from(width) * u64::from(height) <= MAX_COPIED_PIXELS
 }
@@ -149,7 +149,7 @@ fn image(picture: &Pixels) -> ColorImage {
     ColorImage::from_rgba_premultiplied(size, picture.rgba())
 }
 
-/// The reduction of a picture that fits into this number of pixels; 1 where it fits.
+/// The reduction of a picture that fits into this number of pixels. 1 if it fits already.
 fn factor([width, height]: [u32; 2], room: [f32; 2]) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [width, height] = [width.max(1) as f32, height.max(1) as f32];

@@ -9,13 +9,13 @@ use web_time::Instant;
 use crate::limits::MAX_COMPARED_LINES;
 use crate::sanitize;
 
-/// Equal lines that are shown around those that differ.
+/// Equal lines shown around differing ones.
 const AROUND: usize = 2;
 
-/// For texts with little in common a rough comparison does: the window waits for it.
+/// For texts with little in common a rough comparison is enough, because the window waits for it.
 const MAX_WAIT: Duration = Duration::from_millis(300);
 
-/// Whose line it is.
+/// The texts that have the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineOrigin {
     /// In both texts.
@@ -24,11 +24,11 @@ pub enum LineOrigin {
     Theirs,
     /// In the window alone.
     Mine,
-    /// None: equal lines are left out here, or too many lines follow.
+    /// None, because equal lines are left out here, or too many lines follow.
     Gap,
 }
 
-/// The lines in which a file and the window differ, with a few around them, in order.
+/// The differing lines of a file and the window, with a few around them, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comparison {
     /// Each line without its end.
@@ -36,7 +36,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the text of the file with the one that saving would write.
+    /// Compares the text of the file with the text that saving would write.
     pub fn new(theirs: &str, mine: &str) -> Self {
         let [theirs, mine] = [theirs, mine].map(|text| text.split_inclusive('\n').collect::<Vec<_>>());
         let mut found = Compact::new(Replace::new(Capture::new()), &theirs[..], &mine[..]);
@@ -68,7 +68,7 @@ impl Comparison {
     }
 }
 
-/// A line as it is shown: without its end.
+/// The displayed part of a line, without its end.
 fn shown(line: &str) -> String {
     sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
 }

@@ -1,4 +1,4 @@
-//! The file of the figure while another program may change it: looking at it, and comparing the texts.
+//! The file of the figure while another program may change it: checking it, and comparing the texts.
 
 pub mod comparison;
 pub(super) mod watch;

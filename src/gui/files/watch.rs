@@ -1,4 +1,4 @@
-//! Looks beside the window's thread whether another program has changed the figure's file.
+//! Checks beside the window's thread if another program has changed the figure's file.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -18,11 +18,11 @@ struct Watched {
     stamp: Option<Stamp>,
 }
 
-/// Checks the figure's file when it is requested to.
+/// Checks the figure's file on request.
 #[derive(Debug)]
 pub(in crate::gui) struct Watch {
     worker: Worker<Watched, (PathBuf, String, FileChange)>,
-    /// The file when it last held the text that the window had read or saved.
+    /// The file when it last held the text read or saved by the window.
     same: Option<(PathBuf, String, Stamp)>,
 }
 
@@ -39,7 +39,7 @@ impl Default for Watch {
 }
 
 impl Watch {
-    /// Looks at the file of the document, if it has one; `ctx` is woken when that is done.
+    /// Looks at the file of the document, if it has one. Wakes `ctx` when that's done.
     pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context, document: &Document) {
         let Some(path) = document.path().cloned() else { return };
         let source = document.source().to_owned();

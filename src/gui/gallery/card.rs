@@ -1,4 +1,4 @@
-//! A figure in the gallery: its source, and its display. It is read and drawn beside the window's thread.
+//! A figure in the gallery, with its source and its display. It's read and drawn beside the window's thread.
 
 use std::borrow::Cow;
 use std::collections::hash_map::DefaultHasher;
@@ -22,7 +22,7 @@ use crate::views::{Request, SharedScene, Size, View, scene_of};
 /// The size of a small picture in pixels.
 pub(super) const SIZE: Size = Size { width: 192, height: 144, scale: 1.0 };
 
-/// Number of cached thumbnails, by their content: more than anybody looks at in one folder.
+/// Number of cached thumbnails, by their content. Users look at fewer in one folder.
 const MOST_KEPT: usize = 400;
 
 /// A request to the worker.
@@ -32,7 +32,7 @@ pub(super) enum CardJob {
     List(PathBuf),
     /// Which of these files exist.
     Sort(Vec<PathBuf>),
-    /// The titles and sentences of these figures. They are there long before their pictures.
+    /// The titles and sentences of these figures, which are ready long before their pictures.
     Read(Vec<Source>, Lang),
     /// A small picture of a figure.
     Draw { source: Source, theme: Theme, lang: Lang },
@@ -40,13 +40,13 @@ pub(super) enum CardJob {
 
 /// The result of a request.
 pub(super) enum CardOutcome {
-    /// The figure files of this folder, in natural order, or why it cannot be read.
+    /// The figure files of this folder, in natural order, or the reason why it can't be read.
     Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
-    /// These files, those that are there first, and those that are gone.
+    /// These files, existing ones first, and the missing ones.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),
-    /// The titles of figures, and their sentences: empty where there is none, or the figure cannot be read.
+    /// The titles and captions of figures. Empty if there is none, or if the figure can't be read.
     Read(Vec<(Source, CardText)>),
-    /// A small picture of a figure, or why there is none.
+    /// A small picture of a figure, or the reason why there is none.
     Drawn(Source, Drawn),
 }
 
@@ -57,7 +57,7 @@ pub(super) struct CardText {
     pub(super) sentence: String,
 }
 
-/// A small picture, or why there is none.
+/// A small picture, or the reason why there is none.
 pub(super) type Drawn = Result<Pixels, String>;
 
 /// The work that draws thumbnails, and caches them by their content.
@@ -107,7 +107,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
 }
 
 impl Source {
-    /// Its name as long as it has not been read: that of its file.
+    /// Its name. Until it has been read, that of its file.
     pub(super) fn name(&self) -> Cow<'_, str> {
         match self {
             Self::Shipped(name) => (*name).into(),
@@ -150,14 +150,14 @@ fn draw(
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
     let scene = SharedScene::new(scene.map_err(|error| messages::scene(lang, &error))?);
     let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
-    // The image, or the last picture of a figure that is shown without it.
+    // The image, or the last picture of a figure that hides it.
     let view = View::ALL.into_iter().rev().find(|view| shown[view.index()]).unwrap_or(View::Image);
     let request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 
-/// Reads the words of a figure about itself, also of one that cannot be drawn. A file without a title has its name, a
-/// file without a caption its first comment.
+/// Reads the title and caption of a figure, even if it can't be drawn. A file without a title has its name, a file
+/// without a caption its first comment.
 fn said_by(source: &Source, lang: Lang) -> CardText {
     let in_lang = |text: &Bilingual| told(lang, text).to_owned();
     match source {
@@ -180,17 +180,17 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
     }
 }
 
-/// The comment with which a figure file begins, on one line.
+/// The first comment of a figure file, on one line.
 fn first_comment(text: &str) -> String {
     let lines = text.lines().skip_while(|line| line.trim().is_empty());
     let comment = lines.map_while(|line| line.trim().strip_prefix('#')).map(str::trim);
     comment.collect::<Vec<_>>().join(" ").trim().to_owned()
 }
 
-/// The figure files in a folder, in natural order: 2 before 10.
+/// The figure files in a folder, in natural order (2 before 10).
 ///
 /// # Errors
-/// [`FileError`] where the folder cannot be read.
+/// [`FileError`] if the folder can't be read.
 pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     if files::is_network(folder) {
         return Err(FileError::Network);

@@ -1,4 +1,4 @@
-//! The gallery: the figures of the program, those used last, and those of a folder, each with a small picture.
+//! The gallery: the built-in figures, the recent ones, and those of a folder, each with a small picture.
 
 mod card;
 mod show;
@@ -23,10 +23,10 @@ pub(super) use show::{Chosen, show};
 /// A part of the gallery.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Part {
-    /// The figures of the program.
+    /// The built-in figures.
     #[default]
     Examples,
-    /// The figures that were opened or saved last.
+    /// The recent figures.
     Recent,
     /// The figures of a folder.
     Folder,
@@ -37,28 +37,28 @@ impl Part {
     pub const ALL: [Self; 3] = [Self::Examples, Self::Recent, Self::Folder];
 }
 
-/// Number of files of a folder that are shown.
+/// Number of displayed files of a folder.
 const MOST_FILES: usize = 300;
 
 /// The content of the gallery, and its thumbnails.
 #[derive(Debug)]
 pub struct Gallery {
-    /// The part that is shown.
+    /// The displayed part.
     pub part: Part,
-    /// There are no files to show, as in a page of a browser.
+    /// True if there are no files to show, as in a page of a browser.
     pub examples_alone: bool,
-    /// The figure that is chosen in each part; `None`, or one that is not there: the first.
+    /// The chosen figure in each part. `None`, or one that isn't there, means the first.
     chosen: [Option<Source>; 3],
     /// The words that cards are searched for.
     wanted: String,
-    /// The figures at the limits of numbers are unfolded.
+    /// True if the figures at the limits of numbers are unfolded.
     shows_limits: bool,
     /// The chosen card gets the keyboard once there are cards.
     wants_focus: bool,
-    /// The files that were used last, and which of them are gone.
+    /// The recent files, and the missing ones of these.
     recent: Vec<PathBuf>,
     gone: HashSet<PathBuf>,
-    /// The folder, and its figure files or why it cannot be read.
+    /// The folder, and its figure files or the reason why it can't be read.
     folder: Option<PathBuf>,
     files: Result<Vec<PathBuf>, String>,
     cards: BTreeMap<Source, Card>,
@@ -72,11 +72,11 @@ pub struct Gallery {
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    /// Its words about itself; `None` means not read yet.
+    /// Its title and caption. `None` if not read yet.
     told: Option<CardText>,
-    /// Why it cannot be drawn. Empty if it can, or has not been tried.
+    /// The reason why it can't be drawn. Empty if it can, or if that hasn't been tried.
     fault: String,
-    /// False: it may have changed since, and is looked at again.
+    /// False if it may have changed since, so that it's checked again.
     fresh: bool,
 }
 
@@ -108,7 +108,7 @@ impl Default for Gallery {
 }
 
 impl Gallery {
-    /// Collects the figures anew. `beside`: the folder of the open figure, which is `here` and chosen wherever it is.
+    /// Collects the figures anew. `beside` is the folder of the open figure, which is `here` and chosen in any part.
     pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>, here: Option<&Source>) {
         if here.is_some() {
             self.chosen.fill(here.cloned());
@@ -123,12 +123,12 @@ impl Gallery {
         self.waiting.extend(self.folder.clone().map(CardJob::List));
     }
 
-    /// The folder whose figures are shown.
+    /// The folder of the displayed figures.
     pub(super) fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
 
-    /// The folder that was chosen when the program ran last.
+    /// Sets the folder chosen in the last run of the program.
     pub(super) fn remember(&mut self, folder: PathBuf) {
         self.folder = Some(folder);
     }
@@ -143,12 +143,12 @@ impl Gallery {
         self.folder = Some(folder);
     }
 
-    /// Cancels the drawing of thumbnails. The gallery is closed.
+    /// Cancels the drawing of thumbnails, because the gallery is closed.
     pub(super) fn end(&self) {
         self.worker.cancel();
     }
 
-    /// The figures of the part that is shown, and how many more there are.
+    /// The figures of the displayed part, and the number of remaining ones.
     fn sources(&self) -> (Vec<Source>, usize) {
         let files = |paths: &[PathBuf]| paths.iter().take(MOST_FILES).cloned().map(Source::File).collect();
         match self.part {
@@ -161,8 +161,8 @@ impl Gallery {
         }
     }
 
-    /// How well a figure fits the words that are wanted, first the typed ones, then their other names: 0 if they are in
-    /// its title, more if only in its sentence; `None` means not at all.
+    /// The match of a figure with the search words, first the typed ones, then their other names: 0 if they are in its
+    /// title, more if only in its caption. `None` if they don't match.
     fn rank(&self, source: &Source, called: &[String]) -> Option<usize> {
         let told = self.cards.get(source).and_then(|card| card.told.as_ref());
         let (title, sentence) = told.map_or_else(
@@ -198,7 +198,7 @@ impl Gallery {
         let next = if self.waiting.is_empty() { read.or(draw) } else { Some(self.waiting.remove(0)) };
         if let Some(job) = next {
             if let CardJob::Draw { source, .. } = &job {
-                // Also where drawing panics, it is not requested again.
+                // Even if drawing panics, it isn't requested again.
                 self.cards.entry(source.clone()).or_default().fresh = true;
             }
             self.worker.ask(ctx, 0, job);

@@ -37,7 +37,7 @@ pub(in crate::gui) enum Chosen {
 
 /// Around the picture of a card, in points.
 const MARGIN: f32 = 6.0;
-/// Under the picture of a card: its name, and a few lines.
+/// Below the picture of a card: its name, and a few lines.
 const TEXT: f32 = 66.0;
 /// Between cards.
 const GAP: f32 = 8.0;
@@ -52,7 +52,7 @@ fn card_size() -> Vec2 {
     picture_size() + vec2(2.0 * MARGIN, 2.0 * MARGIN + TEXT)
 }
 
-/// Shows the gallery in a theme and a language; `first`. It has just been opened.
+/// Shows the gallery in a theme and a language. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, Lang), first: bool) -> Option<Chosen> {
     let t = words::texts(style.1);
     let mut asked = None;
@@ -119,7 +119,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     asked
 }
 
-/// The headings of the cards as links. The one that was clicked.
+/// The headings of the cards as links. Returns the clicked one.
 fn headings(ui: &mut Ui, lang: Lang, sources: &[Source]) -> Option<Topic> {
     let mut topics: Vec<Topic> = sources.iter().filter_map(topic).collect();
     topics.dedup();
@@ -132,7 +132,7 @@ fn headings(ui: &mut Ui, lang: Lang, sources: &[Source]) -> Option<Topic> {
     links.inner
 }
 
-/// The names of the parts; Ctrl+Tab goes to the next one.
+/// The names of the parts. Ctrl+Tab goes to the next one.
 fn parts(ui: &mut Ui, t: &Texts, part: &mut Part) {
     for of in Part::ALL {
         let name = match of {
@@ -147,7 +147,7 @@ fn parts(ui: &mut Ui, t: &Texts, part: &mut Part) {
     }
 }
 
-/// The field for words of cards: Enter opens the first card that has them, ↓ goes to it.
+/// The search field. Enter opens the first matching card, ↓ goes to it.
 fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     let id = Id::unique("gallery search");
     let goes_down = ui.memory(|memory| memory.has_focus(id))
@@ -160,7 +160,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
             input.events.iter().filter_map(text).collect::<String>()
         });
         if !typed.trim().is_empty() {
-            // The field takes what is typed in this frame already.
+            // The field takes the text typed in this frame already.
             ui.memory_mut(|memory| memory.request_focus(id));
         }
     }
@@ -181,7 +181,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     if entered { best().map(Chosen::Open) } else { None }
 }
 
-/// The cards in rows, under their headings. The figure of the one that was pressed.
+/// The cards in rows, under their headings. Returns the figure of the pressed one.
 fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes_to: Option<Topic>) -> Option<Source> {
     if sources.is_empty() {
         let text = match (gallery.part, &gallery.files) {
@@ -199,7 +199,7 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of columns")]
     let columns = (((ui.available_width() + GAP) / (card.x + GAP)) as usize).max(1);
     let part = gallery.part;
-    // What was searched for is in the order in which it fits, without headings.
+    // Search results are sorted by how well they match, without headings.
     let topic = if gallery.wanted.trim().is_empty() { topic } else { |_: &Source| None };
     let rows = rows(sources, columns, topic);
     let is_chosen = |source: &Source| gallery.chosen[part as usize].as_ref() == Some(source);
@@ -254,7 +254,7 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes
     open
 }
 
-/// The topic of a figure of the program.
+/// The topic of a built-in figure.
 fn topic(source: &Source) -> Option<Topic> {
     match source {
         Source::Shipped(name) => ShippedFigure::named(name).map(|figure| figure.topic),

@@ -1,4 +1,4 @@
-//! The dialog of the camera check: all there is to say about the image and the camera, with repairs.
+//! The dialog of the camera check, with all advice about the image and the camera, and with repairs.
 
 use eframe::egui::{self, RichText, Ui};
 
@@ -25,7 +25,7 @@ enum Wish {
     Depth,
 }
 
-/// Shows the dialog with all there is to say. Returns false once it's closed.
+/// Shows the dialog with all the advice. Returns false once it's closed.
 pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, model: &mut Model, first: bool) -> bool {
     let words = words::texts(model.settings.lang);
     ui.heading(words.coach);
@@ -103,7 +103,7 @@ fn health(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>) 
     }
 }
 
-/// A sentence, and the button that acts on it. True if that was pressed.
+/// A sentence, and the button that acts on it. Returns true if that was pressed.
 fn line(ui: &mut Ui, text: &str, button: Option<(&str, String)>) -> bool {
     let mut pressed = false;
     ui.indent(text, |ui| {

@@ -1,4 +1,4 @@
-//! The dialog that compares the figure with itself in another way. What is chosen is seen at once.
+//! The dialog that compares the figure with itself in another way. A choice is visible at once.
 
 use std::sync::Arc;
 
@@ -21,8 +21,8 @@ use crate::i18n::window::compare as words;
 use crate::i18n::window::compare::Texts as Words;
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 
-/// Shows the dialog in a window of its own, which can be moved. The pictures beside it show what is chosen, and can be
-/// used. The form, while it stays open. While the user `draws` on the views, Esc is for that.
+/// Shows the dialog in a movable window of its own. The pictures beside it show the choice, and stay usable. Returns
+/// the form while it stays open. While the user `draws` on the views, Esc is for that.
 pub(in crate::gui) fn show(
     ctx: &Context,
     t: &Texts,
@@ -47,7 +47,7 @@ pub(in crate::gui) fn show(
     stays
 }
 
-/// The content of the window. The form, until it is closed.
+/// The content of the window. Returns the form until it's closed.
 fn content(
     ui: &mut Ui,
     t: &Texts,
@@ -77,7 +77,7 @@ fn content(
     (!closes).then_some(form)
 }
 
-/// A camera that was kept, another file, and the figure as it was saved.
+/// A kept camera, another file, and the figure as saved.
 fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<Arc<Figure>>) -> Option<Figure> {
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
@@ -101,7 +101,7 @@ fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<A
     chosen
 }
 
-/// The ready pairs, and nothing.
+/// The ready pairs, and none.
 fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
     let figure = model.document.figure();
     let compared = figure.compare.as_ref();
@@ -129,7 +129,7 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
                     give_other_projection(model, &mut figure);
                 }
                 let before = figure.compare.take().unwrap_or_default();
-                // Of two boxes each is to be seen whole.
+                // The two boxes are side by side, so that each is visible as a whole.
                 let beside = key == "show.ndc";
                 chosen = Some(Comparison { beside, differences, ..before }.of_pair(&figure, key, pair));
             }
@@ -138,7 +138,7 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
     chosen
 }
 
-/// The height or the angle with which the other projection shows as much as this one does.
+/// Sets the height or the angle with which the other projection shows as much as this one does.
 fn give_other_projection(model: &Model, figure: &mut Figure) {
     let other = match figure.camera.projection {
         Projection::Perspective => Projection::Parallel,
@@ -226,7 +226,7 @@ fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Opt
     chosen
 }
 
-/// How it is compared.
+/// The way in which it's compared.
 fn options(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
     let compared = model.document.figure().compare.clone();
     let old = compared.clone().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The numbers of a report as tables: their symbols, names and rows, as they are shown.
+//! The numbers of a report as tables, with their symbols, names and rows, ready for display.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
     Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
 }
 
-/// All numbers of the figure as text with all their digits, as programs read them.
+/// All numbers of the figure as text with all their digits, for programs.
 pub(in crate::gui) fn text(model: &Model) -> String {
     let (t, shown) = (window::texts(model.settings.lang), model.settings.conventions);
     let Some(report) = report(model, shown.ndc) else { return String::new() };
@@ -40,11 +40,11 @@ pub(in crate::gui) struct Table {
     pub(in crate::gui) symbol: Cow<'static, str>,
     pub(in crate::gui) name: String,
     pub(in crate::gui) rows: Vec<(String, Vec<f64>)>,
-    /// Where the notes print something else: what, and what is right.
+    /// An erratum of the notes: the printed version and the correction.
     pub(in crate::gui) erratum: Option<&'static str>,
     /// A number that can be a rounding error of zero, relative to its row, is shown as 0.
     rests: bool,
-    /// It is other numbers in another convention of NDC.
+    /// True if it has other numbers in another convention of NDC.
     pub(in crate::gui) follows_ndc: bool,
     /// The matrix whose entries these numbers are, by rows from its first.
     of: Option<Matrix>,
@@ -77,7 +77,7 @@ impl Table {
         Self { symbol, of: Some(matrix), transposed: shown.row_vectors, ..Self::new("", name, rows) }
     }
 
-    /// The entry of a matrix that a number is; `None` for one that is not.
+    /// The entry of a matrix that a number is. `None` if it isn't one.
     pub(in crate::gui) fn entry(&self, row: usize, column: usize) -> Option<(Matrix, [usize; 2])> {
         self.of.map(|matrix| (matrix, if self.transposed { [column, row] } else { [row, column] }))
     }
@@ -109,12 +109,12 @@ impl Table {
         let Some(decimals) = decimals.filter(|_| !values().all(is_whole)) else {
             return cells(&rows, |value| mark.number(value, digits), [0, 0]);
         };
-        // Room for a sign and a digit, and for the decimals, also where a number happens to have none.
+        // Room for a sign and a digit, and for the decimals, also if a number happens to have none.
         cells(&rows, |value| mark.printed(&fixed(value, decimals)), [2, decimals + 1])
     }
 }
 
-/// The decimals of numbers of which the greatest is `most`, one fewer than the digits; `None` means each has its own
+/// The decimals of numbers of which the greatest is `most`, one fewer than the digits. `None` if each has its own
 /// digits, since all are wanted or the numbers are too great.
 fn decimals(most: f64, digits: usize) -> Option<usize> {
     let beyond = [1e3, 1e4, 1e5, 1e6].iter().filter(|power| most >= **power).count();
@@ -134,18 +134,18 @@ fn fixed(value: f64, decimals: usize) -> String {
     if text.contains(|c: char| ('1'..='9').contains(&c)) { text } else { format!("{value:.1e}") }
 }
 
-/// The part of a matrix that changes sign where z_c grows along DOP.
+/// The part of a matrix that changes sign if z_c grows along DOP.
 #[derive(Clone, Copy)]
 enum Mirrored {
     /// Its third row: it leads to view space.
     Row,
-    /// Its third column: it comes from view space.
+    /// Its third column, because it comes from view space.
     Column,
     /// No part.
     Nothing,
 }
 
-/// The symbol of a transposed matrix; of a product, the factors the other way round.
+/// The symbol of a transposed matrix. For a product, the factors in reverse.
 fn transposed(symbol: &str) -> String {
     let factor = |factor: &str| if factor.contains('⁻') { format!("({factor})ᵀ") } else { format!("{factor}ᵀ") };
     symbol.split(' ').rev().map(factor).collect::<Vec<_>>().join(" ")
@@ -155,7 +155,7 @@ fn named<const N: usize>(rows: &[(&str, [f64; N])]) -> Vec<(String, Vec<f64>)> {
     rows.iter().map(|(name, values)| ((*name).to_owned(), values.to_vec())).collect()
 }
 
-/// The tables of a report; `camera` is the one it is of.
+/// The tables of a report about `camera`.
 pub(in crate::gui) fn tables(
     t: &'static Texts,
     (camera, r): (&Camera, &Report),
@@ -184,7 +184,7 @@ pub(in crate::gui) fn tables(
                 .collect(),
         ),
     ];
-    // Entries of M_p can differ by any factor, and each is exact: none is a rest of another.
+    // Entries of M_p can differ by any factor, and each is exact. None is a rounding error of another.
     if inverse {
         let view =
             Table::matrix(Matrix::InverseView, t.inverse_view_name, r.inverse_view_matrix, Mirrored::Column, shown);
@@ -206,7 +206,7 @@ pub(in crate::gui) fn tables(
     tables
 }
 
-/// A name with the equation of the notes, or with the convention where that is another.
+/// A name with the equation of the notes, or with the convention if that is another.
 fn in_convention(t: &Texts, name: &str, equation: &str, report: &Report) -> String {
     let ndc = ndc_of(report);
     let more =
@@ -219,7 +219,7 @@ pub(in crate::gui) fn ndc_of(report: &Report) -> Ndc {
     Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
 }
 
-/// The rows as aligned cells: in each column the decimal points stand below each other. `before` and `from` are the
+/// The rows as aligned cells. In each column the decimal points stand below each other. `before` and `from` are the
 /// fewest characters before a point and from it on. Names come first, if there are any.
 fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String, [before, from]: [usize; 2]) -> Vec<Vec<String>> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
@@ -277,7 +277,7 @@ mod tests {
             cells.iter().map(|row| row.join(GAP)).collect::<Vec<_>>()
         };
         assert_eq!(written([[0.5, -1.6094], [0.0, 12.25]], 5), [" 0.5000  −1.6094", " 0       12.2500"]);
-        // A number that passes through 1 moves nothing.
+        // A number that passes through 1 moves no other.
         let widths = [0.9999, 1.0, 1.0001].map(|x| written([[x, 0.25], [0.0, 1.0]], 5)[0].chars().count());
         assert_eq!(widths, [widths[0]; 3]);
         assert_eq!(written([[1.0, 0.0], [0.0, 1.0]], 5), ["1  0", "0  1"]);

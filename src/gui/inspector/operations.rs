@@ -1,4 +1,4 @@
-//! The operations on the camera: by a step, or scrubbed with a slider from where the camera is.
+//! The operations on the camera: by a step, or with a slider from the present camera.
 
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
@@ -17,7 +17,7 @@ use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
 
-/// The operation of a slider, by how far it has been pulled: degrees; a power of two; scene units. 0 changes nothing.
+/// The operation of a slider pulled this far, in degrees, as a power of two, or in scene units. 0 changes nothing.
 fn pulled(freedom: Freedom, pull: f64) -> Operation {
     match freedom.descriptor().amount {
         Amount::Angle | Amount::Length => freedom.by(pull),
@@ -95,7 +95,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: F
     });
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
-    // What is to be predicted isn't shown.
+    // If it's to be predicted, it isn't shown.
     if model.hover.ghost.is_none()
         && hovered
         && !model.operations.predict.on
@@ -107,7 +107,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: F
     }
 }
 
-/// The effect of the open operation, or how far it has been pulled, and its slider.
+/// The effect of the open operation, or the position of its slider, and the slider.
 fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Freedom) {
     let amount = model.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
     ui.scope(|ui| {
@@ -132,7 +132,7 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Free
     ui.add_space(3.0);
 }
 
-/// The operations that the figure shows, and the button that takes them out.
+/// The operations that the figure shows, and the button that removes them.
 fn kept(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
     let shown = &model.document.figure().show.operations;
     if shown.is_empty() {
@@ -246,7 +246,7 @@ fn explained(freedom: Freedom, t: &Texts, convention: Convention) -> String {
 /// Sliders of angles stop at multiples of so many degrees.
 const SNAP: f64 = 5.0;
 
-/// Draws the springs that bring a knob back to the middle; `share` is its place, 0 … 1.
+/// Draws the springs that bring a knob back to the middle. `share` is its place, 0 … 1.
 fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
     let radius = place.height() / 3.0;
     let rail = place.shrink2(egui::vec2(radius, 0.0));
@@ -271,7 +271,7 @@ fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
 /// Corners of a spring.
 const COILS: u8 = 12;
 
-/// Pulls the camera from where it was taken. Springs back when it is let go.
+/// Pulls the camera from its position when the slider was grabbed. Springs back when it's released.
 fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     let free = ui.input(|input| input.modifiers.command);
     let (range, grain) = match freedom.descriptor().amount {
@@ -288,7 +288,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     // Springs take the place of the rail.
     ui.spacing_mut().slider_rail_height = 0.0;
     theme::strengthen_rail(ui);
-    // A pixel is several degrees wide: there is a round number in each.
+    // A pixel is several degrees wide and always contains a round number.
     let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain).smart_aim(!free);
     let response = ui.add(slider).explained(t.scrub_hint);
     let response = response.accessible_name(format!("{}: {}", name(freedom, t), t.scrub));
@@ -297,7 +297,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     if response.drag_started() {
         model.operations.scrub = Some(Scrub { freedom, start: model.document.camera().clone(), amount: 0.0 });
     }
-    // Where it is let go counts too: the pointer may have moved since the last frame.
+    // The position at the release counts too, because the pointer may have moved since the last frame.
     if response.dragged() || response.drag_stopped() {
         let convention = model.operations.convention;
         if let Some(scrub) = model.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {

@@ -1,4 +1,4 @@
-//! *Predict first*: the switch, the question of an operation, and what came of it.
+//! *Predict first*: the switch, the question of an operation, and its outcome.
 
 use eframe::egui::{self, Button, RichText};
 

@@ -1,4 +1,4 @@
-//! The numbers: basis, matrices, window, corners. Each one is that of `camera-lab inspect` for the same figure.
+//! The numbers: basis, matrices, window, corners. Each one equals that of `camera-lab inspect` for the same figure.
 
 use std::sync::Arc;
 
@@ -40,8 +40,8 @@ pub fn ui(ui: &mut egui::Ui, model: &mut Model) {
     }
 }
 
-/// Lists the tables that are wanted, each with the one of another convention where there is one. A click on an entry
-/// of a matrix explains it.
+/// Lists the wanted tables, each with the one of another convention if there is one. A click on an entry of a matrix
+/// explains it.
 pub(in crate::gui) fn list(
     ui: &mut egui::Ui,
     model: &mut Model,
@@ -89,8 +89,8 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
 /// An entry of a matrix.
 type Entry = (Matrix, [usize; 2]);
 
-/// A table. Below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry
-/// that was clicked.
+/// A table. Below a matrix is the one that it's compared with, and differing entries are marked in both. Returns the
+/// clicked entry.
 fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     ui.add_space(3.0);
     ui.spacing_mut().item_spacing.y = 1.0;
@@ -101,14 +101,14 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Tabl
     asked
 }
 
-/// Symbol, name and rows. Marked where they differ from those of another table. Gives the entry that was clicked.
+/// Symbol, name and rows, marked if they differ from those of another table. Returns the clicked entry.
 fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     let written = |digits: usize| table.written(digits, t.lang.mark());
     let marked = |row: usize, column: usize| {
         let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
         table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
     };
-    // Few digits are rounded to fit, and the heading says so. Many can be scrolled.
+    // Few digits are rounded to fit, as the heading says. Many can be scrolled.
     let room = ui.available_width() - 18.0;
     let mut fitting = digits;
     while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
@@ -155,7 +155,7 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
         .inner
 }
 
-/// Makes each number that is the entry of a matrix a control for its explanation. Returns the one that was clicked.
+/// Makes each number that is the entry of a matrix a control for its explanation. Returns the clicked one.
 fn questions(
     ui: &egui::Ui,
     t: &'static Texts,
@@ -242,7 +242,7 @@ fn job(ui: &egui::Ui, rows: &[Vec<String>], marked: impl Fn(usize, usize) -> boo
     job
 }
 
-/// The most digits that are rounded further where they do not fit.
+/// The most digits that are rounded further if they don't fit.
 const MOST_TO_FIT: usize = 7;
 
 fn width(ui: &egui::Ui, job: LayoutJob) -> f32 {

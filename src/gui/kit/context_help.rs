@@ -7,7 +7,7 @@ use eframe::egui::{self, Id, Rect, Response, Ui};
 struct Noted {
     pointed: Option<&'static str>,
     focused: Option<&'static str>,
-    /// A symbol was clicked: the note under the pointer is wanted.
+    /// True if a symbol was clicked, so that the note under the pointer has to open.
     called: bool,
 }
 
@@ -26,27 +26,27 @@ pub(in crate::gui) fn asked(ctx: &egui::Context) -> Option<&'static str> {
     noted.pointed.or(noted.focused)
 }
 
-/// Asks for the note on what is under the pointer.
+/// Requests the note on the control under the pointer.
 pub(in crate::gui) fn call(ctx: &egui::Context) {
     ctx.data_mut(|data| data.get_temp_mut_or_default::<Noted>(key()).called = true);
 }
 
-/// The note that a click asked for in this frame.
+/// The note requested by a click in this frame.
 pub(in crate::gui) fn called(ctx: &egui::Context) -> Option<&'static str> {
     ctx.data(|data| data.get_temp::<Noted>(key())).filter(|noted| noted.called)?.pointed
 }
 
-/// Says that F1 on this control opens the note `id`.
+/// Makes F1 on this control open the note `id`.
 pub(in crate::gui) fn help_topic(response: &Response, id: &'static str) {
     say(&response.ctx, response.contains_pointer(), response.has_focus(), id);
 }
 
-/// Says that F1 on a row, or on a field in it, opens the note `id`.
+/// Makes F1 on a row, or on a field in it, open the note `id`.
 pub(in crate::gui) fn help_topic_row(ui: &Ui, row: Rect, id: &'static str) {
     say(ui.ctx(), ui.rect_contains_pointer(row), has_focus(ui, row), id);
 }
 
-/// Whether a control in a rectangle has the keyboard.
+/// True if a control in a rectangle has the keyboard.
 pub(in crate::gui) fn has_focus(ui: &Ui, rect: Rect) -> bool {
     let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
     focused.is_some_and(|r| r.layer_id == ui.layer_id() && rect.contains(r.rect.center()))

@@ -8,7 +8,7 @@ use crate::gui::kit::focus::at_right;
 pub(in crate::gui) enum Pressed {
     /// The button with this number.
     Action(usize),
-    /// The one that changes nothing.
+    /// The button that changes nothing.
     Cancel,
     /// None yet.
     Nothing,
@@ -17,7 +17,7 @@ pub(in crate::gui) enum Pressed {
 /// The number of the button that changes nothing.
 pub(in crate::gui) const CANCEL: usize = usize::MAX;
 
-/// Buttons at the lower right, the one that is most wanted last. `focus` is the one that Enter presses.
+/// Buttons at the lower right, the most likely one last. Enter presses the one at `focus`.
 pub(in crate::gui) fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usize>) -> Pressed {
     let mut pressed = Pressed::Nothing;
     let size = egui::vec2(80.0, 26.0);
@@ -30,7 +30,7 @@ pub(in crate::gui) fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str],
             pressed = Pressed::Cancel;
         }
         for (index, action) in actions.iter().enumerate() {
-            // Full colour: what is only on is pale.
+            // Full colour, because pale means only switched on.
             let button = if index + 1 == actions.len() {
                 let text = egui::RichText::new(*action).color(ui.visuals().panel_fill);
                 egui::Button::new(text).fill(ui.visuals().hyperlink_color)

@@ -1,4 +1,4 @@
-//! Texts that are longer than their room, shortened where words end.
+//! Shortens texts that are longer than their room, at the ends of words.
 
 use eframe::egui::{FontId, Ui};
 
@@ -12,7 +12,7 @@ pub(in crate::gui) fn words(text: &str, fits: impl Fn(&str) -> bool) -> String {
     ends.map(shorter).filter(|shortened| fits(shortened)).last().unwrap_or_else(|| "…".to_owned())
 }
 
-/// A text, or as many of its parts (between `·`, semicolons and sentences) as fit; of the first, if need be, only its
+/// A text, or as many of its parts (between `·`, semicolons and sentences) as fit. Of the first, if need be, only its
 /// first words.
 pub(in crate::gui) fn parts(text: &str, fits: impl Fn(&str) -> bool) -> String {
     let is_end = |at: &usize| [" · ", "; ", ". "].iter().any(|mark| text[*at..].starts_with(mark));

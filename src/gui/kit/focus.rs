@@ -1,5 +1,5 @@
-//! The keyboard's way through the window: from region to region, the focused widget marked and scrolled into sight,
-//! lists that Enter closes.
+//! The keyboard's way through the window, from region to region. The focused widget is marked and scrolled into sight,
+//! and Enter closes lists.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -18,7 +18,7 @@ pub(in crate::gui) enum Region {
     Picture(usize),
     /// The stages of the pipeline.
     Strip,
-    /// The lesson that is played.
+    /// The lesson being played.
     Lesson,
     /// The studies of error against run time.
     Numerics,
@@ -33,7 +33,7 @@ struct Regions(Vec<(Region, Id, Rect)>);
 /// The state of the focus from frame to frame.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Focus {
-    /// The focus was moved by a key, not by the pointer. Only then it is marked.
+    /// True if a key moved the focus, not the pointer. Only then it's marked.
     by_keyboard: bool,
     last: Option<Id>,
     /// The focused widget before a list or a menu opened.
@@ -62,7 +62,7 @@ impl Focus {
             data.insert_temp(moved_id(), moved);
             std::mem::take(data.get_temp_mut_or_default::<Regions>(regions_id()))
         });
-        // With Shift it is Ctrl+Tab as well: shortcuts with more keys are tested first.
+        // With Shift it's Ctrl+Tab as well, so shortcuts with more keys are tested first.
         let taken = |modifiers| !dialog && ctx.input_mut(|input| input.consume_key(modifiers, Key::Tab));
         let back = taken(Modifiers::CTRL | Modifiers::SHIFT);
         let forward = !back && taken(Modifiers::CTRL);
@@ -82,8 +82,8 @@ impl Focus {
         self.close_popup(ctx, now);
     }
 
-    /// Enter and the space bar choose in an open list or menu, and so close it. The focus goes back to where it was. In
-    /// a text field they are typed.
+    /// Enter and the space bar choose in an open list or menu, and so close it. The focus goes back to its former
+    /// place. In a text field they are typed.
     fn close_popup(&mut self, ctx: &Context, now: Option<Id>) {
         let open = Popup::is_any_open(ctx);
         if open && !self.popup_was_open {
@@ -111,7 +111,7 @@ impl Focus {
         }
     }
 
-    /// Ends a frame: closes a list in which something was chosen, and marks the focused widget.
+    /// Ends a frame: closes a list after a choice in it, and marks the focused widget.
     pub(in crate::gui) fn end(&mut self, ctx: &Context) {
         if ctx.data(|data| data.get_temp::<bool>(close_id())).unwrap_or(false) {
             ctx.data_mut(|data| data.insert_temp(close_id(), false));
@@ -128,9 +128,8 @@ impl Focus {
     }
 }
 
-/// Tab goes through the window as it is read: menus, parameters, pictures, operations and numbers. egui goes through
-/// controls as they are laid out, and the panel on the right is laid out before the pictures, which take the room that
-/// is left.
+/// Tab goes through the window in reading order: menus, parameters, pictures, operations and numbers. egui goes through
+/// controls in layout order, but the panel on the right is laid out before the pictures, which take the remaining room.
 fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     let pressed = |shift: bool| {
         ctx.input(|input| {
@@ -148,7 +147,7 @@ fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     let order = as_read(ctx, regions);
     let place = now.map(|now| order.iter().position(|id| *id == now));
     let next = match place {
-        // The focused widget is not in the window itself.
+        // The focused widget isn't in the window itself.
         Some(None) => return,
         None if back => order.last(),
         None => order.first(),
@@ -164,9 +163,9 @@ fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
 }
 
 /// The focusable widgets of the window itself, as in the last frame: first all but the panel on the right and the one
-/// of studies, which are laid out before the pictures; then those two.
+/// of studies, which are laid out before the pictures, then those two.
 fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
-    /// A panel's frame, and the handle by which it is made wider.
+    /// A panel's frame, and the handle that makes it wider.
     const MARGIN: f32 = 12.0;
     let find = |wanted: Region| regions.0.iter().find(|(region, ..)| *region == wanted);
     let (numbers, numerics) = (find(Region::Numbers), find(Region::Numerics));
@@ -178,7 +177,7 @@ fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
         let mut order = Vec::new();
         for widget in all {
             let begins = |region: Option<&(Region, Id, Rect)>| region.is_some_and(|(_, id, _)| widget.id == *id);
-            // Its controls come one after the other, up to the next region's; the pictures above it begin with their
+            // Its controls come one after the other, up to the next region's. The pictures above it begin with their
             // titles.
             in_numerics = begins(numerics) || (in_numerics && !regions.0.iter().any(|(_, id, _)| widget.id == *id));
             in_numbers |= begins(numbers);
@@ -196,7 +195,7 @@ fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
     })
 }
 
-/// The region after (or before) the one that holds the focus; from nowhere, the first.
+/// The region after (or before) the one that holds the focus. If none does, the first.
 fn next_region(ctx: &Context, regions: Regions, focused: Option<Id>, back: bool) -> Option<Id> {
     let mut all = regions.0;
     all.sort_by_key(|(region, ..)| *region);
@@ -211,14 +210,14 @@ fn next_region(ctx: &Context, regions: Regions, focused: Option<Id>, back: bool)
     all.get(next).map(|(_, id, _)| *id)
 }
 
-/// A ring around the focused widget: the colours of a control that is on, or hovered, do not show the focus.
+/// A ring around the focused widget, because the colours of a control that is on, or hovered, don't show the focus.
 fn mark(ctx: &Context, response: &Response) {
     let visible = response.interact_rect;
     if !visible.is_positive() {
         return;
     }
     let color = ctx.global_style().visuals.hyperlink_color;
-    // Above its own layer, so that a list or a dialog before it hides it as it hides the control.
+    // Above its own layer, so that a list or a dialog in front of it hides it like the control.
     let painter = ctx.layer_painter(LayerId::new(Order::Foreground, Id::unique("focus ring")));
     let painter =
         if response.layer_id.order == Order::Background { ctx.layer_painter(LayerId::background()) } else { painter };
@@ -237,7 +236,7 @@ fn close_id() -> Id {
     Id::unique("close the list")
 }
 
-/// Makes a part of the window a region that Ctrl+Tab goes to; `name` is for screen readers. Tab goes on to its first
+/// Makes a part of the window a region that Ctrl+Tab goes to. `name` is for screen readers. Tab goes on to its first
 /// control.
 pub(in crate::gui) fn region(ui: &Ui, rect: Rect, region: Region, name: &str) {
     let id = Id::unique(("region", region));
@@ -268,13 +267,13 @@ pub(in crate::gui) fn keep_in_sight(ui: &Ui) {
     }
 }
 
-/// Controls at the right end of a row, in the order in which they are read, which is the order in which Tab goes
-/// through them. A layout from right to left would turn it round.
+/// Controls at the right end of a row, in reading order, which is the order of Tab. A layout from right to left would
+/// reverse it.
 pub(in crate::gui) fn at_right<R>(ui: &mut Ui, controls: impl FnOnce(&mut Ui) -> R) -> R {
     with_room_before(ui, |_| (), controls)
 }
 
-/// As [`at_right`], with something in the room that is left before the controls.
+/// As [`at_right`], with other content in the room that is left before the controls.
 pub(in crate::gui) fn with_room_before<R>(
     ui: &mut Ui,
     before: impl FnOnce(&mut Ui),
@@ -292,7 +291,7 @@ pub(in crate::gui) fn with_room_before<R>(
     let mut at_right = ui.new_child(builder);
     let result = controls(&mut at_right);
     let used = at_right.min_rect();
-    // No wider than the room: a panel would grow to hold it.
+    // No wider than the room, because a panel would grow to hold it.
     ui.advance_cursor_after_rect(Rect::from_min_max(
         room.min,
         egui::pos2(room.right(), used.bottom().max(room.bottom())),

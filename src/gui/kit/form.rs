@@ -1,4 +1,4 @@
-//! The few shapes that panels and dialogs are made of.
+//! The basic shapes of panels and dialogs.
 
 use eframe::egui::{self, CollapsingHeader, RichText};
 use glam::DVec3;
@@ -11,7 +11,7 @@ use super::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::window::Texts;
 
-/// A group of controls under a title that opens and closes it. Gives the title.
+/// A group of controls under a title that opens and closes it. Returns the title.
 pub(in crate::gui) fn section(
     ui: &mut egui::Ui,
     title: &str,
@@ -51,13 +51,13 @@ pub(in crate::gui) fn kept_section(
     *open ^= shown.header_response.clicked();
 }
 
-/// Controls for few people, folded under *More* and their name.
+/// Rarely used controls, folded under *More* and their name.
 pub(in crate::gui) fn more(ui: &mut egui::Ui, t: &Texts, what: &str, body: impl FnOnce(&mut egui::Ui)) {
     let title = RichText::new(format!("{}: {what}", t.more)).weak();
     CollapsingHeader::new(title).id_salt(what).default_open(false).show_unindented(ui, body);
 }
 
-/// Height of a line that has no control in it.
+/// Height of a line without controls.
 pub(in crate::gui) const TEXT_LINE: f32 = 16.0;
 
 /// A symbol of the notes and its name.
@@ -99,13 +99,13 @@ pub(in crate::gui) struct VectorField<'a> {
     pub(in crate::gui) hint: &'static str,
     /// The name of its fields for screen readers, before the axis.
     pub(in crate::gui) field: &'static str,
-    /// Whose vector it is, where there are several of the same name.
+    /// The owner of the vector, if there are several of the same name.
     pub(in crate::gui) owner: &'a str,
     /// The step of an arrow key.
     pub(in crate::gui) step: f64,
     /// Degrees.
     pub(in crate::gui) angles: bool,
-    /// True marks the fields. The value is impossible.
+    /// If true, marks the fields, because the value is impossible.
     pub(in crate::gui) marked: bool,
 }
 
@@ -157,7 +157,7 @@ impl VectorField<'_> {
     }
 }
 
-/// A choice out of few, with the name that screen readers say.
+/// A choice out of few, with its name for screen readers.
 pub(in crate::gui) fn choice<T: PartialEq + Clone, S: AsRef<str>>(
     ui: &mut egui::Ui,
     name: &str,
@@ -188,13 +188,13 @@ pub(in crate::gui) fn choice<T: PartialEq + Clone, S: AsRef<str>>(
     *value != old
 }
 
-/// A quiet mark of an erratum in the notes; `text` is the erratum and its correction.
+/// A quiet mark of an erratum in the notes. `text` is the erratum and its correction.
 pub(in crate::gui) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
     let mark = RichText::new(t.erratum).small().weak();
     ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).explained(text);
 }
 
-/// A line with a fault, with a sign, so that the colour is not alone.
+/// A line with a fault, with a sign, so that it doesn't depend on colour alone.
 pub(in crate::gui) fn complaint(ui: &mut egui::Ui, text: &str) {
     let color = ui.visuals().error_fg_color;
     ui.add(egui::Label::new(RichText::new(format!("⚠ {text}")).color(color)).wrap());

@@ -1,10 +1,10 @@
-//! Keys as they are written in the language of the window.
+//! Keys in the language of the window.
 
 use eframe::egui::{Context, KeyboardShortcut};
 
 use crate::i18n::Lang;
 
-/// The Portuguese names of keys that have an English word on them.
+/// The Portuguese names of keys labelled with an English word.
 const IN_PORTUGUESE: [(&str, &str); 10] = [
     ("Left", "Seta esquerda"),
     ("Right", "Seta direita"),

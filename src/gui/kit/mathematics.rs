@@ -1,4 +1,4 @@
-//! Formulas set as `KaTeX` sets them: `RaTeX` lays out glyphs and lines, the window paints them with the fonts of
+//! Formulas set like those of `KaTeX`. `RaTeX` lays out glyphs and lines, and the window paints them with the fonts of
 //! `KaTeX`.
 
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use crate::drawing::single;
 use crate::i18n::why::notes::plain;
 use crate::text;
 
-/// The fonts, by the names that `RaTeX` has for them. What would need another one is written as text.
+/// The fonts, by `RaTeX`'s names for them. Formulas that need another one are written as text.
 const FONTS: [(&str, &[u8]); 7] = [
     ("Main-Regular", text::ROMAN_BYTES),
     ("Main-Bold", text::BOLD_BYTES),
@@ -55,9 +55,9 @@ struct Ink {
 }
 
 impl Ink {
-    /// `None` for text that is not LaTeX, or needs more than the fonts have.
+    /// `None` for text that isn't LaTeX, or needs more than the fonts have.
     fn new(latex: &str) -> Option<Self> {
-        // Brackets as high as a matrix are glyphs of no font: they are lines here.
+        // No font has glyphs for brackets as high as a matrix, so they are lines here.
         if let Some((before, rest)) = latex.split_once(r"\begin{bmatrix}") {
             let (entries, after) = rest.split_once(r"\end{bmatrix}")?;
             let matrix = Self::new(&format!(r"\begin{{matrix}}{entries}\end{{matrix}}"))?.in_brackets();
@@ -133,7 +133,7 @@ impl ComputerMut<&str, Option<Arc<Ink>>> for Typesetter {
     }
 }
 
-/// A formula of a size, ready to be painted.
+/// A formula of a size, ready to paint.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct Formula {
     set: Set,
@@ -147,7 +147,7 @@ enum Set {
 }
 
 impl Formula {
-    /// Sets a formula; where that fails, `text` replaces it. It is set once, as long as it is shown in every frame.
+    /// Sets a formula, or shows `text` if that fails. It's set once, as long as every frame shows it.
     pub(in crate::gui) fn new(ui: &Ui, latex: &str, text: &str, size: f32) -> Self {
         type Cache = FrameCache<Option<Arc<Ink>>, Typesetter>;
         let ink = ui.memory_mut(|memory| memory.caches.cache::<Cache>().get(latex).clone());
@@ -209,7 +209,7 @@ fn baseline_of(galley: &egui::Galley) -> f32 {
     row.and_then(|row| row.glyphs.first().map(|glyph| row.pos.y + glyph.pos.y)).unwrap_or(galley.size().y)
 }
 
-/// Shows a formula; `text` is the same one in a line, for screen readers.
+/// Shows a formula. `text` is the same one in a line, for screen readers.
 pub(in crate::gui) fn show(ui: &mut Ui, latex: &str, text: &str, size: f32) -> Response {
     let formula = Formula::new(ui, latex, text, size);
     let (place, response) = ui.allocate_exact_size(formula.size(), Sense::hover());
@@ -238,9 +238,9 @@ pub(in crate::gui) struct Both {
 /// The layout of the links of a [`chain`].
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::gui) enum Links {
-    /// Each below the other, so that formula, numbers and value are found where they always are.
+    /// Each below the other, so that formula, numbers and value are always in the same place.
     Below,
-    /// As many on a line as fit: many chains follow one another.
+    /// As many on a line as fit, because many chains follow one another.
     Dense,
 }
 

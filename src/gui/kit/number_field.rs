@@ -1,8 +1,8 @@
 //! A field for one number: drag it, type a number or an expression, or step it with the arrow keys.
 //!
-//! egui's own field drops a text that it cannot read, and rounds the value that it shows before it is edited. This one
-//! keeps a faulty text, with the reason, until it is corrected, changes the value only when something else was typed,
-//! and shows it rounded to fit where there is no room for all of it.
+//! egui's own field drops text that it can't read, and rounds the displayed value before it's edited. This one keeps a
+//! faulty text, with the reason, until it's corrected. It changes the value only if you type a different one, and
+//! rounds the display to fit if there isn't room for all of it.
 
 use std::ops::RangeInclusive;
 
@@ -40,7 +40,7 @@ impl Step {
     }
 }
 
-/// One number field; [`NumberField::show`] it.
+/// A number field. [`NumberField::show`] displays it.
 #[derive(Clone, Debug)]
 pub struct NumberField<'a> {
     name: String,
@@ -62,15 +62,15 @@ pub struct NumberField<'a> {
 /// The result of a field in this frame.
 #[derive(Debug, Default)]
 pub struct FieldOutput {
-    /// Why the text in the field cannot be taken over. The value has not changed then.
+    /// The reason why the text in the field is refused. The value hasn't changed then.
     pub error: Option<FieldError>,
-    /// It is being dragged.
+    /// True while it's being dragged.
     pub held: bool,
     /// Enter has just ended the typing.
     pub entered: bool,
 }
 
-/// A reason why the typed text cannot be applied.
+/// A reason why the typed text can't be applied.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FieldError {
     /// Not a number.
@@ -100,13 +100,13 @@ struct Editing {
     error: Option<FieldError>,
 }
 
-/// The field or control of this name takes the keyboard when it is shown next.
+/// Gives the keyboard to the field or control of this name when it's next shown.
 pub(in crate::gui) fn take_keyboard(ctx: &egui::Context, name: &str) {
     ctx.data_mut(|data| data.insert_temp(called(), name.to_owned()));
     ctx.request_repaint();
 }
 
-/// The control of this name takes the keyboard and comes into sight, if it was asked to. True if it was.
+/// Gives this control the keyboard and scrolls it into sight, if that was requested. Returns true if it was.
 pub(in crate::gui) fn answer_call(ui: &egui::Ui, control: &egui::Response, name: &str) -> bool {
     let called = is_called(ui, name);
     if called {
@@ -129,7 +129,7 @@ fn called() -> egui::Id {
 }
 
 impl<'a> NumberField<'a> {
-    /// A field with the name that screen readers say.
+    /// A field with this name for screen readers.
     pub fn new(name: impl Into<String>, step: Step) -> Self {
         Self {
             name: name.into(),
@@ -149,22 +149,22 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// The greatest of its neighbours: a value that can be a rounding error relative to it is shown as 0.
+    /// The greatest of its neighbours. If the value can be a rounding error relative to it, it's shown as 0.
     pub fn beside(self, greatest: f64) -> Self {
         Self { beside: greatest, ..self }
     }
 
-    /// Why it is greyed, where it is.
+    /// The reason why it's greyed, if it is.
     pub fn greyed(self, why: &'a str) -> Self {
         Self { greyed: why, ..self }
     }
 
-    /// Shows 4/3 where it is that to the last digit.
+    /// Shows 4/3 if the value is that to the last digit.
     pub fn fractions(self) -> Self {
         Self { fractions: true, ..self }
     }
 
-    /// The owner of the number, where several have one of the same name: text typed for one never goes to another.
+    /// The owner of the number, if several have one of the same name. Text typed for one never goes to another.
     pub fn of(self, owner: &'a str) -> Self {
         Self { owner, ..self }
     }
@@ -204,7 +204,7 @@ impl<'a> NumberField<'a> {
         Self { width, ..self }
     }
 
-    /// True marks the field. Its value is impossible.
+    /// If true, marks the field, because its value is impossible.
     pub fn marked(self, marked: bool) -> Self {
         Self { marked, ..self }
     }
@@ -212,7 +212,7 @@ impl<'a> NumberField<'a> {
     /// Shows the field and changes `value`.
     pub fn show(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
         let (_, rect) = ui.allocate_space(egui::vec2(self.width, ui.spacing().interact_size.y));
-        // The id comes from the name: a complaint that comes or goes above must not take the focus away.
+        // The id comes from the name, because a complaint that comes or goes above must not take the focus away.
         let place = egui::UiBuilder::new()
             .scope_id(egui::Id::unique(("number field", self.owner, &self.name)))
             .max_rect(rect)
@@ -220,14 +220,14 @@ impl<'a> NumberField<'a> {
         self.show_in(&mut ui.new_child(place), texts, value)
     }
 
-    /// Takes the keyboard where this field was asked to.
+    /// Takes the keyboard if this field was asked to.
     fn answer_call(&self, ui: &egui::Ui, id: egui::Id) {
         if self.owner.is_empty() && is_called(ui, &self.name) {
             ui.memory_mut(|memory| memory.request_focus(id));
         }
     }
 
-    /// As [`Self::show`], in a place of its own: button and text field must have one and the same id.
+    /// As [`Self::show`], in a place of its own, because button and text field must have one and the same id.
     fn show_in(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
         let id = ui.next_auto_id();
         self.answer_call(ui, id);
@@ -243,7 +243,7 @@ impl<'a> NumberField<'a> {
         if !editing && state.as_ref().is_some_and(|s| s.error.is_none()) {
             state = self.finish(ui, state, value);
         }
-        // Enter has left a faulty text standing with its reason: Escape still drops it.
+        // Enter has left a faulty text with its reason, so Escape still drops it.
         let idle = !editing && ui.memory(|memory| memory.focused().is_none());
         if idle && state.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
             state = None;
@@ -270,7 +270,7 @@ impl<'a> NumberField<'a> {
         FieldOutput { error, held: response.dragged(), entered }
     }
 
-    /// Arrow keys while it is edited, and requests of a screen reader. Returns the error of those.
+    /// Arrow keys while it's edited, and requests of a screen reader. Returns the error of those.
     fn step_by_keys(
         &self,
         ui: &egui::Ui,
@@ -313,7 +313,7 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// The value some steps further. Steps end where the range does.
+    /// The value some steps further. Steps end at the ends of the range.
     fn stepped(&self, value: f64, steps: f64) -> f64 {
         let stepped = self.step.apply(value, steps).clamp(*self.range.start(), *self.range.end());
         if self.whole { stepped.round() } else { stepped }
@@ -333,7 +333,7 @@ impl<'a> NumberField<'a> {
         self.checked(value.map_err(|error| FieldError::Expression(error.problem))?)
     }
 
-    /// Applies the typed text when the field has lost the focus; Escape drops it.
+    /// Applies the typed text when the field has lost the focus. Escape drops it.
     fn finish(&self, ui: &egui::Ui, state: Option<Editing>, value: &mut f64) -> Option<Editing> {
         let mut state = state?;
         if ui.input(|input| input.key_pressed(Key::Escape)) || state.text == state.first {
@@ -450,7 +450,7 @@ impl<'a> NumberField<'a> {
         format!("{text}{}", self.unit)
     }
 
-    /// The value follows the pointer from where it was taken, so that a slow frame loses nothing.
+    /// The value follows the pointer from its value at the press, so that a slow frame loses nothing.
     fn drag(&self, ui: &egui::Ui, response: &egui::Response, value: &mut f64) {
         let id = response.id.with("drag");
         if response.drag_started() {
@@ -482,7 +482,7 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// Shows a message beside a field while it is edited.
+/// Shows a message beside a field while it's edited.
 fn say_beside(response: &egui::Response, text: String) {
     tooltip::beside(response, |ui| drop(ui.label(text)));
 }

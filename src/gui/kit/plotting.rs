@@ -1,4 +1,4 @@
-//! Common parts of the plots of the window. They do not move, and their logarithmic axes are marked at powers of ten.
+//! Common parts of the plots of the window. They don't move, and their logarithmic axes are marked at powers of ten.
 
 use std::ops::RangeInclusive;
 
@@ -11,27 +11,27 @@ use crate::export::plot::COLORS;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::{Lang, window};
 
-/// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer are shown
-/// beside it.
+/// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer appear beside
+/// it.
 pub(in crate::gui) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.show_x(false).show_y(false).allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false)
 }
 
-/// Room of a mark in heights of its type: beside the next one, and above it.
+/// Room of a mark in heights of its type, beside the next one, and above it.
 const ROOM: [f32; 2] = [3.0, 1.8];
 
-/// A plot with an axis of logarithms across, marked at as many powers of ten as have room.
+/// A plot with a logarithmic horizontal axis, marked at as many powers of ten as there is room for.
 pub(in crate::gui) fn logarithmic_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     plot.custom_x_axes(vec![axis(Axis::X, label)]).x_grid_spacer(decades(ROOM[0] * type_size(ui)))
 }
 
-/// A plot with an even axis across, marked as closely as there is room.
+/// A plot with a linear horizontal axis, with as many marks as there is room for.
 pub(in crate::gui) fn linear_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     let room = 2.2 * type_size(ui);
     plot.custom_x_axes(vec![AxisHints::new_x().label(label).label_spacing(room..=1.2 * room)])
 }
 
-/// A plot with an axis of logarithms upwards, marked at as many powers of ten as have room.
+/// A plot with a logarithmic vertical axis, marked at as many powers of ten as there is room for.
 pub(in crate::gui) fn logarithmic_y<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     plot.custom_y_axes(vec![axis(Axis::Y, label)]).y_grid_spacer(decades(ROOM[1] * type_size(ui)))
 }
@@ -42,18 +42,18 @@ fn type_size(ui: &Ui) -> f32 {
 }
 
 fn axis<'a>(axis: Axis, label: &str) -> AxisHints<'a> {
-    // The marks are as far apart as they must be: none fades.
+    // The marks are as far apart as needed, so none fades.
     AxisHints::new(axis).label(label).formatter(decade).label_spacing(0.0..=1.0)
 }
 
-/// The mark of a power of ten on an axis of logarithms.
+/// The mark of a power of ten on a logarithmic axis.
 fn decade(mark: GridMark, _: &RangeInclusive<f64>) -> String {
     power_of_ten(10f64.powf(mark.value))
 }
 
-/// Marks of an axis of logarithms at whole decades, at least `room` points apart.
+/// Marks of a logarithmic axis at whole decades, at least `room` points apart.
 fn decades(room: f32) -> impl Fn(GridInput) -> Vec<GridMark> {
-    /// The points for which a step stands that a plot recommends as the smallest.
+    /// The number of points for a step that a plot recommends as the smallest.
     const SMALLEST: f64 = 8.0;
     move |GridInput { bounds: (low, high), base_step_size }| {
         let least = f64::from(room) * base_step_size / SMALLEST;
@@ -72,8 +72,8 @@ fn decades(room: f32) -> impl Fn(GridInput) -> Vec<GridMark> {
 /// More marks than an axis has room for.
 const MOST_MARKS: usize = 200;
 
-/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
-/// lightened. Grey without.
+/// The colours of the charts on paper, by their place, which the table shows too. On a dark ground the darkest are
+/// lightened. `None` is grey.
 pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
     let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
     let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);

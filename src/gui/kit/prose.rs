@@ -9,7 +9,7 @@ use super::mathematics;
 use super::theme;
 use crate::i18n::why::notes::plain;
 
-/// Symbols such as `M_v` as mathematics. Text between dollar signs stays as it is.
+/// Turns symbols such as `M_v` into mathematics. Text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {
     // A formula on a line of its own is between two of them.
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { with_symbols_in_line(part) };
@@ -42,9 +42,9 @@ fn with_symbols_in_line(markdown: &str) -> String {
     set
 }
 
-/// A tuple stays in one line: no space in (1; −1; 2) is where a line may end.
+/// Keeps a tuple in one line, so that no line ends at a space in (1; −1; 2).
 fn with_tuples_kept(text: &str) -> String {
-    /// Characters: a longer one may be wider than a narrow panel.
+    /// In characters. A longer one may be wider than a narrow panel.
     const LONGEST: usize = 30;
     let (mut set, mut rest) = (String::with_capacity(text.len()), text);
     while let Some((before, from)) = rest.split_once('(') {
@@ -63,7 +63,7 @@ fn with_tuples_kept(text: &str) -> String {
     set + rest
 }
 
-/// The mark of bold words. The renderer has no bold letters, so they are set as formulas are, with letters of ours.
+/// The mark of bold words. The renderer has no bold letters, so they are set like formulas, with our letters.
 const BOLD: char = '\u{e000}';
 /// Between two formulas that touch: `$$` would begin one on a line of its own.
 const APART: char = '\u{200b}';
@@ -80,7 +80,7 @@ fn with_bold_in_lines(markdown: &str) -> String {
     for (k, run) in markdown.split("**").enumerate() {
         let is_bold = k % 2 == 1 && k < marks;
         if k % 2 == 1 && !is_bold {
-            // Nothing closes it.
+            // No mark closes it.
             set.push_str("**");
         }
         for (j, part) in run.split('$').enumerate() {

@@ -1,7 +1,7 @@
 //! The text fields of the window, and their limits.
 //!
-//! Pasted text may be any file that somebody had on the clipboard. It is cut before it is laid out, which is reported
-//! beside the field. No other file makes fields of egui's own, which take everything.
+//! Pasted text may be any file from the clipboard. It's cut before it's laid out, and the field reports that. No other
+//! file makes fields of egui's own, which take everything.
 
 use std::ops::Range;
 
@@ -31,18 +31,18 @@ impl<'t> TextField<'t> {
         Self { edit: TextEdit::multiline(text), most, says: true }
     }
 
-    /// One line that is read, selected and copied, but not changed.
+    /// One line that can be read, selected and copied, but not changed.
     pub(in crate::gui) fn fixed_line(text: &'t mut &str) -> Self {
         Self { edit: TextEdit::singleline(text).align(Align2::LEFT_CENTER), most: usize::MAX, says: false }
     }
 
-    /// As [`Self::fixed_line`], of several lines.
+    /// As [`Self::fixed_line`], with several lines.
     pub(in crate::gui) fn fixed_lines(text: &'t mut &str) -> Self {
         Self { edit: TextEdit::multiline(text), most: usize::MAX, says: false }
     }
 
-    /// For a text that is refused where it is too long, with words of its own: one character more than is allowed has
-    /// room.
+    /// For a text that is refused, with a message of its own, if it's too long. It has room for one character more than
+    /// is allowed.
     pub(in crate::gui) fn refused_beyond(self) -> Self {
         Self { most: self.most.saturating_add(1), says: false, ..self }
     }
@@ -52,7 +52,7 @@ impl<'t> TextField<'t> {
         Self { edit: look(self.edit), ..self }
     }
 
-    /// Shows the field. While it is full, that is shown beside it.
+    /// Shows the field. While it's full, a note beside it shows that.
     pub(in crate::gui) fn show(self, ui: &mut Ui, lang: Lang) -> Response {
         let (output, text) = self.edit.char_limit(self.most).show_returning_text(ui);
         let response = output.response.response;
@@ -63,11 +63,11 @@ impl<'t> TextField<'t> {
     }
 }
 
-/// A line that takes effect with Enter, or when its field is left. A text that is refused stays until it is mended, and
-/// Escape drops it.
+/// A line that takes effect with Enter, or when its field is left. A refused text stays until it's mended, and Escape
+/// drops it.
 pub(in crate::gui) struct KeptLine<'t> {
     pub(in crate::gui) id: Id,
-    /// The text that is in effect.
+    /// The text in effect.
     pub(in crate::gui) old: &'t str,
     /// Its greatest number of characters.
     pub(in crate::gui) most: usize,
@@ -76,7 +76,7 @@ pub(in crate::gui) struct KeptLine<'t> {
 }
 
 impl KeptLine<'_> {
-    /// Shows the field. Gives the value of a text once it takes effect, or why it is refused.
+    /// Shows the field. Returns the value of a text once it takes effect, or the reason why it's refused.
     pub(in crate::gui) fn show<T, E>(
         self,
         ui: &mut Ui,
@@ -84,7 +84,7 @@ impl KeptLine<'_> {
         check: impl FnOnce(&str) -> Result<T, E>,
     ) -> (Response, Option<Result<T, E>>) {
         let Self { id, old, most, width } = self;
-        // The text in effect, the one that is typed instead, and whether its field was left although it is wrong.
+        // The text in effect, the text typed instead, and true if its field was left although it's wrong.
         type Typing = (String, String, bool);
         let typing = ui.data_mut(|data| data.remove_temp::<Typing>(id)).filter(|(of, ..)| of == old);
         let (old, mut text, was_left) = typing.unwrap_or_else(|| (old.to_owned(), old.to_owned(), false));
@@ -123,8 +123,8 @@ pub(in crate::gui) fn cut_pasted(events: &mut [Event]) {
     }
 }
 
-/// Takes out the letters of keys that are pressed with Alt: X11 delivers them like typed ones, so a field would have
-/// the letter of each command that is called from it. On a Mac, Option writes accents and signs.
+/// Removes the letters of keys pressed with Alt. X11 delivers them like typed ones, so a field would get the letter of
+/// each command called from it. On a Mac, Option writes accents and signs.
 pub(in crate::gui) fn drop_letters_with_alt(events: &mut Vec<Event>, os: OperatingSystem) {
     if os == OperatingSystem::Mac {
         return;
@@ -132,13 +132,13 @@ pub(in crate::gui) fn drop_letters_with_alt(events: &mut Vec<Event>, os: Operati
     let mut is_after_alt = false;
     events.retain(|event| {
         let is_letter = is_after_alt && matches!(event, Event::Text(_));
-        // With Ctrl it is AltGr, which writes signs.
+        // With Ctrl it's AltGr, which writes signs.
         is_after_alt = matches!(event, Event::Key { pressed: true, modifiers, .. } if modifiers.alt && !modifiers.ctrl);
         !is_letter
     });
 }
 
-/// The rest of the caret after a while without input: to blink, it draws the whole window anew twice a second.
+/// Stops the caret after a while without input, because its blinking redraws the whole window twice a second.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct CaretRest {
     last_input: f64,
@@ -149,7 +149,7 @@ impl CaretRest {
     /// Seconds for which it blinks after the last input, as on most desktops.
     const BLINKS: f64 = 10.0;
 
-    /// To be called in each frame.
+    /// Must be called in each frame.
     pub(in crate::gui) fn follow(&mut self, ctx: &Context) {
         let (time, anything) = ctx.input(|input| (input.time, !input.raw.events.is_empty()));
         if anything {

@@ -22,7 +22,7 @@ pub fn bold(size: f32) -> FontId {
     FontId::new(size, bold_family())
 }
 
-/// `DejaVu` first: it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
+/// `DejaVu` first, because it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
 pub fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::default();
     let faces: [(&str, &'static [u8], FontFamily); 3] = [
@@ -46,7 +46,8 @@ pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
     lowered(ui, text, &TextStyle::Body, ui.visuals().strong_text_color())
 }
 
-/// A symbol that a click leads from, in the colour of links. The keyboard passes it by: F1 on its field does the same.
+/// A symbol that opens something with a click, in the colour of links. The keyboard skips it, because F1 on its field
+/// does the same.
 pub fn linked_symbol(ui: &mut egui::Ui, text: &str) -> egui::Response {
     let job = lowered(ui, text, &TextStyle::Body, ui.visuals().hyperlink_color);
     let response = ui.add(egui::Label::new(job).selectable(false).sense(egui::Sense::CLICK | egui::Sense::HOVER));
@@ -87,7 +88,7 @@ pub fn sentence(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) ->
     lowered(ui, &marked, style, color)
 }
 
-/// A label with such a sentence, which wraps. Screen readers say it as it is written.
+/// A label with such a sentence, which wraps. Screen readers read it as written.
 pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
     let job = sentence(ui, text, &TextStyle::Body, ui.visuals().text_color());
     let response = ui.add(egui::Label::new(job).wrap().selectable(false));
@@ -95,7 +96,7 @@ pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
     response
 }
 
-/// A label that wraps, with subscripts as in the pictures. Screen readers say it as it is written.
+/// A label that wraps, with subscripts as in the pictures. Screen readers read it as written.
 pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32) -> egui::Response {
     let job = lowered(ui, text, style, color);
     let response = ui.add(egui::Label::new(job).wrap());
@@ -104,7 +105,7 @@ pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32)
     response
 }
 
-/// Makes the header of a section a quiet bar, so that it is not taken for a field.
+/// Makes the header of a section a quiet bar, so that it doesn't look like a field.
 pub fn tint_header(ui: &mut egui::Ui) {
     let visuals = ui.visuals_mut();
     visuals.collapsing_header_frame = true;
@@ -117,7 +118,7 @@ pub fn tint_header(ui: &mut egui::Ui) {
     }
 }
 
-/// Gives a slider a rail that can be seen.
+/// Gives a slider a visible rail.
 pub fn strengthen_rail(ui: &mut egui::Ui) {
     let border = ui.visuals().widgets.noninteractive.bg_stroke.color;
     let widgets = &mut ui.visuals_mut().widgets;

@@ -1,4 +1,4 @@
-//! Tooltips: when, where, and with the titles of the notes that they cite.
+//! Tooltips: their time, their place, and the titles of the notes that they cite.
 
 use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
 
@@ -27,17 +27,17 @@ pub(in crate::gui) fn beside_panel(ui: &Ui, align: RectAlign) {
     ui.ctx().data_mut(|data| data.insert_temp(key(), beside));
 }
 
-/// Ends a panel: tooltips appear where there is room.
+/// Ends a panel. From here on, tooltips appear in any free room.
 pub(in crate::gui) fn beside_nothing(ctx: &egui::Context) {
     ctx.data_mut(|data| data.remove::<Beside>(key()));
 }
 
-/// Says more when the pointer rests on a control.
+/// Shows a tooltip when the pointer rests on a control.
 pub(in crate::gui) trait Explained {
-    /// Says `text`.
+    /// Shows `text`.
     fn explained(self, text: impl AsRef<str>) -> Self;
 
-    /// Says `text` where the control is greyed.
+    /// Shows `text` if the control is greyed.
     fn explained_disabled(self, text: impl AsRef<str>) -> Self;
 
     /// Shows a tooltip with this content.
@@ -60,7 +60,7 @@ impl Explained for Response {
     }
 
     fn explained_by(self, content: impl FnOnce(&mut Ui)) -> Self {
-        // While something is dragged, its effect is watched.
+        // While the user drags something, they watch its effect.
         if self.ctx.dragged_id().is_none() {
             show(&self, Tooltip::for_enabled(&self), content);
         }
@@ -68,14 +68,14 @@ impl Explained for Response {
     }
 }
 
-/// Shows `content` beside a control as long as it is called, in its row, so that no other row is covered.
+/// Shows `content` beside a control in every frame that calls it, in its row, so that no other row is covered.
 pub(in crate::gui) fn beside(response: &Response, content: impl FnOnce(&mut Ui)) {
     let mut tooltip = Tooltip::always_open(response.ctx.clone(), response.layer_id, response.id, response.rect);
     tooltip.popup = tooltip.popup.align(RectAlign::RIGHT);
     show(response, tooltip, content);
 }
 
-/// Its description for screen readers, and its name where it has none.
+/// Its description for screen readers, and its name if it has none.
 fn describe(response: &Response, text: &str) {
     if !response.ctx.has_accesskit_node(response.id) {
         return;
@@ -93,7 +93,7 @@ fn describe(response: &Response, text: &str) {
 
 fn show(response: &Response, mut tooltip: Tooltip<'_>, content: impl FnOnce(&mut Ui)) {
     let ctx = &response.ctx;
-    // A dialog has come before it.
+    // A dialog has opened in front of it.
     if !ctx.memory(|memory| memory.is_above_modal_layer(response.layer_id)) {
         return;
     }
@@ -104,7 +104,7 @@ fn show(response: &Response, mut tooltip: Tooltip<'_>, content: impl FnOnce(&mut
         tooltip.popup = tooltip.popup.anchor(place).align(beside.align);
     }
     tooltip.show(|ui| {
-        // It has the width of every tooltip: egui's own has that of the one before, and breaks numbers.
+        // It has the width of every tooltip, because egui's own has that of the one before, and breaks numbers.
         ui.set_max_width(ui.spacing().tooltip_width);
         content(ui);
     });

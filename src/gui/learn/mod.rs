@@ -1,4 +1,4 @@
-//! Exercises and lessons, with what they remember.
+//! Exercises and lessons, with the state that they remember.
 
 pub mod exercises;
 pub mod handout;
@@ -21,30 +21,32 @@ use crate::lessons::Lesson;
 use exercises::state::Exercises;
 use lesson::state::Playing;
 
-/// The exercises, the lesson that is played, and what was done of them.
+/// The exercises, the lesson being played, and the progress in them.
 #[derive(Debug, Default)]
 pub struct Learn {
-    /// The corner of another screen, in points, for the speaker's notes; `None` means not looked for yet, inside: none.
+    /// The corner of another screen, in points, for the speaker's notes. `None` if not looked for yet, and inside if
+    /// there is none.
     pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The exercises.
     pub exercises: Exercises,
-    /// The lesson that is played.
+    /// The lesson being played.
     pub lesson: Option<Playing>,
     /// The lessons of a lecturer's folder, as they were when the list was opened.
     pub own: Vec<(PathBuf, Arc<Lesson>)>,
     /// The lesson of the user's own to which steps are added.
     pub file: Option<PathBuf>,
-    /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
+    /// The furthest step reached of each lesson, from 0, by the lesson's identifier.
     pub taken: BTreeMap<String, usize>,
-    /// The steps of each lesson whose task was done, from 0: an answer of one's own, and not a way that was shown.
+    /// The steps of each lesson whose task was done, from 0, by an answer of the user's own, and not by a way that was
+    /// shown.
     pub done: BTreeMap<String, BTreeSet<usize>>,
-    /// The way on from the last time is offered, in one line.
+    /// True if one line offers to go on from the last time.
     pub goes_on: bool,
-    /// The first lesson and the gallery are offered, in one line.
+    /// True if one line offers the first lesson and the gallery.
     pub welcome: bool,
 }
 
-/// A link to a step of a lesson of the program.
+/// A link to a step of a built-in lesson.
 fn lesson_link(ui: &mut egui::Ui, model: &mut Model, lesson: &Arc<Lesson>, step: usize) {
     if ui.link(lessons::lesson_link(model.settings.lang, lesson, step)).clicked() {
         model.actions.push(Action::lesson(Arc::clone(lesson), step));
@@ -57,7 +59,7 @@ impl Learn {
         (self.welcome, self.goes_on, model.settings.welcomed) = (false, false, true);
     }
 
-    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
+    /// Goes on with another document. The one before is lost, unless the caller has it, so ask first. Work behind it is
     /// kept.
     pub(in crate::gui) fn take_over(&mut self, model: &mut Model, document: Document) {
         self.keep_behind(model);
@@ -78,8 +80,7 @@ impl Learn {
         model.actions.push(Action::ForgetFigure);
     }
 
-    /// Undoes a step, or redoes it. Objects that come back are selected. The figure on the screen comes first, then the
-    /// lesson.
+    /// Undoes a step, or redoes it. Selects restored objects. The figure on the screen comes first, then the lesson.
     pub fn undo(&mut self, model: &mut Model, back: bool) {
         if !model.document.can_undo(back) && self.can_undo_lesson(model, back) {
             return self.undo_lesson(model, back);
@@ -89,12 +90,12 @@ impl Learn {
         model.tree.follow(&before, &model.document.figure().scene);
     }
 
-    /// True if there is something to undo (`back`), or to redo.
+    /// True if there is a step to undo (`back`), or to redo.
     pub(in crate::gui) fn can_undo(&self, model: &Model, back: bool) -> bool {
         model.document.can_undo(back) || self.can_undo_lesson(model, back)
     }
 
-    /// The question for a place in the image that is asked now.
+    /// The present question for a place in the image.
     pub fn placing(&mut self, model: &Model) -> Option<Placing> {
         self.placing_of_question(model).or_else(|| model.placing_of_operation())
     }

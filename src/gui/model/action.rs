@@ -1,4 +1,4 @@
-//! The actions that a feature asks of another one.
+//! The actions that one feature requests from another.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -10,31 +10,31 @@ use crate::export::plot::Block;
 use crate::gui::model::operations::placing::Mark;
 use crate::lessons::{Lesson, OpenLesson};
 
-/// A request of one feature to another. The window does it once the panels of the frame are drawn.
+/// A request of one feature to another. The window performs it once the panels of the frame are drawn.
 #[derive(Clone, Debug)]
 pub enum Action {
-    /// Ask for a file, or where to write one.
+    /// Ask for a file to read or to write.
     File(FileFor),
     /// Do this once nothing can be lost any more.
     Begin(AfterSave),
-    /// Play the lesson that the line above the window offers.
+    /// Play the lesson on offer in the line above the window.
     Offered(OpenLesson),
-    /// Ask whether the objects below those that are deleted go too.
+    /// Ask if the objects below the deleted ones go too.
     Delete {
         /// Their names.
         names: BTreeSet<String>,
         /// Number of other objects below them.
         below: usize,
     },
-    /// Ask whether the progress in exercises is to be deleted.
+    /// Ask if the progress in exercises is to be deleted.
     DeleteProgress,
-    /// Look through another camera of the figure: its place in the list.
+    /// Look through another camera of the figure, by its place in the list.
     LookThrough(usize),
-    /// Put the mark of a question for a place there: pixels of the image from its left upper corner.
+    /// Put the mark of a question for a place there, in pixels of the image from its left upper corner.
     PutMark(Mark, [f64; 2]),
     /// Show the camera check.
     Coach,
-    /// Forget what belonged to the figure before this one.
+    /// Forget the state that belonged to the figure before this one.
     ForgetFigure,
     /// Show the comparison.
     Compare,
@@ -45,7 +45,7 @@ pub enum Action {
 }
 
 impl Action {
-    /// Plays a lesson of the program from a step.
+    /// Plays a built-in lesson from a step.
     pub(in crate::gui) fn lesson(lesson: Arc<Lesson>, step: usize) -> Self {
         Self::Begin(AfterSave::Lesson(OpenLesson { lesson, path: None, step }))
     }
@@ -67,7 +67,8 @@ pub enum FileFor {
     Photograph,
     /// To compare the figure with the one in it.
     CompareWith,
-    /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
+    /// To write the way to the canonical volume, by these steps, as an animation or a strip, depending on the ending of
+    /// the name.
     Animation(Decomposition),
     /// To write a chart.
     Chart(Box<Block>),
@@ -77,7 +78,7 @@ pub enum FileFor {
     Exercises,
 }
 
-/// An action to be done once nothing can be lost any more.
+/// An action to perform once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AfterSave {
     /// The default figure.
@@ -86,7 +87,7 @@ pub enum AfterSave {
     Open,
     /// Open this file.
     OpenPath(PathBuf),
-    /// Open the figure of the program with this name.
+    /// Open the built-in figure with this name.
     Shipped(&'static str),
     /// Open the figure of this text.
     Text(String),
@@ -96,7 +97,7 @@ pub enum AfterSave {
     LeaveLesson,
     /// Write the lesson to which steps were added last.
     WriteRecorded,
-    /// Read the file of the lesson that is written again.
+    /// Read the file of the lesson being written again.
     ReadLesson,
     /// Read the figure's own file again.
     Reload,
@@ -107,9 +108,9 @@ pub enum AfterSave {
 }
 
 impl AfterSave {
-    /// True if the figure of the window is lost with it.
+    /// True if it loses the figure of the window.
     pub fn replaces_figure(&self) -> bool {
-        // Work in the steps of a lesson is kept where its file is read again.
+        // Work in the steps of a lesson is kept if its file is read again.
         !matches!(self, Self::LeaveLesson | Self::ReadLesson)
     }
 }

@@ -1,5 +1,5 @@
-//! The coach's findings about the figure: computed beside the window's thread, and anew only when their inputs have
-//! changed.
+//! The coach's findings about the figure. They are computed beside the window's thread, and again only if their inputs
+//! have changed.
 
 use std::time::Duration;
 
@@ -26,18 +26,18 @@ struct HealthRequest {
     style: Style,
     reveal: Reveal,
     image: ImageSize,
-    /// Parameters in the fields that make no camera.
+    /// Parameters in the fields that aren't a camera.
     impossible: Option<ImpossibleCamera>,
 }
 
 /// The faults of the picture, and the health of the camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
-    /// The camera that it is about.
+    /// The camera examined.
     pub camera: Camera,
-    /// `None` if the image is too large to be drawn.
+    /// `None` if the image is too large to draw.
     pub diagnosis: Option<Diagnosis>,
-    /// Six quantities. None of an impossible camera.
+    /// Six quantities. None for an impossible camera.
     pub health: Vec<Health>,
 }
 
@@ -74,7 +74,7 @@ impl Coach {
         self.advice.poll(patience);
     }
 
-    /// The advice for the last request; `None` until it is known.
+    /// The advice for the last request. `None` until it's known.
     pub fn advice(&self) -> Option<&Advice> {
         self.advice.answer()
     }
@@ -86,13 +86,13 @@ impl Coach {
 }
 
 impl Model {
-    /// Has the coach look at the figure, if it has changed. Not while the hand moves.
+    /// Makes the coach examine the figure, if it has changed, but not during a drag.
     pub(in crate::gui) fn check_camera(&mut self, ctx: &egui::Context) {
         self.coach.take(Duration::ZERO);
         if ctx.input(|input| input.pointer.any_down()) || self.motion.is_some() {
             return;
         }
-        // Until then the scene is not whole.
+        // Until then the scene isn't whole.
         if self.scene_cache.loading().is_empty() {
             let Figure { style, reveal, image, .. } = *self.document.figure();
             let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
@@ -108,8 +108,8 @@ impl Model {
         }
     }
 
-    /// Whether nothing is visible although there's something to see. With an impossible camera the last good image
-    /// stays, and a photograph without a scene is an image too.
+    /// True if nothing is visible although the scene isn't empty. With an impossible camera the last good image stays,
+    /// and a photograph without a scene is an image too.
     pub(in crate::gui) fn is_image_empty(&self, diagnosis: &Diagnosis) -> bool {
         let is_photograph = self.scene_cache.scene().photograph.is_some()
             && diagnosis.findings.iter().all(|finding| finding.cause == Cause::EmptyScene);
@@ -118,13 +118,13 @@ impl Model {
 
     /// The changes of a repair, in symbols.
     pub(in crate::gui) fn changes_of(&self, repair: &Repair) -> String {
-        // The numbers in the fields, which may make no camera.
+        // The numbers in the fields, which may not be a camera.
         let camera = *self.document.draft();
         let figure = Figure { camera, ..self.document.figure().without_scene() };
         coach::changes_in_symbols(self.settings.lang, &repair.changes(&figure))
     }
 
-    /// Changes the figure as a repair has it, as one step that can be undone.
+    /// Applies a repair to the figure, as one step that can be undone.
     pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
         self.apply_camera(repair.camera);
         self.document.edit(|figure| repair.apply(figure));

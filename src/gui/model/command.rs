@@ -6,7 +6,7 @@ use crate::views::{Arrangement, View};
 /// The enum of the commands, and the list of those without a value.
 macro_rules! commands {
     ($($plain:ident)*; $($valued:ident($value:ty))*) => {
-        /// Something that can be done. `Arrange(None)` gives the pictures the arrangement that fits best.
+        /// A command of the user. `Arrange(None)` gives the pictures the arrangement that fits best.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[expect(missing_docs, reason = "what each does is said in its row, by its hint")]
         pub enum Command {

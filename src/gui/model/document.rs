@@ -1,4 +1,4 @@
-//! The figure that is being edited: the last one that was possible, the draft that may not be, its file, undo and redo.
+//! The edited figure: the last possible one, the draft that may be impossible, its file, undo and redo.
 
 pub mod source;
 
@@ -10,44 +10,44 @@ use crate::figure::{Figure, Labels, Observers, Screen, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 use crate::share;
 
-/// The figure that is being edited.
+/// The edited figure.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// Tells this document from every other one, whatever happens to either.
+    /// Identifies this document for good, even when it changes.
     id: Revision,
     figure: Figure,
     camera: Camera,
     draft: Parameters,
     problem: Option<CameraError>,
     path: Option<PathBuf>,
-    /// The name of the figure of the program that it began as, while it has no file.
+    /// The name of the built-in figure that it began as, while it has no file.
     shipped: Option<&'static str>,
     folder: Option<PathBuf>,
     reach: FileAccess,
     source: String,
     saved: Figure,
-    /// The revision of the scene, and whether it differs from the saved one.
+    /// The revision of the scene, and true if it differs from the saved one.
     revision: Revision,
     scene_is_changed: bool,
-    /// The number of the document, whatever its observers and what is shown in it, and of the one of which the last
-    /// step was made.
+    /// The number of the document, apart from its observers and `[show]`, and that of the one of which the last step
+    /// was made.
     version: Revision,
     committed: Option<Revision>,
     is_changed: bool,
     opened: Parameters,
     history: History,
-    /// The document in front of which this one was shown: undoing past the first step leads back to it.
+    /// The document behind this one. Undoing past the first step leads back to it.
     behind: Option<Box<Self>>,
-    /// The document that was shown in front of this one, until undoing led back: redoing leads to it again.
+    /// The document that was in front of this one until undoing led back. Redoing leads to it again.
     in_front: Option<Box<Self>>,
     /// See [`Self::has_stand_in_camera`].
     stands_in: bool,
 }
 
-/// From where a figure is seen, what is explained in it, and how the window shows it.
+/// The viewpoints of a figure, its explanations, and the layout of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
-    /// From where.
+    /// The viewpoints.
     pub observers: Observers,
     /// The explanations.
     pub show: Show,
@@ -56,23 +56,23 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// As a figure itself says.
+    /// As the figure itself sets them.
     pub fn of(figure: &Figure) -> Self {
         Self { observers: figure.observers, show: figure.show.clone(), screen: figure.screen }
     }
 }
 
 impl Document {
-    /// A document that has not been changed yet.
+    /// A document without changes.
     ///
     /// # Errors
-    /// [`CameraError`] where the figure's camera is impossible.
+    /// [`CameraError`] if the figure's camera is impossible.
     pub fn new(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
         let camera = Camera::new(&figure.camera)?;
         let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
         let reach = file.as_ref().map_or(FileAccess::Figure, |file| FileAccess::of(&file.path, file.is_picture, false));
         let (path, source) = match file {
-            // A picture holds a figure, but it is not a figure file: saving must not replace it.
+            // A picture holds a figure, but it isn't a figure file. Saving must not replace it.
             Some(SourceFile { text, is_picture: true, .. }) => (None, text),
             Some(SourceFile { path, text, is_picture: false }) => (Some(path), text),
             None => (None, String::new()),
@@ -103,7 +103,7 @@ impl Document {
         })
     }
 
-    /// A figure of the program; `None` if there is none of this name. Saving asks for a file.
+    /// A built-in figure. `None` if there is none of this name. Saving asks for a file.
     pub fn shipped(name: &'static str) -> Option<Self> {
         let text = ShippedFigure::named(name)?.text().into_owned();
         let figure = figure_from(text.as_bytes()).ok()?.figure;
@@ -119,13 +119,13 @@ impl Document {
     /// As for [`new`](Self::new).
     pub(in crate::gui) fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
         let file = |path: &Path| SourceFile { path: path.to_owned(), text: String::new(), is_picture: false };
-        // Beside a link there are no files.
+        // A link comes without files.
         let reach = FileAccess::of_lesson(lesson, false);
         let lesson = lesson.filter(|path| share::link_of(path).is_none());
         Ok(Self { path: None, reach, ..Self::new(figure, lesson.map(file))? })
     }
 
-    /// A figure whose camera may be impossible. Then it is drawn with the first repair of its camera, and the fields
+    /// A figure whose camera may be impossible. Then it's drawn with the first repair of its camera, and the fields
     /// hold the numbers of the file, with the reason as [`Self::problem`].
     ///
     /// # Errors
@@ -138,14 +138,14 @@ impl Document {
         let camera = repairs.first().map_or(*good.parameters(), |(_, camera)| *camera);
         let mut document = Self::new(Figure { camera, ..figure }, file)?;
         document.set_parameters(draft);
-        // Nobody has changed the file's numbers yet, and none of ours may take their place unasked.
+        // The user hasn't changed the file's numbers yet, and none of ours may replace them without a request.
         document.saved.camera = draft;
         document.is_changed = false;
         document.stands_in = true;
         Ok(document)
     }
 
-    /// The figure as it is drawn. Its camera is always possible.
+    /// The drawn figure. Its camera is always possible.
     pub fn figure(&self) -> &Figure {
         &self.figure
     }
@@ -156,23 +156,23 @@ impl Document {
         &self.camera
     }
 
-    /// Whether the camera only stands in for an impossible one of the file, whose numbers saving would replace.
+    /// True if the camera only stands in for an impossible one of the file, whose numbers saving would replace.
     pub fn has_stand_in_camera(&self) -> bool {
         self.stands_in
     }
 
-    /// The parameters as the fields show them. May be nonsense.
+    /// The parameters as in the fields. They may be impossible.
     pub fn draft(&self) -> &Parameters {
         &self.draft
     }
 
-    /// Why the draft is not a camera.
+    /// The reason why the draft isn't a camera.
     pub fn problem(&self) -> Option<&CameraError> {
         self.problem.as_ref()
     }
 
-    /// Takes new camera parameters: where they are possible they become the figure's, otherwise the last good ones stay
-    /// and [`Self::problem`] says why.
+    /// Takes new camera parameters. Possible ones become the figure's. Otherwise the last good ones stay and
+    /// [`Self::problem`] gives the reason.
     pub fn set_parameters(&mut self, parameters: Parameters) {
         if self.draft == parameters {
             return;
@@ -211,19 +211,19 @@ impl Document {
         }
     }
 
-    /// Changes the author's labels. The scene stays what it is.
+    /// Changes the author's labels. The scene stays the same.
     pub fn edit_labels(&mut self, change: impl FnOnce(&mut Labels)) {
         change(&mut self.figure.labels);
         self.note_change();
     }
 
-    /// Changes the other cameras, and the name and color of the current one. The scene stays what it is.
+    /// Changes the other cameras, and the name and color of the current one. The scene stays the same.
     pub fn edit_cameras(&mut self, change: impl FnOnce(&mut Figure)) {
         change(&mut self.figure);
         self.note_change();
     }
 
-    /// Exchanges the camera and one of the others. Parameters that are no camera are given up.
+    /// Exchanges the camera and one of the others. Drops impossible parameters.
     pub fn look_through(&mut self, index: usize) {
         let other = self.figure.cameras.get(index).and_then(|other| Camera::new(&other.parameters).ok());
         if let Some(camera) = other {
@@ -239,7 +239,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Notes that the document is another one now.
+    /// Notes that the document has changed.
     fn note_change(&mut self) {
         self.version = Revision::new();
         self.is_changed = self.scene_is_changed
@@ -247,18 +247,17 @@ impl Document {
             || self.figure.without_scene() != self.saved.without_scene();
     }
 
-    /// A number that this document keeps through every change, and that no other one has.
+    /// A number that this document keeps through every change, and that no other document has.
     pub(in crate::gui) fn id(&self) -> Revision {
         self.id
     }
 
-    /// A number that says which document it is, without a look at it: not from where it is seen, nor what is explained
-    /// in it.
+    /// A number that identifies the document without comparing it, apart from its viewpoints and explanations.
     pub(in crate::gui) fn version(&self) -> Revision {
         self.version
     }
 
-    /// A number that says which scene the figure has, without a look at it.
+    /// A number that identifies the figure's scene without comparing it.
     pub(in crate::gui) fn revision(&self) -> Revision {
         self.revision
     }
@@ -268,8 +267,8 @@ impl Document {
         &mut self.figure.observers
     }
 
-    /// `[show]`: saved in the file like the observers, and no change of the figure. What is
-    /// chosen there (a stage, a triangle, what is measured) is an undo step.
+    /// `[show]`, which is saved in the file like the observers, and isn't a change of the figure. Choices in it (a
+    /// stage, a triangle, a measure) are undo steps.
     pub fn show_mut(&mut self) -> &mut Show {
         &mut self.figure.show
     }
@@ -289,13 +288,13 @@ impl Document {
         if is_another || self.history.shows_other(&self.figure.show) {
             let is_step = self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
             if is_step {
-                // As the steps that could be redone.
+                // Like the steps to redo.
                 self.in_front = None;
             }
         }
     }
 
-    /// True if there is something to undo (`back`), or to redo.
+    /// True if there is a step to undo (`back`), or to redo.
     pub fn can_undo(&self, back: bool) -> bool {
         self.history.can_undo(back) || if back { &self.behind } else { &self.in_front }.is_some()
     }
@@ -317,7 +316,7 @@ impl Document {
     /// Takes another figure over, as one undo step.
     ///
     /// # Errors
-    /// [`CameraError`] where the figure's camera is impossible. Nothing has changed then.
+    /// [`CameraError`] if the figure's camera is impossible. Nothing has changed then.
     pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
         let camera = Camera::new(&figure.camera)?;
         self.commit();
@@ -331,7 +330,7 @@ impl Document {
         Ok(())
     }
 
-    /// Shows another figure in front of this one, as one undo step. It is a document without a file: saving asks for
+    /// Shows another figure in front of this one, as one undo step. It's a document without a file, so saving asks for
     /// one. This document waits behind it with its file and its changes. See [`Self::behind`].
     ///
     /// # Errors
@@ -339,11 +338,11 @@ impl Document {
     pub fn show_in_front(&mut self, figure: Figure) -> Result<(), CameraError> {
         let shown = Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? };
         self.commit();
-        // What could be redone gives way to a new step, as always.
+        // A new step drops the steps to redo, as always.
         self.history.forget_future();
         self.in_front = None;
         let left = std::mem::replace(self, shown);
-        // A shown figure without changes is not worth a way back: there is no chain of them.
+        // A displayed figure without changes doesn't need a way back, so there is no chain of them.
         self.behind = if left.is_changed || left.behind.is_none() { Some(Box::new(left)) } else { left.behind };
         Ok(())
     }
@@ -369,7 +368,7 @@ impl Document {
         taken
     }
 
-    /// The figure as it was opened or saved last.
+    /// The figure as opened or last saved.
     pub const fn saved(&self) -> &Figure {
         &self.saved
     }
@@ -379,7 +378,7 @@ impl Document {
         self.draft != self.opened
     }
 
-    /// The camera as it was when the figure was opened.
+    /// Restores the camera from when the figure was opened.
     pub fn reset(&mut self) {
         self.set_parameters(self.opened);
     }
@@ -395,17 +394,17 @@ impl Document {
 
     /// Applies an operation to the camera.
     ///
-    /// *Guarantees*: the camera retains the rest beyond the `f64`s of its parameters, so that errors do not add up:
-    /// twelve turns by 30° give it back bit for bit.
+    /// *Guarantees*: the camera retains the rest beyond the `f64`s of its parameters, so that errors don't add up. For
+    /// example, twelve turns by 30° give it back bit for bit.
     ///
     /// # Errors
-    /// [`CameraError`] where the operation has no result, or where the edited parameters are not a camera. Nothing has
-    /// changed then.
+    /// [`CameraError`] if the operation has no result, or if the edited parameters aren't a camera. Nothing has changed
+    /// then.
     pub fn operate(&mut self, operation: Operation, convention: Convention) -> Result<(), CameraError> {
         self.operate_from(&self.camera.clone(), operation, convention)
     }
 
-    /// As [`Self::operate`], but applied to `start`. The camera before a slider was pulled.
+    /// As [`Self::operate`], but applied to `start`, the camera before a slider was pulled.
     ///
     /// # Errors
     /// As for [`Self::operate`].
@@ -423,8 +422,7 @@ impl Document {
         Ok(())
     }
 
-    /// The name of the file, without its folder; of a figure of the program that has no file yet, the one that it could
-    /// have.
+    /// The name of the file, without its folder. For a built-in figure without a file, the name that it could have.
     pub fn name(&self) -> Option<String> {
         match (&self.path, self.shipped) {
             (Some(path), _) => Some(path.file_name()?.to_string_lossy().into_owned()),
@@ -432,13 +430,13 @@ impl Document {
         }
     }
 
-    /// The name of the figure of the program that it began as, while it has no file.
+    /// The name of the built-in figure that it began as, while it has no file.
     pub fn shipped_name(&self) -> Option<&'static str> {
         self.shipped
     }
 
-    /// Whether title and caption are those of the gallery's card that the figure was made of, and the figure is another
-    /// one by now. They don't speak of it.
+    /// True if title and caption are those of the gallery's card that the figure was made from, and the figure is a
+    /// different one by now. They don't describe it.
     pub fn has_words_of_card(&self) -> bool {
         let words = |figure: &Figure| (figure.title.clone(), figure.caption.clone());
         self.shipped.is_some() && self.is_changed && words(&self.figure) == words(&self.saved)
@@ -449,7 +447,7 @@ impl Document {
         self.path.as_ref()
     }
 
-    /// The folder of the file that the figure came from: paths of meshes are relative to it.
+    /// The folder of the figure's file, which paths of meshes are relative to.
     pub fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
@@ -465,7 +463,7 @@ impl Document {
         self.note_change();
     }
 
-    /// The text of the file as it was read or written last, with its comments. Empty without a file.
+    /// The text of the file as last read or written, with its comments. Empty without a file.
     pub fn source(&self) -> &str {
         &self.source
     }
@@ -481,25 +479,25 @@ impl Document {
         self.note_change();
     }
 
-    /// Leaves the file alone from now on: saving asks for one.
+    /// Leaves the file alone from now on, so that saving asks for one.
     pub fn forget_file(&mut self) {
         self.path = None;
         self.note_change();
     }
 
-    /// Whether something else is explained than in the file. The convention of NDC does not count. It is the window's.
+    /// True if the explanation differs from the file's. The convention of NDC doesn't count, because it's the window's.
     pub fn explains_other(&self, show: &Show) -> bool {
         let own = |show: &Show| Show { ndc: None, ..show.clone() };
         own(show) != own(&self.saved.show)
     }
 
-    /// Whether closing would lose something. Observers do not count, nor do explanations.
+    /// True if closing would lose something. Observers and explanations don't count.
     pub fn is_changed(&self) -> bool {
         self.is_changed
     }
 
-    /// Whether something was built. The scene, points, labels, title or caption are other ones than the saved ones.
-    /// The camera, the image and the way of drawing are only tried, however they are set.
+    /// True if the user has built something: the scene, points, labels, title or caption differ from the saved ones.
+    /// The camera, the image and the way of drawing don't count, because users only try them.
     pub fn is_built_on(&self) -> bool {
         let built = |figure: &Figure| {
             let Figure { title, caption, points, labels, .. } = figure;

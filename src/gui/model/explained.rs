@@ -1,4 +1,4 @@
-//! The part of the explanations that views and figure files share: which is shown, its matrix entry and its steps.
+//! The part of the explanations that views and figure files share: the displayed one, its matrix entry and its steps.
 
 pub mod conventions;
 pub mod matrices;
@@ -9,7 +9,7 @@ use crate::gui::model::explained::matrices::Matrices;
 use crate::gui::model::explained::steps::Steps;
 use crate::pipeline::StageReport;
 
-/// A question that the side of explanations answers.
+/// A question answered by the side of explanations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Question {
     /// The origin of each number.
@@ -43,39 +43,39 @@ impl Question {
     }
 }
 
-/// The explanation that is shown. Its visibility is in [`Panels`](super::layout::Panels).
+/// The displayed explanation. Its visibility is in [`Panels`](super::layout::Panels).
 #[derive(Debug)]
 pub struct Explained {
     question: Question,
-    /// The explanation that each question showed last, in the order of [`Question::ALL`].
+    /// The last explanation of each question, in the order of [`Question::ALL`].
     last: [Explanation; 4],
-    /// Objects where the explanation of order puts them in this frame.
+    /// Objects in the places where the explanation of order puts them in this frame.
     pub placed: Vec<TransformPreview>,
     /// The explanation of matrices.
     pub matrices: Matrices,
     /// The explanation of steps.
     pub steps: Steps,
-    /// The report of the strip's picture, stage by stage. Written by the pictures while the stages are explained.
+    /// The report of the strip's picture, stage by stage. Set by the pictures while the stages are explained.
     pub reports: Vec<StageReport>,
 }
 
 impl Explained {
-    /// The question that is open.
+    /// The open question.
     pub fn question(&self) -> Question {
         self.question
     }
 
-    /// The explanation that is shown.
+    /// The displayed explanation.
     pub fn shown(&self) -> Explanation {
         self.last[self.question as usize]
     }
 
-    /// The explanations that the questions showed last.
+    /// The last explanations of the questions.
     pub(in crate::gui) fn last(&self) -> [Explanation; 4] {
         self.last
     }
 
-    /// Opens a question where it was left.
+    /// Opens a question at its last explanation.
     pub fn ask(&mut self, question: Question) {
         self.question = question;
     }

@@ -1,4 +1,4 @@
-//! Why a picture was not written.
+//! The reasons why a picture wasn't written.
 
 use crate::camera::CameraError;
 use crate::export::format::PictureFormat;
@@ -9,7 +9,7 @@ use crate::picture::{NoComposite, PictureError};
 use crate::pipeline::OverBudget;
 use crate::scene::SceneError;
 
-/// Why a picture was not written.
+/// The reason why a picture wasn't written.
 #[derive(Debug, thiserror::Error)]
 pub(in crate::gui) enum ExportError {
     #[error(transparent)]
@@ -25,7 +25,7 @@ pub(in crate::gui) enum ExportError {
     /// A picture without background, in a format that has no transparency.
     #[error("{} has no transparency", .0.name())]
     NoTransparency(PictureFormat),
-    /// The user does not want it any more.
+    /// The user doesn't want it any more.
     #[error("cancelled")]
     Cancelled,
     /// The export panicked.
@@ -34,7 +34,7 @@ pub(in crate::gui) enum ExportError {
 }
 
 impl ExportError {
-    /// Why the picture `name` was not written.
+    /// The reason why the picture `name` wasn't written.
     pub(in crate::gui) fn text(&self, lang: Lang, name: &str) -> String {
         let t = window::texts(lang);
         match self {

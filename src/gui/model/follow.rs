@@ -3,7 +3,7 @@
 use crate::camera::NotProjectable;
 use crate::figure::NamedPoint;
 
-/// A space in which a point is typed.
+/// A space in which the user types a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) enum Space {
     /// The space of the selected object.
@@ -12,7 +12,7 @@ pub(in crate::gui) enum Space {
     World,
     /// VRC.
     View,
-    /// NDC, in the convention that is worked in.
+    /// NDC, in the convention of the window.
     Ndc,
     /// (x_p, y_p) and the distance from the eye.
     Window,
@@ -23,15 +23,14 @@ pub(in crate::gui) enum Space {
 /// The tab that follows a point.
 #[derive(Clone, Debug, Default)]
 pub struct Follow {
-    /// The name of the point that is followed.
+    /// The name of the followed point.
     pub(in crate::gui) chosen: Option<String>,
-    /// The reason why the last typed coordinates belong to no point. Shown until something else is typed.
+    /// The reason why the last typed coordinates belong to no point. Shown until the user types again.
     pub(in crate::gui) refused: Option<(Space, NotProjectable)>,
 }
 
 impl Follow {
-    /// The place in the list of the point that is followed. The first one where the chosen one is gone. `None` without
-    /// points.
+    /// The index of the followed point in the list. The first one if the chosen one is gone. `None` without points.
     pub(in crate::gui) fn index(&self, points: &[NamedPoint]) -> Option<usize> {
         let chosen = self.chosen.as_ref().and_then(|name| points.iter().position(|point| point.name == *name));
         chosen.or_else(|| (!points.is_empty()).then_some(0))

@@ -1,4 +1,4 @@
-//! A handout that is to be made: what it prints, and its file.
+//! A handout to be written: its content, and its file.
 
 use crate::exercises::Exercise;
 use crate::files::{FigureFiles, FileAccess};
@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::scene::no_files;
 use crate::views::{View, Views, scene_of};
 
-/// A handout that is wanted.
+/// A requested handout.
 #[derive(Clone)]
 pub(in crate::gui) struct Job {
     pub(in crate::gui) content: Content,

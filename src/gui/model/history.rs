@@ -1,4 +1,4 @@
-//! Undo and redo: snapshots of the figure, which share the scenes that have not changed.
+//! Undo and redo: snapshots of the figure, which share scenes that haven't changed.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -8,21 +8,21 @@ use crate::figure::{Figure, Screen, Show, ShownTriangle};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
-/// large. Different numbers mean nothing.
+/// The number of a scene or of a document. Equal numbers mean equal content, without comparing it, which can be large.
+/// Different numbers have no meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) struct Revision(u64);
 
 impl Revision {
-    /// One that nothing has.
+    /// A number that nothing else has.
     pub(in crate::gui) fn new() -> Self {
         static LAST: AtomicU64 = AtomicU64::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed))
     }
 }
 
-/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices.
-/// All of it where the figure was another one.
+/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices, or all of it if the
+/// figure was another one.
 #[derive(Clone, Debug)]
 struct Snapshot {
     scene: Arc<SceneSpec>,
@@ -33,7 +33,7 @@ struct Snapshot {
     camera: Camera,
     draft: Parameters,
     show: Show,
-    /// This figure has taken the place of another one.
+    /// True if this figure has replaced another one.
     replaces: bool,
 }
 
@@ -47,7 +47,7 @@ pub(in crate::gui) struct Moment {
 }
 
 impl Snapshot {
-    /// `before`: whose scene is shared where it is the same.
+    /// Shares the scene of `before` if it's the same.
     fn new(
         (figure, revision): (&Figure, Revision),
         camera: &Camera,
@@ -77,7 +77,8 @@ impl Snapshot {
             && self.has_scene(&figure.scene, revision)
     }
 
-    /// The figure then, seen and laid out as `now`; `all`: what was explained then takes its place as a whole.
+    /// The figure then, with the viewpoints and layout of `now`. If `all`, the explanations of then replace the present
+    /// ones as a whole.
     fn moment(&self, now: &Figure, all: bool) -> Moment {
         let Self { scene, revision, rest, camera, draft, show: then, replaces: _ } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
@@ -88,22 +89,22 @@ impl Snapshot {
     }
 }
 
-/// All that is edited but the scene, which snapshots share. The layout is stored in the file and is no step.
+/// The edited parts except the scene, which snapshots share. The layout is stored in the file and isn't a step.
 fn edited(figure: &Figure) -> Figure {
     Figure { screen: Screen::default(), ..figure.without_scene() }
 }
 
-/// The parts of `[show]` that are choices: not pointed at, played, or made by a panel.
+/// The parts of `[show]` that are choices. Parts set by pointing, playing, or a panel aren't.
 fn chosen(show: &Show) -> impl PartialEq {
     let triangle = show.triangle.as_ref().map(|triangle| (&triangle.object, triangle.index));
     (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
 }
 
-/// `[show]` as it is now, with the choices of then.
+/// The present `[show]`, with the choices of then.
 fn with_chosen(now: &Show, then: &Show) -> Show {
     let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
     let is_of = |triangle: &ShownTriangle| (triangle.object.clone(), triangle.index);
-    // Of the same triangle, its step and its pixel stay.
+    // For the same triangle, its step and its pixel stay.
     let triangle =
         if now.triangle.as_ref().map(is_of) == triangle.as_ref().map(is_of) { now.triangle.clone() } else { triangle };
     Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }
@@ -123,7 +124,7 @@ impl History {
         Self { now, past: Vec::new(), future: Vec::new() }
     }
 
-    /// Makes a step of the changes since the last one. False if there are none.
+    /// Makes a step of the changes since the last one. Returns false if there are none.
     pub(in crate::gui) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
@@ -135,12 +136,12 @@ impl History {
         true
     }
 
-    /// True if something else was chosen to be explained than at the last step.
+    /// True if the choice of explanation has changed since the last step.
     pub(in crate::gui) fn shows_other(&self, show: &Show) -> bool {
         chosen(&self.now.show) != chosen(show)
     }
 
-    /// Makes a step of another figure that has taken the place of the one before, which explained `before`.
+    /// Makes a step of another figure that has replaced the one before, which explained `before`.
     pub(in crate::gui) fn replace(&mut self, before: Show, of: (&Figure, Revision), camera: &Camera) {
         self.now.show = before;
         let now = Snapshot::new(of, camera, &of.0.camera, Some(&self.now));
@@ -156,7 +157,7 @@ impl History {
         self.past.drain(..self.past.len() - steps);
     }
 
-    /// Number of the last steps within the bounds; at least one.
+    /// Number of the last steps within the bounds, at least one.
     fn affordable(&self) -> usize {
         let mut newer = &self.now;
         let mut bytes = 0_usize;
@@ -174,7 +175,7 @@ impl History {
         steps
     }
 
-    /// Drops what could be redone.
+    /// Drops the steps to redo.
     pub(in crate::gui) fn forget_future(&mut self) {
         self.future.clear();
     }
@@ -195,7 +196,7 @@ impl History {
     }
 }
 
-/// The memory of a scene, nearly: that of its objects, their names and their points.
+/// The approximate memory of a scene: that of its objects, their names and their points.
 fn bytes_of(scene: &SceneSpec) -> usize {
     let object = |object: &ObjectSpec| {
         let names = object.name.len() + object.parent.as_ref().map_or(0, String::len);
@@ -240,7 +241,7 @@ mod tests {
     #[test]
     fn what_has_the_same_number_is_not_compared() {
         let (mut history, figure, camera) = history(3);
-        // A scene that only says that it is the same: nobody has looked.
+        // A scene that is only declared the same, because it hasn't been compared.
         let mut other = figure.clone();
         other.scene.objects.clear();
         history.commit((&other, history.now.revision), &camera, &figure.camera);
@@ -266,7 +267,7 @@ mod tests {
         assert!(history.past.len() < 60 && history.past.len() >= 5);
         let last = history.undo(&Figure::default(), true).unwrap().figure;
         assert_eq!(last.scene.objects[7].translate.x, 59.0);
-        // One step is always there, however large the scene.
+        // At least one step is kept, however large the scene.
         let (mut history, mut figure, camera) = self::history(1);
         let points = MAX_UNDO_BYTES / size_of::<glam::DVec3>() + 1;
         figure.scene.objects[0].shape = Some(Shape::Points(vec![glam::DVec3::ZERO; points]));

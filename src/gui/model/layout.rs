@@ -11,24 +11,24 @@ use crate::views::{Arrangement, View, Views};
 pub enum ObserverChange {
     /// From a side, with everything in the picture.
     From(Viewpoint),
-    /// As now, but with everything in the picture.
+    /// Resets it to show everything in the picture.
     Fit,
 }
 
 /// Visible pictures, and their layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// False: the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
+    /// If false, the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
     pub shown: [bool; View::COUNT],
-    /// The picture that has all the room, whatever `shown` says.
+    /// The picture that has all the room, even if `shown` hides it.
     pub maximized: Option<View>,
-    /// The arrangement of the pictures; `None` means automatic.
+    /// The arrangement of the pictures. `None` for automatic.
     pub arrangement: Option<Arrangement>,
     /// Orbiting one three-dimensional picture turns the other too.
     pub linked: bool,
     /// The stages of the pipeline are shown under the pictures.
     pub strip: bool,
-    /// Whose stages.
+    /// The view of the stages.
     pub strip_of: View,
     /// The views and their arrangement as they were when the presentation began.
     before_presentation: Option<([bool; View::COUNT], Option<Arrangement>)>,
@@ -57,7 +57,7 @@ impl Layout {
         }
     }
 
-    /// Begins or ends a presentation. What it hides, and how it arranges the rest, ends with it.
+    /// Begins or ends a presentation. Its hidden parts and its arrangement end with it.
     pub(in crate::gui) fn turn_presentation(&mut self, begins: bool) {
         if begins {
             self.before_presentation = Some((self.shown, self.arrangement));
@@ -94,7 +94,7 @@ impl Layout {
 /// The place of a window on its screen, in points of an interface that is neither enlarged nor reduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WindowPlace {
-    /// The upper left corner; `None` if the system doesn't tell.
+    /// The upper left corner. `None` if the system doesn't give it.
     pub at: Option<[i32; 2]>,
     /// Width and height of its content when it isn't maximized.
     pub size: [u32; 2],
@@ -126,12 +126,12 @@ pub enum Tab {
     Drawing,
 }
 
-/// Panels wanted by the user, and panels that fit.
+/// Panels requested by the user, and panels that fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Panels {
-    /// Wanted by the user, in the order of [`Side`].
+    /// Requested by the user, in the order of [`Side`].
     pub wanted: [bool; 3],
-    /// The one that stays where two do not fit.
+    /// The side that stays if two don't fit.
     pub last: Side,
     /// Only one panel fits.
     pub narrow: bool,

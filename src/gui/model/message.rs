@@ -1,4 +1,4 @@
-//! Messages at the bottom of the window, as values. Their words are made when they are shown, in the language of that
+//! Messages at the bottom of the window, as values. Their words are chosen when they are shown, in the language of that
 //! moment.
 
 use std::path::{Path, PathBuf};
@@ -28,17 +28,17 @@ pub enum Message {
         /// Number of figures.
         of: usize,
     },
-    /// Why a file was passed over, and how many more were.
+    /// The reason why a file was skipped, and the number of other skipped files.
     AndMore(Box<Self>, usize),
     /// No figure before this one.
     FirstFigure,
     /// No figure after this one.
     LastFigure,
-    /// A step was added to the lesson in a file: its number.
+    /// A step was added to the lesson in a file. Holds its number.
     StepAdded(PathBuf, usize),
-    /// The texts of a step cannot be written into the file of its lesson.
+    /// The texts of a step can't be written into the file of its lesson.
     StepNotKept(PathBuf, FileError),
-    /// The file of the lesson was changed by another program.
+    /// Another program changed the file of the lesson.
     LessonChanged(PathBuf),
     /// A QR code needs the address of a page.
     AddressFirst,
@@ -46,25 +46,25 @@ pub enum Message {
     CameraKept,
     /// There are no sides to swap.
     NothingToSwap,
-    /// The figure in this file, with whose camera this one is compared, has another scene.
+    /// The figure in this file, whose camera this one is compared with, has another scene.
     OtherScene(PathBuf),
     /// No step of the lesson before this one.
     FirstStep,
     /// No step of the lesson after this one.
     LastStep,
-    /// A step of the lesson has something to be done first.
+    /// A step of the lesson has an open task.
     TaskFirst,
-    /// The observer of a picture went back, so that everything stays in it.
+    /// The observer of a picture went back to keep everything in it.
     WentBack(View),
     /// A file has been opened.
     Opened(PathBuf),
-    /// Of several files dropped at once, this one was opened.
+    /// Several files were dropped at once, and this one was opened.
     FirstOfDropped(PathBuf, usize),
     /// A file has been written.
     Saved(PathBuf),
     /// A file was handed to the browser.
     Downloaded(PathBuf),
-    /// A file was chosen for a figure that the window no longer shows. Nothing was done with it.
+    /// A file was chosen for a figure that the window no longer shows. It wasn't used.
     OtherFigure(PathBuf),
     /// A link with this number of characters is in the clipboard.
     LinkCopied(usize),
@@ -72,19 +72,19 @@ pub enum Message {
     LinkOpened,
     /// A text has this link, which leads neither to a page nor to mail.
     LinkRefused(String),
-    /// A file cannot be read or written.
+    /// A file can't be read or written.
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
     NotOpened(PathBuf, CameraError),
     /// A figure can't be saved before its impossible camera is repaired.
     NotSaved(CameraError),
-    /// A file was opened whose camera is impossible. Its numbers are in the fields.
+    /// The opened file has an impossible camera. Its numbers are in the fields.
     Impossible(PathBuf, CameraError),
     /// An operation leads to no camera.
     Camera(CameraError),
-    /// The scene cannot be built.
+    /// The scene can't be built.
     Scene(SceneError),
-    /// The photograph under the image cannot be used.
+    /// The photograph under the image can't be used.
     NoPhotograph(MeshNotice),
     /// A picture has a shortfall.
     OverBudget(OverBudget),
@@ -96,7 +96,7 @@ pub enum Message {
     NotExported(PathBuf, NotExported),
     /// A named scene is a list of objects now.
     WrittenOut(Preset),
-    /// An object that hangs on another one now is sheared, and did not stay where it was.
+    /// An object with a new parent is sheared now, and didn't stay in place.
     Shear,
     /// An object is deleted.
     Deleted {
@@ -104,12 +104,12 @@ pub enum Message {
         name: String,
         /// Number of others removed with it.
         others: usize,
-        /// A child is sheared, and did not stay in place.
+        /// True if a child is sheared, and didn't stay in place.
         shear: bool,
     },
     /// The light with this place in the list, from 0, is deleted.
     LightDeleted(usize),
-    /// Objects that cannot be selected together.
+    /// Objects that can't be selected together.
     SelectedAlone,
     /// No more points can be followed.
     TooManyPoints,
@@ -117,7 +117,7 @@ pub enum Message {
     ProgressDeleted(PathBuf),
 }
 
-/// Why no picture was written.
+/// The reason why no picture was written.
 #[derive(Debug)]
 pub struct NotExported(pub(in crate::gui) ExportError);
 
@@ -127,7 +127,7 @@ impl Message {
         self.row(Lang::En).0 == Tone::Error
     }
 
-    /// Whether the message disappears by itself. Errors, and lasting states, stay.
+    /// True if the message disappears by itself. Errors, and lasting states, stay.
     pub fn passes(&self) -> bool {
         self.row(Lang::En).0 == Tone::News
     }
@@ -211,9 +211,9 @@ impl Message {
 /// The tone of a message.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tone {
-    /// It has been read soon.
+    /// Short news, which disappear by themselves soon.
     News,
-    /// It is said as long as it is so.
+    /// Shown as long as it holds.
     Lasting,
     /// Something went wrong.
     Error,

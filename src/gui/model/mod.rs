@@ -1,5 +1,5 @@
-//! The model of the window, without a widget: what every feature may use. The document and its history, the scene, the
-//! layout, what is selected and explained, the shot of the pictures.
+//! The model of the window, without widgets, for all features: the document and its history, the scene, the layout, the
+//! selection and the explanations, the shot of the pictures.
 
 pub mod action;
 pub mod coach;
@@ -54,7 +54,7 @@ use shown::{OpenPanels, PanelHover, SeenBy};
 /// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
 
-/// The document, the layout and all else that every feature of the window may use.
+/// The document, the layout and all other state of the window for every feature.
 #[derive(Debug)]
 pub struct Model {
     /// The figure.
@@ -70,55 +70,55 @@ pub struct Model {
     /// The tree of the scene.
     pub tree: SceneTree,
     /// Width and height of each picture on the screen, in pixels, in the order of
-    /// [`View::ALL`](crate::views::View::ALL); written by the pictures.
+    /// [`View::ALL`](crate::views::View::ALL), set by the pictures.
     pub picture_sizes: [[u32; 2]; View::COUNT],
-    /// Pixels for one unit of stroke width in the pictures. Written by the pictures.
+    /// Pixels for one unit of stroke width in the pictures. Set by the pictures.
     pub screen_scale: f32,
-    /// The window is a page in a browser. There are no folders, and no window to be closed.
+    /// True if the window is a page in a browser. There are no folders, and no window to close.
     pub in_browser: bool,
     /// The last message at the bottom of the window.
     pub message: Option<Message>,
-    /// When the message was first shown, in seconds; `None` means not yet.
+    /// When the message was first shown, in seconds. `None` if not yet.
     shown_since: Option<f64>,
-    /// Asks the pictures to look from somewhere. They take it (`take()`) in the next frame. For both three-dimensional
-    /// pictures.
+    /// Requests an observer from the pictures, for both three-dimensional ones. They take it (`take()`) in the next
+    /// frame.
     pub observer_change: Option<ObserverChange>,
-    /// No field on the screen shows the fault of the parameters (its section is closed).
+    /// True if no field on the screen shows the fault of the parameters, because its section is closed.
     pub problem_out_of_sight: bool,
     /// The hover of the panels in this frame.
     pub hover: PanelHover,
-    /// The last observers of the pictures; `None` means they have not been shown.
+    /// The last observers of the pictures. `None` if they haven't been shown.
     pub seen: Observers,
-    /// The observers that [`as_seen`](Self::as_seen) found last.
+    /// The last observers found by [`as_seen`](Self::as_seen).
     pub(in crate::gui) observers_shown: Memo<SeenBy, Observers>,
-    /// The panels that were open in the last frame, of those that explain something in the pictures.
+    /// The panels open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
     /// The layout that the figure asked for.
     pub(in crate::gui) asked_layout: Option<AskedLayout>,
-    /// The target of the pointer. Written by the pictures, shown by the panel.
+    /// The target of the pointer. Set by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
-    /// The operations: their steps and signs, and what was done by them last.
+    /// The operations: their steps and signs, and the last ones done.
     pub operations: Operations,
     /// The followed point.
     pub follow: Follow,
     /// The part of the explanations that the views share.
     pub explained: Explained,
-    /// The camera that an answer describes. Written by the exercises.
+    /// The camera that an answer describes. Set by the exercises.
     pub answered: Option<Camera>,
-    /// A step that is on its way.
+    /// A running step.
     pub(in crate::gui) motion: Option<Motion>,
-    /// Figures that were left with changes, by where they come from.
+    /// Figures that were left with changes, by their source.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them that the user, closing the window, has decided not to save. Kept again if it isn't closed.
+    /// The kept figures that the user has decided not to save when closing the window. Kept again if it isn't closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
-    /// Requests of features to others, to be done once this frame's panels are drawn.
+    /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,
 }
 
 impl Model {
-    /// A model of this document; `square` if its pixels are.
+    /// A model of this document. `square` is true if its pixels are.
     pub(in crate::gui) fn new(document: Document, lang: Lang, square: bool) -> Self {
         Self {
             document,
@@ -159,8 +159,8 @@ impl Model {
         }
     }
 
-    /// Selects a clicked object, or, with `beside`, adds it to the selection. Only objects of the figure are selected
-    /// together, else that is reported.
+    /// Selects a clicked object, or, with `beside`, adds it to the selection. Only objects of the figure can be
+    /// selected together. Otherwise a message says so.
     pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
         let scene = &self.document.figure().scene;
         let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
@@ -187,7 +187,7 @@ impl Model {
         self.explained.show(explanation);
     }
 
-    /// Adds a point of the world to the figure and follows it. One that is there already is only followed.
+    /// Adds a point of the world to the figure and follows it. If the point exists already, only follows it.
     pub(in crate::gui) fn follow_point(&mut self, position: DVec3) {
         let points = &self.document.figure().points;
         let name = match points.iter().find(|point| point.position == position) {
@@ -210,7 +210,7 @@ impl Model {
         name.unwrap_or_else(|| window::texts(self.settings.lang).untitled.to_owned())
     }
 
-    /// Says at the bottom of the window why a camera is impossible.
+    /// Shows at the bottom of the window why a camera is impossible.
     pub fn say_camera_error(&mut self, done: Result<(), CameraError>) {
         if let Err(error) = done {
             self.say(Message::Camera(error));
@@ -228,19 +228,19 @@ impl Model {
         self.shows_explanation(Explanation::Exercises)
     }
 
-    /// The camera that an answer describes, while it is shown; as a file can hold it.
+    /// The camera that an answer describes, while it's shown, in the form of a file.
     pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
         self.answered.clone().filter(|_| self.shows_exercises())
     }
 
-    /// Says something at the bottom of the window.
+    /// Shows a message at the bottom of the window.
     pub fn say(&mut self, message: Message) {
         self.message = Some(message);
         self.shown_since = None;
     }
 
     /// Removes news that have been shown long enough (`now` is a time in seconds). Returns the seconds left until then.
-    /// Errors stay until they are closed, and lasting states as long as they hold.
+    /// Errors stay until the user closes them, and lasting states as long as they hold.
     pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
         self.message.as_ref().filter(|message| message.passes())?;
         let left = *self.shown_since.get_or_insert(now) + NEWS_SECONDS - now;
@@ -266,14 +266,14 @@ impl Model {
         Some(self.kept.remove(index).1)
     }
 
-    /// Puts the figure of an exercise into the pictures, in front of the user's own: undoing leads back to that.
+    /// Puts the figure of an exercise into the pictures, in front of the user's own. Undoing leads back to that.
     pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
         self.motion = None;
         let image = figure.image;
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         let shown = self.document.show_in_front(figure);
         self.say_camera_error(shown);
-        // Its objects are to be seen, without frames and handles.
+        // Its objects are shown without frames and handles.
         self.tree = SceneTree::default();
         self.observer_change = Some(ObserverChange::Fit);
     }

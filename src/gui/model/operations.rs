@@ -1,4 +1,4 @@
-//! Steps, signs and the slider that is held.
+//! Steps, signs and the held slider.
 
 pub mod motion;
 pub mod placing;
@@ -20,20 +20,20 @@ use crate::views::View;
 pub struct Operations {
     /// The step of each button: degrees, factor or scene units, in the order of [`OPERATIONS`].
     pub steps: [f64; OPERATIONS.len()],
-    /// The one whose slider is shown.
+    /// The operation whose slider is shown.
     open: Freedom,
-    /// Those above it that are still open, because the pointer is over the rows: none moves under it.
+    /// The rows above it that are still open, because the pointer is over the rows, so that none moves under it.
     open_above: Vec<Freedom>,
-    /// Predictions of what an operation does, before it's done.
+    /// Predictions of the effect of an operation, before it's done.
     pub predict: Predict,
-    /// Whose signs.
+    /// The convention of the signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
-    /// The step that was done last, while the world shows it.
+    /// The last step done, while the world shows it.
     pub(in crate::gui) done: Option<DoneStep>,
-    /// The operation that was done last, by a button or a slider.
+    /// The last operation done, by a button or a slider.
     pub(in crate::gui) last: Option<Ghost>,
-    /// The camera after the last operation that was kept in the figure. Another one goes on from there.
+    /// The camera after the last operation that was kept in the figure. The next one continues from there.
     kept_at: Option<Camera>,
 }
 
@@ -43,7 +43,7 @@ impl Operations {
         self.open == freedom || self.open_above.contains(&freedom)
     }
 
-    /// Shows the slider of an operation. Its row stays where it is.
+    /// Shows the slider of an operation. Its row stays in place.
     pub(in crate::gui) fn open(&mut self, freedom: Freedom) {
         self.open_above.push(self.open);
         self.open_above.retain(|other| (*other as usize) < freedom as usize);
@@ -55,7 +55,7 @@ impl Operations {
         self.open_above.clear();
     }
 
-    /// The operation that led to this camera, by the notes' signs; `None` if something else did.
+    /// The operation that led to this camera, by the notes' signs. `None` if it has another origin.
     pub(in crate::gui) fn led_to(&self, camera: &Camera) -> Option<(Operation, &Camera)> {
         let Ghost { before, operation, convention } = self.last.as_ref()?;
         let after = operation.apply(before, *convention).ok()?;
@@ -68,8 +68,8 @@ impl Operations {
         (after.parameters() == camera.parameters()).then_some((operation, before))
     }
 
-    /// Adds the operation that led to a camera to those that its figure shows, if it goes on from them, else it is
-    /// alone there.
+    /// Adds the operation that led to a camera to those that its figure shows, if it continues them. Otherwise it
+    /// replaces them.
     pub(in crate::gui) fn keep(&mut self, camera: &Camera, shown: &mut Vec<Operation>) {
         let Some((operation, before)) = self.led_to(camera) else { return };
         if self.kept_at.as_ref().is_none_or(|kept| kept.parameters() != before.parameters()) {
@@ -82,15 +82,15 @@ impl Operations {
     }
 }
 
-/// A step of a button that the world goes on showing: its axis, its arc, its angle.
+/// A step of a button that the world still shows, with its axis, its arc, its angle.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct DoneStep {
     pub(in crate::gui) ghost: Ghost,
-    /// When it was done, in seconds; `None` means with the next frame.
+    /// When it was done, in seconds. `None` for the next frame.
     pub(in crate::gui) since: Option<f64>,
 }
 
-/// A slider that is being held.
+/// A held slider.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct Scrub {
     pub(in crate::gui) freedom: Freedom,
@@ -117,7 +117,7 @@ impl Default for Operations {
 }
 
 impl Model {
-    /// Does an operation to the camera, by the signs that are chosen. If it can't be done, a message says why.
+    /// Applies an operation to the camera, by the chosen signs. If that's impossible, a message says why.
     pub fn operate(&mut self, operation: Operation) {
         let done = self.document.operate(operation, self.operations.convention);
         self.say_camera_error(done);
@@ -139,7 +139,7 @@ impl Model {
         })
     }
 
-    /// Has an operation ask what it will do, if that is wanted. False if it's to be done at once.
+    /// Makes an operation ask about its effect, if that's wanted. Returns false if it's to be done at once.
     pub(in crate::gui) fn predict_first(&mut self, freedom: Freedom, amount: f64) -> bool {
         let predict = &mut self.operations.predict;
         predict.asked = None;

@@ -1,4 +1,5 @@
-//! The lines and points on the photograph, and what the next drag draws. They belong to the window, not to the figure.
+//! The lines and points on the photograph, and the kind that the next drag draws. They belong to the window, not to the
+//! figure.
 
 use glam::DVec2;
 
@@ -7,19 +8,19 @@ use crate::camera::{
     PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis, camera_of_photograph,
 };
 
-/// The things that a drag on the photograph can draw.
+/// The marks that a drag on the photograph can draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drawn {
     /// A line along an axis.
     Line(WorldAxis),
     /// The pixel of the origin.
     Origin,
-    /// A point on an axis whose coordinate is known.
+    /// A point on an axis with a known coordinate.
     Length,
 }
 
 impl Drawn {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the menu.
     pub const ALL: [Self; 5] =
         [Self::Line(WorldAxis::X), Self::Line(WorldAxis::Y), Self::Line(WorldAxis::Z), Self::Origin, Self::Length];
 }
@@ -27,7 +28,7 @@ impl Drawn {
 /// A mark that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) enum Grip {
-    /// An end of a line: the place of the line in the list, and 0 or 1.
+    /// An end of a line, with the place of the line in the list, and 0 or 1.
     End(usize, usize),
     /// The origin.
     Origin,
@@ -44,9 +45,9 @@ pub struct PhotographTool {
     pub marks: PhotographMarks,
     /// The thing that the next drag draws.
     pub drawn: Drawn,
-    /// The axis and the coordinate of the point of the length, also before it is there.
+    /// The axis and the coordinate of the point of the length, even before that exists.
     pub length: (WorldAxis, f64),
-    /// The line that is being drawn.
+    /// The line being drawn.
     pub(in crate::gui) new_line: Option<usize>,
 }
 
@@ -62,11 +63,11 @@ impl Default for PhotographTool {
     }
 }
 
-/// A line that is shorter, in pixels of the screen, was a click.
+/// A shorter line, in pixels of the screen, was a click.
 pub(in crate::gui) const SHORTEST: f32 = 6.0;
 
 impl PhotographTool {
-    /// The camera of the marks, or why there is none.
+    /// The camera of the marks, or the reason why there is none.
     ///
     /// # Errors
     /// [`PhotographError`].
@@ -106,7 +107,7 @@ impl PhotographTool {
         }
     }
 
-    /// Removes what a grip belongs to: the whole line of an end.
+    /// Removes the mark that a grip belongs to. For an end, the whole line.
     pub(in crate::gui) fn remove(&mut self, grip: Grip) {
         match grip {
             Grip::End(line, _) if line < self.marks.lines.len() => drop(self.marks.lines.remove(line)),
@@ -116,7 +117,7 @@ impl PhotographTool {
         }
     }
 
-    /// Begins what is drawn at a place.
+    /// Begins the next mark at a place.
     pub(in crate::gui) fn begin(&mut self, place: DVec2) {
         match self.drawn {
             Drawn::Line(axis) => {
@@ -138,7 +139,7 @@ impl PhotographTool {
         }
     }
 
-    /// Ends a new line, which is taken back if it is too short to be one.
+    /// Ends a new line, which is removed if it's too short to be one.
     pub(in crate::gui) fn end(&mut self, is_long_enough: bool) {
         if let Some(line) = self.new_line.take().filter(|_| !is_long_enough) {
             self.marks.lines.truncate(line);

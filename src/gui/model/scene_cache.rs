@@ -1,5 +1,5 @@
-//! The scene that the pictures show, made anew only when the figure's has changed. Mesh files are read beside the
-//! window's thread: until one is there, and where one cannot be read, the rest of the scene is shown without it.
+//! The scene in the pictures, rebuilt only when the figure's has changed. Mesh files are read beside the window's
+//! thread. Until a file is there, or if it can't be read, the rest of the scene is shown without it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -27,25 +27,25 @@ use crate::views::SharedScene;
 /// More vertices and triangles than this take longer to look through than a frame has.
 const HEAVY: usize = 60_000;
 
-/// Whether a scene takes longer to look through than a frame has: what does is done beside the window's thread then.
+/// True if looking through a scene takes longer than a frame. Then such work is done beside the window's thread.
 pub(in crate::gui) fn is_heavy(scene: &Scene) -> bool {
     scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
 }
 
-/// The scene of the figure, or the last one that could be made.
+/// The scene of the figure, or the last one that could be built.
 #[derive(Debug, Default)]
 pub struct SceneCache {
     made_from: Option<MadeFrom>,
     files: MeshFiles,
-    /// Files that could not be read. They are not tried again by themselves.
+    /// Unreadable files. They aren't tried again automatically.
     broken: BTreeMap<String, MeshError>,
-    /// Files that the mesh files name and lack, and can be drawn without.
+    /// Missing files that the mesh files name, and that they can be drawn without.
     unread: BTreeMap<String, Vec<ReadError>>,
     reader: Reader,
     scene: SharedScene,
-    /// Why the photograph of the scene cannot be used, and whether that is still to be said.
+    /// The reason why the photograph of the scene can't be used, and true if it hasn't been reported yet.
     lacks_photograph: (Option<MeshNotice>, bool),
-    /// Counts the scenes that have nothing to do with each other.
+    /// Counts the unrelated scenes.
     subject: u64,
 }
 
@@ -85,21 +85,21 @@ enum Read {
 #[derive(Debug)]
 struct BuiltScene {
     read: Read,
-    /// Bytes read, of it and of the files it names.
+    /// Bytes read for it and for the files it names.
     bytes: usize,
     /// The missing files that it names.
     unread: Vec<ReadError>,
 }
 
-/// A file to be read.
+/// A file to read.
 #[derive(Clone, Debug, PartialEq)]
 struct SceneFile {
     path: String,
-    /// It is a texture, else a mesh.
+    /// True for a texture, false for a mesh.
     is_texture: bool,
     folder: PathBuf,
     reach: FileAccess,
-    /// The bytes that the figure's other files have.
+    /// The bytes of the figure's other files.
     spent: usize,
 }
 
@@ -149,7 +149,7 @@ impl Reader {
         }
     }
 
-    /// The file that is being read.
+    /// The file being read.
     fn reading(&self) -> Option<&SceneFile> {
         self.read.waiting()
     }
@@ -171,29 +171,29 @@ impl Reader {
         self.next(ctx);
         match read {
             Some((file, outcome)) => Some((file.path, outcome)),
-            // A panic; missing files are requested again with the next change.
+            // After a panic, missing files are requested again with the next change.
             None => self.take(ctx, patience),
         }
     }
 }
 
 impl SceneCache {
-    /// The scene. It is another one only after the figure's has changed.
+    /// The scene. It changes only after the figure's has changed.
     pub fn scene(&self) -> &SharedScene {
         &self.scene
     }
 
-    /// True if the scene is that of a document, and not of one before it.
+    /// True if the scene belongs to a document, and not to one before it.
     pub(in crate::gui) fn is_of(&self, document: &Document, theme: Theme) -> bool {
         self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
     }
 
-    /// A number that stays while one and the same scene is changed, and is another one after another scene has come.
+    /// A number that stays the same while one scene is edited, and changes when another scene replaces it.
     pub fn subject(&self) -> u64 {
         self.subject
     }
 
-    /// Announces another scene, whatever it looks like.
+    /// Announces another scene, even if it looks the same.
     pub fn expect_another(&mut self) {
         self.subject += 1;
     }
@@ -203,18 +203,18 @@ impl SceneCache {
         self.reader.reading().into_iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
     }
 
-    /// The file that is being read, and how far that has come.
+    /// The file being read, and its progress.
     pub(in crate::gui) fn running(&self) -> Option<(&str, Running)> {
         Some((self.reader.reading()?.path.as_str(), self.reader.read.running()?))
     }
 
-    /// Gives up reading. The files count as such that cannot be read.
+    /// Gives up reading. The files count as unreadable.
     pub(in crate::gui) fn cancel(&mut self) {
         self.reader.read.stop();
         self.broken.extend(self.reader.waiting.drain(..).map(|file| (file.path, MeshError::Cancelled)));
     }
 
-    /// Why the file of an object cannot be used.
+    /// The reason why the file of an object can't be used.
     pub fn problem_of(&self, object: &str) -> Option<SceneError> {
         let spec = &self.made_from.as_ref()?.spec;
         let Some(Shape::Mesh { path }) = &spec.objects.iter().find(|o| o.name == object)?.shape else { return None };
@@ -222,7 +222,7 @@ impl SceneCache {
         Some(SceneError::Mesh { name: object.to_owned(), path: path.clone(), error })
     }
 
-    /// The files that the mesh file of an object names, lacks, and can be drawn without.
+    /// The missing files that the mesh file of an object names, and that it can be drawn without.
     pub fn unread_of(&self, object: &str) -> &[ReadError] {
         let spec = self.made_from.as_ref().map(|made| &made.spec);
         let shape = spec.and_then(|spec| spec.objects.iter().find(|o| o.name == object)).and_then(|o| o.shape.as_ref());
@@ -230,12 +230,12 @@ impl SceneCache {
         self.unread.get(path).map_or(&[], Vec::as_slice)
     }
 
-    /// Why the photograph under the image cannot be used, once.
+    /// The reason why the photograph under the image can't be used, once.
     pub(in crate::gui) fn take_notice(&mut self) -> Option<MeshNotice> {
         std::mem::take(&mut self.lacks_photograph.1).then(|| self.lacks_photograph.0.clone()).flatten()
     }
 
-    /// Tries the files again that could not be read, and reads the others anew.
+    /// Tries unreadable files again, and rereads the others.
     pub fn read_again(&mut self) {
         self.forget_files();
         self.made_from = None;
@@ -248,12 +248,12 @@ impl SceneCache {
         self.reader.bytes.clear();
     }
 
-    /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes
-    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun. Requests a frame
-    /// of `ctx` when one is read.
+    /// Builds the scene, in the colours of `theme`, if the figure's has changed, or a mesh file has been read. Looks
+    /// for meshes beside the figure file. Waits up to `patience` for a file that is being begun. Requests a frame of
+    /// `ctx` when one is read.
     ///
     /// # Errors
-    /// A failure to read or build. It is reported once, not in each frame.
+    /// A failure to read or build. It's reported once, not in each frame.
     pub fn update(
         &mut self,
         ctx: &egui::Context,
@@ -282,7 +282,7 @@ impl SceneCache {
         let mut said = Ok(());
         let before = self.made_from.take();
         if before.as_ref().is_some_and(|before| (&before.folder, before.reach) != (&wanted.folder, wanted.reach)) {
-            // Another folder: other files under the same names. Another reach: other files may be read.
+            // Another folder means other files under the same names. With another reach, other files may be read.
             self.forget_files();
             self.reader.begin(ctx, Vec::new());
         }
@@ -310,7 +310,7 @@ impl SceneCache {
         said
     }
 
-    /// Takes over files read. Returns whether there are any. Waits up to `patience` for all.
+    /// Takes over files that have been read. Returns true if there are any. Waits up to `patience` for all.
     fn receive(
         &mut self,
         ctx: &egui::Context,
@@ -350,7 +350,7 @@ impl SceneCache {
         arrived
     }
 
-    /// Has the files read that are not known, unless others are being read. True if that has begun.
+    /// Starts reading unknown files, unless others are being read. Returns true if it has started.
     fn begin_to_load(&mut self, ctx: &egui::Context, wanted: &MadeFrom) -> bool {
         if self.reader.is_busy() {
             return false;
@@ -377,7 +377,7 @@ impl SceneCache {
             if matches!(&object.shape, Some(Shape::Mesh { path }) if !self.files.knows(path)) {
                 object.shape = None;
             }
-            // Its colour is shown until the texture is there.
+            // Its colour is shown until the texture is loaded.
             if matches!(&object.texture, Some(TextureSource::File(path)) if !self.files.knows_texture(path)) {
                 object.texture = None;
             }
@@ -387,7 +387,7 @@ impl SceneCache {
             hidden_lines: wanted.hidden_lines,
             ..crate::appearance::Style::default()
         };
-        // Without it until it is there.
+        // Without it until it's there.
         let photograph = wanted.photograph.as_deref();
         self.files.show_photograph(photograph.filter(|path| self.files.knows_texture(path)));
         self.made_from = Some(wanted);
@@ -406,11 +406,11 @@ fn photograph_of(figure: &Figure) -> Option<&str> {
     figure.photograph.as_ref().map(|photograph| photograph.file.as_str())
 }
 
-/// The mesh files of a scene, and its textures and photograph; true for these.
+/// The mesh files of a scene, and its textures and photograph, for which the value is true.
 fn paths(MadeFrom { spec, photograph, .. }: &MadeFrom) -> BTreeSet<(String, bool)> {
     let meshes = spec.objects.iter().filter_map(|object| Some((object.shape.as_ref()?.mesh_file()?, false)));
     let textures = spec.objects.iter().filter_map(|object| Some((object.texture.as_ref()?.file()?, true)));
-    // An empty name is one that is still to be typed.
+    // An empty name hasn't been typed yet.
     let textures = textures.chain(photograph.iter().map(|path| (path.as_str(), true)));
     meshes.chain(textures.filter(|(path, _)| !path.is_empty())).map(|(path, is)| (path.to_owned(), is)).collect()
 }

@@ -35,21 +35,21 @@ pub struct SceneTree {
     pub(in crate::gui) selected: Option<Selected>,
     /// The figure's other selected objects.
     also: BTreeSet<String>,
-    /// The selection after this frame: text being typed is applied before.
+    /// The selection after this frame, because text being typed is applied before.
     next: Option<(Option<Selected>, BTreeSet<String>)>,
     /// The gizmo for dragging the selection in the world.
     pub(in crate::gui) transforming: Transforming,
     pub(in crate::gui) folded: BTreeSet<String>,
-    /// The scene as the fields show it while it is impossible.
+    /// The scene as in the fields while it's impossible.
     pub(in crate::gui) draft: Option<Draft>,
-    /// An object that is hung elsewhere moves with its new parent.
+    /// True if an object with a new parent moves to it.
     pub(in crate::gui) moves_with_parent: bool,
 }
 
-/// A scene that is being typed and impossible.
+/// A scene being typed that is impossible.
 #[derive(Debug)]
 pub(in crate::gui) struct Draft {
-    /// The scene of the figure that it was made from. Another one makes it void.
+    /// The scene of the figure that it came from. With another one, it's void.
     pub(in crate::gui) base: SceneSpec,
     pub(in crate::gui) now: SceneSpec,
     pub(in crate::gui) error: SceneError,
@@ -65,7 +65,7 @@ impl SceneTree {
         })
     }
 
-    /// Selects something, or nothing, once all panels have been shown in this frame.
+    /// Selects an object, or none, once all panels have been shown in this frame.
     pub fn select(&mut self, selected: Option<Selected>) {
         self.select_all(selected, BTreeSet::new());
     }
@@ -90,12 +90,12 @@ impl SceneTree {
         self.select_all(primary, names);
     }
 
-    /// The figure's objects that are selected beside [`selected`](Self::selected). Some may be gone.
+    /// The figure's objects selected together with [`selected`](Self::selected). Some may be gone.
     pub fn also(&self) -> &BTreeSet<String> {
         &self.also
     }
 
-    /// All objects of the figure that are selected.
+    /// All selected objects of the figure.
     pub fn names(&self, scene: &SceneSpec) -> BTreeSet<String> {
         let own = scene.objects.iter().map(|o| &o.name);
         let is_selected = |name: &String| {
@@ -104,7 +104,7 @@ impl SceneTree {
         own.filter(|name| is_selected(name)).cloned().collect()
     }
 
-    /// Updates the selection after undo or redo has made `after` of `before`: restored objects are selected, and
+    /// Updates the selection after undo or redo has turned `before` into `after`. Restored objects become selected, and
     /// renamed ones stay so.
     pub(in crate::gui) fn follow(&mut self, before: &SceneSpec, after: &SceneSpec) {
         let has = |scene: &SceneSpec, name: &str| scene.objects.iter().any(|o| o.name == name);
@@ -119,7 +119,7 @@ impl SceneTree {
             None => Some(name.clone()),
         };
         if !is_renaming && !come.is_empty() {
-            // Of objects restored with their parent, the parent.
+            // If objects are restored with their parent, only the parent.
             let is_top = |name: &&String| {
                 let object = after.objects.iter().find(|o| o.name == **name);
                 object.and_then(|o| o.parent.as_ref()).is_none_or(|parent| !come.contains(parent))
@@ -136,7 +136,7 @@ impl SceneTree {
         }
     }
 
-    /// Applies the last [`select`](Self::select); returns whether there was one.
+    /// Applies the last [`select`](Self::select). Returns true if there was one.
     pub fn settle(&mut self) -> bool {
         let next = self.next.take();
         let asked = next.is_some();
@@ -147,7 +147,7 @@ impl SceneTree {
     }
 }
 
-/// The objects of a preset. Their colours do not matter here.
+/// The objects of a preset. Their colours don't matter here.
 pub(in crate::gui) fn preset_objects(preset: Preset) -> Vec<ObjectSpec> {
     crate::scene::preset_objects(preset, &SceneColors::of(Theme::Light))
 }

@@ -20,7 +20,7 @@ impl Model {
         Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
     }
 
-    /// The placement of the selected object in the world; `None` if none is selected, or the scene is impossible.
+    /// The placement of the selected object in the world. `None` if none is selected, or the scene is impossible.
     pub(in crate::gui) fn selected_placement(&self) -> Option<(String, Placement)> {
         let scene = &self.document.figure().scene;
         let (name, spec) = match self.tree.selected(scene)? {

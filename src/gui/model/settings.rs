@@ -22,33 +22,33 @@ pub struct Settings {
     pub presentation_panels: Panels,
     /// A is kept at m / n.
     pub aspect_follows_image: bool,
-    /// The inverse matrices are shown instead of the matrices.
+    /// True if the inverse matrices replace the matrices.
     pub inverse: bool,
     /// The display of matrices, and the convention of NDC.
     pub conventions: Conventions,
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
-    /// The ground of the window and of its pictures. What a figure file asks for counts where pictures are written.
+    /// The ground of the window and of its pictures. The theme that a figure file asks for counts in written pictures.
     pub theme: Theme,
     /// Skip animations.
     pub reduce_motion: bool,
-    /// The numbers below the operations are unfolded.
+    /// True if the numbers below the operations are unfolded.
     pub numbers_open: bool,
-    /// The first lesson and the gallery have been offered.
+    /// True if the first lesson and the gallery have been offered.
     pub welcomed: bool,
-    /// The views alone, without menus: a figure in another page.
+    /// True for the views alone, without menus, as for a figure in another page.
     pub bare: bool,
-    /// The place of the window, once it's known; at first, that of the last one.
+    /// The place of the window, once it's known. At first, that of the last one.
     pub window: Option<WindowPlace>,
 }
 
 impl Settings {
-    /// The panels as they are wanted now.
+    /// The panels requested now.
     pub fn panels(&self) -> &Panels {
         if self.presentation { &self.presentation_panels } else { &self.panels }
     }
 
-    /// The panels as they are wanted now.
+    /// The panels requested now.
     pub fn panels_mut(&mut self) -> &mut Panels {
         if self.presentation { &mut self.presentation_panels } else { &mut self.panels }
     }

@@ -1,4 +1,4 @@
-//! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the shot made of it.
+//! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the resulting shot.
 
 use std::sync::Arc;
 
@@ -18,18 +18,18 @@ use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
 use crate::views::{Compared, Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
 
-/// Things that panels point at in a frame. Each frame begins without any.
+/// The targets of panels in a frame. Each frame begins without any.
 #[derive(Clone, Debug, Default)]
 pub struct PanelHover {
-    /// The operation that is being tried or pointed at, shown in the world.
+    /// The operation being tried or pointed at, shown in the world.
     pub ghost: Option<Ghost>,
     /// The measures of the hover, shown in the world.
     pub measured: Vec<Measured>,
-    /// The parameters that are pointed at in another panel.
+    /// The parameters pointed at in another panel.
     pub pointed: Vec<Symbol>,
 }
 
-/// The panels that explain something in the pictures: closing one removes its explanation.
+/// The panels that explain something in the pictures. Closing one removes its explanation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::gui) struct OpenPanels {
     stages: bool,
@@ -43,7 +43,7 @@ pub(in crate::gui) struct OpenPanels {
 pub(in crate::gui) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT], [[u32; 2]; View::COUNT]), Ndc);
 
 impl Model {
-    /// All that `pictures` show in this frame.
+    /// The content of `pictures` in this frame.
     pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
         let figure = self.document.figure();
         let shot = Shot::of_one(figure, &figure.scene);
@@ -62,7 +62,7 @@ impl Model {
         }
     }
 
-    /// The other side of the pictures of this frame; `None` if nothing is compared, or it is impossible.
+    /// The other side of the pictures of this frame. `None` if there is no comparison, or it's impossible.
     pub fn compared(&self) -> Option<Compared> {
         let figure = self.document.figure();
         figure.compare.as_ref()?;
@@ -70,36 +70,37 @@ impl Model {
         Compared::of(&shown, &figure.scene)
     }
 
-    /// Why the other side of the comparison is impossible; `None` if it is possible, or nothing is compared.
+    /// The reason why the other side of the comparison is impossible. `None` if it's possible, or there is no
+    /// comparison.
     pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
         let figure = self.document.figure();
         let error = figure.compare.as_ref()?.other_side(figure).err()?;
         Some(crate::i18n::window::compare::impossible(self.settings.lang, &error))
     }
 
-    /// The figure that shows in any program the present screen: with explanations, and with the observers.
+    /// The figure that shows the present screen in any program, with explanations, and with the observers.
     pub fn figure_as_shown(&self) -> Figure {
         let figure = Figure { observers: self.observers_as_shown(), ..self.figure_to_save() };
         if self.document.has_words_of_card() { Figure { title: None, caption: None, ..figure } } else { figure }
     }
 
-    /// The figure as *Save* writes it: with its layout and with what it explains. If you haven't turned a view, its
-    /// observer isn't written, so the file opens with one that fits.
+    /// The figure as *Save* writes it, with its layout and its explanations. If you haven't turned a view, its observer
+    /// isn't written, so the file opens with one that fits.
     pub fn figure_to_save(&self) -> Figure {
         Figure { show: self.show_as_saved(), screen: self.screen(), ..self.document.figure().clone() }
     }
 
-    /// The layout of the window, as far as it isn't the one in which a new window opens. In a presentation it's the one
-    /// that the figure had before: a lecture hides and opens things for its audience.
+    /// The parts of the window's layout that differ from that of a new window. In a presentation it's the layout that
+    /// the figure had before, because a lecture hides and opens things for its audience.
     pub(in crate::gui) fn screen(&self) -> Screen {
         let saved = self.document.figure().screen;
         if self.settings.presentation {
             return saved;
         }
         let is_open = self.settings.panels().wanted[Side::Explain as usize];
-        // A view with all the room has it for the moment.
+        // A maximized view is so only for the moment.
         let shown = self.layout.shown;
-        // If the file names a layout, it goes on to name it.
+        // If the file names a layout, it continues to do so.
         let keep = |was: bool, is_usual: bool| was || !is_usual;
         Screen {
             pictures: Some(shown).filter(|shown| keep(saved.pictures.is_some(), *shown == [true; View::COUNT])),
@@ -111,17 +112,17 @@ impl Model {
         }
     }
 
-    /// Whether the views of a figure with a file are other ones, or arranged otherwise, than the file says.
+    /// True if the views of a figure with a file, or their arrangement, differ from the file.
     pub(in crate::gui) fn is_rearranged(&self, in_lesson: bool) -> bool {
         let saved = self.document.figure().screen;
         let is_other = self.layout.shown != saved.pictures.unwrap_or([true; View::COUNT])
             || saved.arrangement.is_some_and(|saved| saved != self.layout.arrangement);
-        // What a presentation or a lesson does is for the moment.
+        // Changes by a presentation or a lesson are temporary.
         let is_lasting = self.document.path().is_some() && !in_lesson && !self.settings.presentation;
         is_lasting && is_other
     }
 
-    /// Gives the figure its layout before another one takes its place.
+    /// Stores the layout in the figure before another one takes its place.
     pub(in crate::gui) fn settle_layout(&mut self, in_lesson: bool) {
         if self.is_rearranged(in_lesson) {
             let screen = self.screen();
@@ -129,7 +130,7 @@ impl Model {
         }
     }
 
-    /// Leaves to the figure what it shows: an explanation that it closes takes nothing of it away.
+    /// Leaves the figure's own explanations alone: closing one doesn't remove it from the figure.
     pub(in crate::gui) fn keep_what_it_explains(&mut self) {
         let (before, now) = (self.open_panels, self.panels_now());
         self.open_panels = OpenPanels {
@@ -141,7 +142,7 @@ impl Model {
         };
     }
 
-    /// The observers of the pictures, where they are not the default ones: an observer that nobody has turned stays in
+    /// The observers of the pictures that aren't the default ones. An observer that the user hasn't turned stays in
     /// place while the camera moves.
     fn observers_as_shown(&self) -> Observers {
         let mut observers = self.document.figure().observers;
@@ -180,7 +181,7 @@ impl Model {
         Seen { observers, show: self.show_as_saved(), screen: self.screen() }
     }
 
-    /// The step that is shown. Where motion is to be reduced, one after the other is played, and nothing between.
+    /// The displayed step. If motion is to be reduced, whole steps play one after the other, with nothing between.
     fn step_as_shown(&self) -> Option<ShownStep> {
         let step = self.shown().step?;
         let jumps = self.settings.reduce_motion && self.explained.steps.plays();
@@ -195,7 +196,7 @@ impl Model {
         Show { answer: answered.or(show.answer), ndc, moved, step: self.step_as_shown(), ..show.clone() }
     }
 
-    /// Forgets a triangle that has gone from the scene. Not one of an object whose file cannot be read now.
+    /// Forgets a triangle that has gone from the scene, but not one of an object whose file can't be read now.
     pub(in crate::gui) fn forget_missing(&mut self) {
         let (scene, spec) = (self.scene_cache.scene(), &self.document.figure().scene);
         let is_of = |name: &str, owner: &str| {
@@ -216,19 +217,19 @@ impl Model {
         &self.document.figure().show
     }
 
-    /// The progress of the canonical picture on its way; `None` if no way is shown, or the camera has none.
+    /// The progress of the canonical picture on its way. `None` if no way is shown, or the camera has none.
     pub fn normalizing(&self) -> Option<Normalizing> {
         self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
     }
 
-    /// True while the canonical picture is on its way: points are not where the canonical volume has them, and nothing
-    /// can be picked.
+    /// True while the canonical picture is on its way. Then points aren't in their places in the canonical volume, and
+    /// can't be picked.
     pub fn is_on_the_way(&self) -> bool {
         let camera = self.document.camera();
         self.shown().step.is_some_and(|step| steps::time_of(step, camera) < steps::end_of(step.way, camera))
     }
 
-    /// The share of the image that is painted, where it is not all.
+    /// The painted share of the image, if it's not all.
     pub fn painted_share(&self) -> Option<f64> {
         self.shown().painted
     }
@@ -237,7 +238,7 @@ impl Model {
     pub(in crate::gui) fn paint_share(&mut self, share: f64) {
         let show = self.document.show_mut();
         show.painted = Some(share.clamp(0.0, 1.0)).filter(|share| *share < 1.0);
-        // A picture of which a part is painted has not been through any stage.
+        // A partly painted picture hasn't been through any stage.
         show.stage = None;
     }
 
@@ -246,7 +247,7 @@ impl Model {
         self.shown().stage
     }
 
-    /// Shows or hides the input and output of a stage, of the picture whose stages are listed.
+    /// Shows or hides the input and output of a stage, for the picture whose stages are listed.
     pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
         let of = StagePicture(self.layout.strip_of);
         let show = self.document.show_mut();
@@ -257,7 +258,7 @@ impl Model {
         show.painted = None;
     }
 
-    /// Lists the stages of a picture. The stage that is shown is shown there.
+    /// Lists the stages of a picture. The selected stage appears there.
     pub(in crate::gui) fn list_stages_of(&mut self, view: View) {
         self.layout.strip_of = view;
         let show = self.document.show_mut();
@@ -266,14 +267,14 @@ impl Model {
         }
     }
 
-    /// Takes away the stage that is shown.
+    /// Removes the displayed stage.
     pub(in crate::gui) fn release_stage(&mut self) {
         let show = self.document.show_mut();
         (show.stage, show.stage_of) = (None, StagePicture::default());
     }
 
-    /// `[show]` after Esc: without its stage, then without its triangle; then without all else that no open panel
-    /// shows, but a file or another window has brought. The first of them that there is, as it is without it.
+    /// `[show]` after Esc, which removes the first of these: its stage, its triangle, and then everything that no open
+    /// panel shows, but a file or another window has brought.
     fn without_shown(&self) -> Option<Show> {
         let (show, open) = (self.shown(), self.open_panels);
         if show.stage.is_some() {
@@ -283,7 +284,7 @@ impl Model {
             return Some(Show { triangle: None, ..show.clone() });
         }
         if self.settings.presentation {
-            // Esc ends it; what a figure was made to explain stays.
+            // Esc ends it, but the explanations that a figure was made for stay.
             return None;
         }
         let rest = Show {
@@ -298,12 +299,12 @@ impl Model {
         (rest != *show).then_some(rest)
     }
 
-    /// True if [`release_shown`](Self::release_shown) would let go of something.
+    /// True if [`release_shown`](Self::release_shown) has an explanation to release.
     pub(in crate::gui) fn can_release_shown(&self) -> bool {
         self.without_shown().is_some()
     }
 
-    /// Lets go of something that is explained, as Esc does. False if there is nothing.
+    /// Releases an explanation, as Esc does. Returns false if there is none.
     pub(in crate::gui) fn release_shown(&mut self) -> bool {
         let Some(rest) = self.without_shown() else { return false };
         *self.document.show_mut() = rest;
@@ -316,7 +317,7 @@ impl Model {
         self.shown().probe.map(|probe| Probe::of(probe, self.document.camera(), image))
     }
 
-    /// Pins something, or nothing.
+    /// Pins a probe, or none.
     pub(in crate::gui) fn pin(&mut self, probe: Option<Probe>) {
         self.document.show_mut().probe = probe.map(|probe| match probe {
             Probe::Point(p) => ShownProbe::World(p),
@@ -324,7 +325,7 @@ impl Model {
         });
     }
 
-    /// Whether anything shows the reports of stages.
+    /// True if the window shows the reports of stages.
     pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
         self.layout.strip || self.shows_explanation(Explanation::Stages)
     }
@@ -334,7 +335,7 @@ impl Model {
         self.settings.panels().is_shown(Side::Explain) && self.explained.shown() == explanation
     }
 
-    /// The picture that is shown where there is room for one: the one that the open explanation is about.
+    /// The picture to show if there is room for one: the subject of the open explanation.
     pub fn main_picture(&self) -> View {
         let wanted = match self.explained.shown() {
             _ if !self.settings.panels().is_shown(Side::Explain) => View::World,
@@ -369,7 +370,7 @@ impl Model {
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
         if let Some(ndc) = self.document.show_mut().ndc.take() {
-            // A file's convention is that of the window from now on.
+            // A file's convention becomes that of the window.
             self.settings.conventions.ndc = ndc;
         }
         let now = self.panels_now();

@@ -1,21 +1,21 @@
-//! Text of a lesson that its file does not have yet.
+//! Text of a lesson that its file doesn't have yet.
 
 use std::path::PathBuf;
 
 use crate::figure::Bilingual;
 use crate::lessons::TaskText;
 
-/// The text of a lesson that is not in its file. A session stores it, and a window goes on with it after a crash.
+/// The text of a lesson that isn't in its file. A session stores it, and a window goes on with it after a crash.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnsavedText {
     /// The file.
     pub path: PathBuf,
     /// The step whose texts were written, from 0.
     pub step: usize,
-    /// The text of the file as the window read or wrote it last.
+    /// The text of the file as the window last read or wrote it.
     pub text: String,
-    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they were typed.
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as typed.
     pub words: [Bilingual; 6],
-    /// The task of the step, as it was typed.
+    /// The task of the step, as typed.
     pub task: TaskText,
 }

@@ -1,4 +1,5 @@
-//! Annotations of a lecturer over the pictures: no part of the figure. Strokes of the pen come back with their figure.
+//! Annotations of a lecturer over the pictures, which aren't part of the figure. Strokes of the pen come back with
+//! their figure.
 
 use eframe::egui::Pos2;
 
@@ -11,25 +12,25 @@ pub struct Annotations {
     pub pen: bool,
     /// The strokes of the pen, in points of the window.
     pub strokes: Vec<Vec<Pos2>>,
-    /// The strokes over other figures of a lecture, by where those come from.
+    /// The strokes over other figures of a lecture, by the sources of those.
     others: Vec<(Option<Source>, Vec<Vec<Pos2>>)>,
-    /// A spot shows where the pointer is.
+    /// True if a spot marks the pointer.
     pub spot: bool,
-    /// The pictures stay as they are while one edits.
+    /// True if the pictures stay the same during edits.
     pub frozen: bool,
     /// The screen is black.
     pub blank: bool,
-    /// When the keys of a presentation were shown, in seconds; `None` means they are not.
+    /// When the keys of a presentation were shown, in seconds. `None` if they aren't.
     pub keys_since: Option<f64>,
 }
 
 impl Annotations {
-    /// True if there is something that [`clear`](Self::clear) takes away.
+    /// True if [`clear`](Self::clear) has something to remove.
     pub fn any(&self) -> bool {
         self.pen || self.spot || self.frozen || self.blank || !self.strokes.is_empty()
     }
 
-    /// Takes everything away from this figure. The keys that are shown stay.
+    /// Removes everything from this figure. Displayed keys stay.
     pub fn clear(&mut self) {
         *self = Self { keys_since: self.keys_since, others: std::mem::take(&mut self.others), ..Self::default() };
     }

@@ -1,4 +1,4 @@
-//! The axes of the world in a corner of its view: each one leads to the viewpoint that it points at.
+//! The axes of the world in a corner of its view. Each one leads to the viewpoint that it points at.
 
 use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, Sense, Stroke, TextStyle, Ui, WidgetInfo, vec2};
 use glam::DVec3;
@@ -20,7 +20,7 @@ const INSET: f32 = LENGTH + END + 6.0;
 /// The cross is left out of a smaller picture.
 const LEAST: [f32; 2] = [260.0, 170.0];
 
-/// Draws the cross in the lower left corner of a picture. Gives the viewpoint of the axis that was clicked.
+/// Draws the cross in the lower left corner of a picture. Returns the viewpoint of the clicked axis.
 pub(super) fn show(ui: &Ui, rect: Rect, observer: &Observer, t: &CanvasTexts, look: Theme) -> Option<ObserverChange> {
     if rect.width() < LEAST[0] || rect.height() < LEAST[1] {
         return None;

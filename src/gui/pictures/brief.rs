@@ -1,4 +1,4 @@
-//! The camera check in the pictures: under them a few words, and in an empty image why it is empty.
+//! The camera check in the pictures: a few words under them, and in an empty image the reason why it's empty.
 
 use eframe::egui::{self, Align, Button, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2};
 
@@ -19,7 +19,7 @@ pub(super) struct Brief {
 }
 
 impl Brief {
-    /// The last advice, until there is more. `None` in a presentation, where the space is for the keys.
+    /// The last advice, until there is more. `None` in a presentation, which uses the space for the keys.
     pub(super) fn of(model: &Model) -> Option<Self> {
         if model.settings.presentation {
             return None;
@@ -47,7 +47,7 @@ impl Brief {
         if level > Level::Good { format!("⚠ {text}") } else { text.to_owned() }
     }
 
-    /// Space for any of its texts, so that nothing beside it moves under the pointer.
+    /// Space for any of its texts, so that its neighbours don't move under the pointer.
     fn room(&self, ui: &Ui) -> f32 {
         let t = words::texts(self.lang);
         let levels = [Level::Good, Level::Fair, Level::Poor];

@@ -35,8 +35,8 @@ fn id() -> Id {
     Id::unique("card of the probe")
 }
 
-/// The coordinates of the pinned probe, on a card that stays until it is released, at `place` where it is given. It can
-/// be moved.
+/// The coordinates of the pinned probe, on a card that stays until it's released, at `place` if it's given. The user
+/// can move it.
 pub(super) fn show(
     ui: &Ui,
     room: Rect,
@@ -87,11 +87,11 @@ impl Canvas {
             status.note = texts.probe_hint;
             return;
         };
-        // The result does not depend on the size.
+        // The result doesn't depend on the size.
         let size = Size { width: 1, height: 1, scale: 1.0 };
         let of_frame = panes.iter().find(|pane| pane.view == View::Image).map(|pane| pane.request.clone());
         let request = of_frame.unwrap_or_else(|| self.request(model, &self.shot.picture(View::Image), size));
-        // Under the pointer may be the other side of a comparison, with a camera and an image of its own.
+        // The other side of a comparison, with a camera and an image of its own, may be under the pointer.
         let side = self.probed_side.as_ref().filter(|(of, _)| *of == probe).map(|(_, side)| side);
         let request = side.map_or_else(
             || request.clone(),
@@ -121,7 +121,7 @@ impl Canvas {
         };
         status.cells = cells(digits.min(4), mark);
         status.exact = cells(digits, mark);
-        // In a presentation the same numbers stand large below the pictures, and nothing covers these.
+        // In a presentation the same numbers are below the pictures in large letters, and nothing covers the pictures.
         if model.pinned().is_some() && !model.settings.presentation {
             let point = match probe {
                 Probe::Point(p) => Some(p),
@@ -176,9 +176,9 @@ impl Default for CardPlace {
 }
 
 impl CardPlace {
-    /// Places the card anew for another probe, and in another room, where nobody has moved it.
+    /// Places the card again for another probe, and in another room, if the user hasn't moved it.
     fn follow(&mut self, ctx: &Context, probe: Option<Probe>, room: Rect) {
-        /// In its first frame a card does not know its size yet.
+        /// In its first frame a card doesn't know its size yet.
         const FRAMES: u8 = 3;
         let at = ctx.memory(|memory| memory.area_rect(id())).map(|rect| rect.min);
         if probe != self.probe {
@@ -196,8 +196,8 @@ impl CardPlace {
         self.settles > 0
     }
 
-    /// The new position: in the corner of the pictures that is farthest from all their marks of the probe. `None` where
-    /// it has its place, and while the point of the probe is not known, as in a heavy scene.
+    /// The new position, in the corner of the pictures farthest from all their marks of the probe. `None` if it has its
+    /// place, and while the point of the probe is unknown, as in a heavy scene.
     fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>) -> Option<Pos2> {
         let point = point.filter(|_| self.is_placed_anew())?;
         self.settles -= 1;
@@ -208,7 +208,7 @@ impl CardPlace {
     }
 }
 
-/// Where a pane shows a point of the world, in points.
+/// The place in which a pane shows a point of the world, in points.
 fn place_on_screen(pane: &Pane, p_world: DVec3) -> Option<Pos2> {
     let request = Request { hover: Hover::default(), ..pane.request.clone() };
     let pixel = pick::places(&request)?(p_world)?;
@@ -217,8 +217,8 @@ fn place_on_screen(pane: &Pane, p_world: DVec3) -> Option<Pos2> {
     Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)
 }
 
-/// The upper left corner of a card of this size, in the corner of the room that is farthest from all places; of equal
-/// ones the first of: below on the left, below on the right, above on the left, above on the right.
+/// The upper left corner of a card of this size, in the corner of the room farthest from all places. Of equal ones, the
+/// first of: below on the left, below on the right, above on the left, above on the right.
 fn farthest_corner(room: Rect, size: Vec2, places: &[Pos2]) -> Pos2 {
     let inner = room.shrink(MARGIN);
     let (left, top) = (inner.left(), inner.top());

@@ -13,7 +13,7 @@ use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
 
-/// The scene with the selection marked in it. Made anew only when one of both has changed.
+/// The scene with the selection marked in it. Rebuilt only if one of both has changed.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Highlight {
     marked: Memo<(SharedScene, Selected, BTreeSet<String>, Theme), SharedScene>,
@@ -57,7 +57,7 @@ fn style(color: Rgba, width: f32) -> LineStyle {
     LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Dashed, arrow: false }
 }
 
-/// Marks an object and its descendants: by its edges where it has few and shows them, else by the box around it.
+/// Marks an object and its descendants, by its edges if it has few and shows them, otherwise by the box around it.
 fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
     let names = with_descendants(spec, name);
     let mut boxes = Vec::new();
@@ -82,7 +82,7 @@ fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
     }
 }
 
-/// The name and those of all that hang on it.
+/// The name and those of all its descendants.
 fn with_descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     let mut all = SceneSpec {
         objects: preset_objects(spec.preset, &crate::scene::palette::SceneColors::of(Theme::Light)),
@@ -95,7 +95,7 @@ fn with_descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     names
 }
 
-/// The edges of a box that is turned with its object. Those without length are left out.
+/// The edges of a box that turns with its object. Those without length are left out.
 fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [DVec3; 2]> {
     let corners = bounds.corners().map(|p| (p, world_from_object.transform_point3(p)));
     let mut edges: Vec<[DVec3; 2]> = Vec::new();
@@ -112,7 +112,7 @@ fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [
     edges.into_iter()
 }
 
-/// A lamp has a mark. Parallel light an arrow that ends in the middle of the scene.
+/// A lamp gets a mark, and parallel light an arrow that ends in the middle of the scene.
 fn mark_light(scene: &mut Scene, light: Light, bounds: Option<Aabb>, color: Rgba) {
     match light.kind {
         LightKind::Point => {

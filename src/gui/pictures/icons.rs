@@ -1,4 +1,4 @@
-//! Small buttons with drawn signs. No font has all of them, and they are the same in every language.
+//! Small buttons with drawn signs, because no font has all of them, and they are the same in every language.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
@@ -22,8 +22,8 @@ pub(super) enum Icon {
     Arrange,
 }
 
-/// A square button as high as other buttons; `name` is its tooltip and its name for screen readers. `on`: it is
-/// switched on.
+/// A square button as high as other buttons. `name` is its tooltip and its name for screen readers. `on` means that
+/// it's switched on.
 pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Response {
     let side = ui.spacing().interact_size.y;
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click());

@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::Pane;
 use crate::views::image_frame;
 
-/// Where a pane shows the image.
+/// The place in which a pane shows the image.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ImagePlace {
     /// In points of the screen.

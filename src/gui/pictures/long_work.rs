@@ -1,4 +1,4 @@
-//! Work that takes longer than half a second: reported under the pictures, and cancelled with Esc.
+//! Work that takes longer than half a second, reported under the pictures, and cancelled with Esc.
 
 use std::time::Duration;
 
@@ -11,19 +11,19 @@ use crate::i18n::window::canvas as words;
 use crate::i18n::window::{progress, scenes};
 use crate::sanitize;
 
-/// Work shorter than this is not reported.
+/// Work shorter than this isn't reported.
 const MAX_WAIT: Duration = Duration::from_millis(500);
 
 /// Work that takes long.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LongWork {
-    /// The activity, its purpose, and how to cancel it.
+    /// The activity, its purpose, and the way to cancel it.
     pub(super) text: String,
-    /// The share done, where it is known.
+    /// The finished share, if known.
     pub(super) share: Option<f32>,
 }
 
-/// Whether work is reported and can be cancelled.
+/// True if work is reported and can be cancelled.
 pub(in crate::gui) fn is_long(running: Running) -> bool {
     running.time >= MAX_WAIT
 }
@@ -43,7 +43,7 @@ impl LongWork {
         let of_files = of_files.iter().map(|(text, running)| (text.clone(), *running));
         let all = of_files.chain(mesh).chain(picture).filter(|(_, running)| is_long(*running));
         let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
-        // The name, which may be long, comes last, where it may be elided.
+        // The name, which may be long, comes last, so that it can be elided.
         let doing = now.map(|(doing, share)| format!("{} · ", progress::progress(lang, doing, share)));
         let text = format!("{}{} · {what}", doing.unwrap_or_default(), progress::texts(lang).cancel);
         Some(Self { text, share: now.and_then(|(_, share)| share) })
@@ -51,8 +51,8 @@ impl LongWork {
 }
 
 impl Canvas {
-    /// Cancels long work of the pictures if Esc is pressed and means nothing else. True if it's to cancel long work
-    /// with files too.
+    /// Cancels long work of the pictures if Esc is pressed and has no other meaning. Returns true if it's to cancel
+    /// long work with files too.
     pub(in crate::gui) fn listen_for_cancel(
         &mut self,
         ctx: &egui::Context,
@@ -91,7 +91,7 @@ mod tests {
     use crate::i18n::Lang;
     use crate::progress::{Activity, Progress};
 
-    /// Paints, and does not come to an end by itself.
+    /// Paints, and doesn't end by itself.
     fn endless() -> impl AsyncFnMut(Task, &Progress) -> Exported {
         async |_, progress: &Progress| {
             progress.begin(Activity::Painting, 4);
@@ -130,7 +130,7 @@ mod tests {
             });
             output.textures_delta.clear();
         };
-        // Too early: nothing is reported, and Escape means something else.
+        // It's too early, so nothing is reported, and Escape has another meaning.
         press(&mut state);
         std::thread::sleep(MAX_WAIT + Duration::from_millis(100));
         let told = LongWork::of(&Canvas::default(), &state.model, &state.file_flow.running(Lang::En)).expect("told");

@@ -1,6 +1,6 @@
 //! The three pictures in the middle of the window: their layout, their observers, and the interaction with them.
 //!
-//! Nothing is stored that can be computed: each frame describes anew the request of each visible picture, and only a
+//! Nothing is stored that can be computed. Each frame describes anew the request of each visible picture, and only a
 //! picture whose request has changed is drawn again.
 
 pub(in crate::gui) mod annotations;
@@ -71,9 +71,9 @@ use crate::pipeline::OverBudget;
 use crate::views::image_frame;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
-/// Time that a frame waits for its pictures. Slower ones are shown when they are done.
+/// Time that a frame waits for its pictures. Slower ones appear when they are done.
 const MAX_WAIT: Duration = Duration::from_millis(30);
-/// In a room that is narrower, in points of a presentation, one picture is large instead of three being small.
+/// In a narrower room, in points of a presentation, one picture is large instead of three being small.
 const ROOM_FOR_SEVERAL: f32 = 560.0;
 /// Interval between reports of long work.
 const TELL: Duration = Duration::from_millis(100);
@@ -81,10 +81,10 @@ const TELL: Duration = Duration::from_millis(100);
 /// Draws the pictures and stores their state from one frame to the next.
 #[derive(Default)]
 pub struct Canvas {
-    /// Time that a frame waits for its pictures; `None` means as long as a hand that drags has. Tests have more of it.
+    /// Time that a frame waits for its pictures. `None` for as long as a dragging hand allows. Tests have more of it.
     pub patience: Option<Duration>,
     rendering: Rendering,
-    /// The pictures of the shot, as they are on the screen.
+    /// The pictures of the shot, as on the screen.
     pictures: Vec<ScreenPicture>,
     shares: Shares,
     /// The request of a title's button, and its picture.
@@ -101,23 +101,23 @@ pub struct Canvas {
     drag: Option<(usize, Drag)>,
     card: CardPlace,
     vertex_names: VertexNames,
-    /// For a double-click, whose first click was not meant to pin.
+    /// For a double-click, whose first click wasn't meant to pin.
     pinned_before: Option<Probe>,
     /// The mode of the arrow keys, and its picture.
     probing: Option<(usize, Probing)>,
-    /// Where the keys move it that have not been followed yet, by picture.
+    /// Steps of the keys that haven't been followed yet, by picture.
     probe_steps: VecDeque<(usize, ProbeStep)>,
-    /// The search at the pointer, and one whose result is to be pinned.
+    /// The search at the pointer, and one whose result will be pinned.
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
-    /// The last probe of the pointer in a compared picture, and the side that it was on.
+    /// The last probe of the pointer in a compared picture, and its side.
     probed_side: Option<(Probe, Request)>,
-    /// A click on something that has not been found yet, and its picker.
+    /// A click whose target hasn't been found yet, and its picker.
     clicked: Option<Click>,
     click_picker: Picker,
     /// The steps of a lesson whose pictures have begun to fade in.
     faded: u64,
-    /// The command that was chosen in a context menu, until it is taken.
+    /// The command chosen in a context menu, until it's taken.
     pub(in crate::gui) wanted: Option<Command>,
 }
 
@@ -125,40 +125,40 @@ pub struct Canvas {
 pub struct Inputs<'a> {
     /// The question for a place in the image.
     pub(in crate::gui) placing: Option<Placing>,
-    /// How often a step of a lesson has had its pictures fade in.
+    /// The number of times that a step of a lesson has faded in its pictures.
     pub(in crate::gui) fades: u64,
-    /// The keys of a presentation, with their opacity, as long as they are to be seen.
+    /// The keys of a presentation, with their opacity, while they are visible.
     pub(in crate::gui) keys: Option<(&'static str, f32)>,
-    /// The pictures stay as they are while one edits.
+    /// True if the pictures stay the same during edits.
     pub(in crate::gui) frozen: bool,
-    /// The files that are being written or read, each in a sentence, and how far that has come.
+    /// The files being written or read, each in a sentence, and their progress.
     pub(in crate::gui) of_files: Vec<(String, Running)>,
-    /// The pixels of the triangle that is followed are still being searched.
+    /// True while the pixels of the followed triangle are being searched.
     pub(in crate::gui) triangle_waits: bool,
-    /// Takes a click on a triangle of the image. False if it means nothing there.
+    /// Takes a click on a triangle of the image. Returns false if it has no meaning there.
     pub(in crate::gui) on_triangle: &'a mut OnTriangle<'a>,
 }
 
 /// Takes a click in an image: its request, the pointer in pixels, and the triangle there by its object and number.
 type OnTriangle<'a> = dyn FnMut(&Context, &mut Model, &Request, DVec2, Option<(usize, u32)>) -> bool + 'a;
 
-/// A picture on the screen, and what is kept of it from one frame to the next.
+/// A picture on the screen, and the state that it keeps from one frame to the next.
 #[derive(Default)]
 struct ScreenPicture {
     texture: PictureTexture,
-    /// How it came about.
+    /// The report of its rendering.
     account: Option<RenderReport>,
-    /// Why there is none.
+    /// The reason why there is none.
     missing: Option<Missing>,
     /// A budget that it exceeded.
     over_budget: Option<OverBudget>,
-    /// From where it is seen where the figure does not say.
+    /// Its observer if the figure doesn't set one.
     auto: Auto,
-    /// The observer that a button or a key framed last, with the size of the picture.
+    /// The last observer framed by a button or a key, with the size of the picture.
     framed: Option<(Observer, Size)>,
-    /// Where its labels are.
+    /// The places of its labels.
     labels: Vec<LabelPlace>,
-    /// Where it is, in points.
+    /// Its place, in points.
     place: Option<Rect>,
 }
 
@@ -170,17 +170,17 @@ struct Pane {
     view: View,
     rect: PictureRect,
     response: Response,
-    /// All that it shows.
+    /// Its whole content.
     request: Request,
 }
 
 impl Canvas {
-    /// How often each picture of the shot has been drawn since the window was opened.
+    /// The number of times that each picture of the shot has been drawn since the window was opened.
     pub fn drawn(&self) -> Vec<u64> {
         self.rendering.drawn()[..self.pictures.len()].to_vec()
     }
 
-    /// Where each picture of the shot is on the screen, with its kind. Points.
+    /// The place of each picture of the shot on the screen, with its kind. In points.
     pub fn places(&self) -> impl Iterator<Item = (View, Rect)> {
         self.shot.pictures.iter().zip(&self.pictures).filter_map(|(shown, screen)| Some((shown.kind, screen.place?)))
     }
@@ -190,7 +190,7 @@ impl Canvas {
         self.picture_of(kind).map(|picture| picture.labels.as_slice()).unwrap_or_default()
     }
 
-    /// A picture of the shot with what the pointer adds to it.
+    /// A picture of the shot with the additions for the pointer.
     fn request(&self, model: &Model, picture: &Picture, size: Size) -> Request {
         let (camera, scene) = (model.document.camera(), model.scene_cache.scene());
         let request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
@@ -203,7 +203,7 @@ impl Canvas {
         of_kind.map(|(_, screen)| screen)
     }
 
-    /// True if Esc would let go of something in a picture.
+    /// True if Esc would release something in a picture.
     pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
         self.drag.is_some()
             || label_mode.on
@@ -213,7 +213,7 @@ impl Canvas {
             || model.can_release_shown()
     }
 
-    /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
+    /// Fills the remaining room in `ui` with the pictures, and lets the pointer and the keys act on them.
     pub fn ui(
         &mut self,
         ui: &mut Ui,
@@ -308,7 +308,7 @@ impl Canvas {
         }
     }
 
-    /// The axes in the corner of the world. A presentation, and a figure inside of a text, show the picture alone.
+    /// The axes in the corner of the world. A presentation, and a figure inside a text, show the picture alone.
     fn axis_cross(&mut self, ui: &Ui, model: &Model, panes: &[Pane], texts: &CanvasTexts) {
         let is_alone = model.settings.presentation || model.settings.bare;
         let world = panes.iter().find(|pane| pane.view == View::World && !is_alone);
@@ -328,7 +328,7 @@ impl Canvas {
         }
     }
 
-    /// The stages of the pipeline, as they were for the picture that is on the screen.
+    /// The stages of the pipeline, as in the picture on the screen.
     fn strip(&self, ui: &mut Ui, room: Rect, model: &mut Model, texts: &CanvasTexts) {
         let view = model.layout.strip_of;
         let hidden = !model.layout.is_shown(view);
@@ -357,7 +357,7 @@ impl Canvas {
         };
         let mut framed: Vec<Framed> = visible.map(framed).collect();
         if model.shows_explanation(Explanation::Steps) {
-            // What moves has the largest place.
+            // Moving content has the largest place.
             framed.sort_by_key(|framed| self.shot.pictures[framed.picture].kind != View::Canonical);
         }
         let presenting = model.settings.presentation;
@@ -427,7 +427,7 @@ impl Canvas {
         ui.request_repaint();
     }
 
-    /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
+    /// Requests the pictures that have changed, takes finished ones, and shows the newest of each.
     fn draw(&mut self, ui: &Ui, model: &mut Model, inputs: &Inputs<'_>, panes: &mut [Pane]) {
         let (ctx, patience) = (ui.ctx(), self.patience.unwrap_or(MAX_WAIT));
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
@@ -435,7 +435,7 @@ impl Canvas {
         let scene = self.highlight.scene(model);
         for pane in panes.iter_mut() {
             let Pane { picture, view, ref mut request, .. } = *pane;
-            // What pointer and keys have changed in this frame.
+            // The changes by pointer and keys in this frame.
             let shown = &self.shot.pictures[picture];
             request.camera = shown.camera.as_ref().unwrap_or(model.document.camera()).rounded();
             (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
@@ -458,7 +458,7 @@ impl Canvas {
             let missing = rendered.as_ref().err().copied();
             let (tiles, account, over_budget, labels) = rendered
                 .map_or((None, None, None, Vec::new()), |r| (Some(r.tiles), r.account, r.over_budget, r.labels));
-            // Reported when it comes up; as long as it holds, a note is in the picture.
+            // Reported when it comes up. As long as it holds, a note is in the picture.
             let is_known =
                 |new: &OverBudget| self.pictures.iter().any(|picture| picture.over_budget.as_ref() == Some(new));
             if let Some(over_budget) = over_budget.as_ref().filter(|new| !is_known(new)) {
@@ -482,7 +482,7 @@ impl Canvas {
         }
     }
 
-    /// Tells the side of explanations how the picture came about.
+    /// Passes the report of each picture to the side of explanations.
     fn report(&self, ctx: &Context, model: &mut Model) {
         let of = model.layout.strip_of;
         let is_asked = model.shows_explanation(Explanation::Stages) && model.layout.is_shown(of);
@@ -520,8 +520,7 @@ impl Canvas {
     }
 }
 
-/// Whether the image is shown as the eye would see it; `None` if its pixels are square, so that it makes no
-/// difference.
+/// True if the image is shown as the eye would see it. `None` if its pixels are square, so that it makes no difference.
 fn undistorted(model: &Model) -> Option<bool> {
     let figure = model.document.figure();
     let differs = model.document.camera().aspect_warning(figure.image).is_some();
@@ -550,7 +549,7 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
     ui.painter().galley(place.min, galley, color);
 }
 
-/// Gives a picture all the room, or gives it back.
+/// Gives a picture all the room, or restores the others.
 fn toggle_maximized(model: &mut Model, view: View) {
     model.layout.maximized = if model.layout.maximized == Some(view) { None } else { Some(view) };
 }

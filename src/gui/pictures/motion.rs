@@ -1,4 +1,4 @@
-//! A step of an operation that the eye can follow. The camera moves to its end in a moment, and is there exactly.
+//! A step of an operation that the eye can follow. The camera moves to its end in a moment, and arrives there exactly.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ const DURATION: f64 = 0.2;
 /// Time for which a step is shown in the world, in seconds.
 const SHOWN: f64 = 2.0;
 
-/// Moves on, at the begin of a frame. Whatever is pressed then finds the camera where it was going.
+/// Advances the motion, at the beginning of a frame, so that every key press finds the camera at its destination.
 pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model) {
     let Some(mut motion) = model.motion.take() else { return };
     let (now, pressed) = ctx.input(|input| {
@@ -29,13 +29,13 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model) {
         model.finish_motion();
         return;
     }
-    // The end is a camera; a place on the way that is none is passed over.
+    // The end is a camera. Impossible ones on the way are skipped.
     let _ = model.document.operate_from(&motion.start, motion.at(share), motion.convention);
     model.motion = Some(motion);
     ctx.request_repaint();
 }
 
-/// Shows the step that was done last in the world, for a moment, whatever the pointer is over.
+/// Shows the last step in the world, for a moment, regardless of the pointer.
 pub(in crate::gui) fn show_done(ctx: &egui::Context, model: &mut Model) {
     let Some(done) = &mut model.operations.done else { return };
     let now = ctx.input(|input| input.time);

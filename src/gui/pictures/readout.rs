@@ -20,7 +20,7 @@ use crate::views::{Probe, Request};
 pub(super) struct Cell {
     pub(super) space: &'static str,
     pub(super) value: String,
-    /// Shown also where there is no room for all.
+    /// Shown even if there isn't room for all.
     pub(super) wanted: bool,
 }
 
@@ -81,7 +81,7 @@ pub(super) fn cells(
 fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> [Cell; 4] {
     let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();
     let mut code = clip_parts::outcode_of(&request.camera, p).unwrap_or([true; 6]);
-    // Without a far plane nothing is beyond it.
+    // Without a far plane, no point is beyond it.
     code[5] &= !ndc.infinite;
     let bits: String = code.iter().map(|outside| if *outside { '1' } else { '0' }).collect();
     let planes: Vec<&str> =
@@ -104,7 +104,7 @@ fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMa
 }
 
 fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> Vec<Cell> {
-    // Depths differ late: near the back of the volume the first four digits are all alike.
+    // Depths differ late. Near the back of the volume the first four digits are all alike.
     let digits = digits.max(6);
     match depths {
         None => Vec::new(),

@@ -1,4 +1,4 @@
-//! Has pictures drawn beside the window's thread, each only when something that made it has changed.
+//! Draws pictures beside the window's thread, each only if its inputs have changed.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
@@ -14,13 +14,13 @@ use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
 
-/// A picture to draw. Two equal jobs make the same pixels.
+/// A picture to draw. Two equal jobs give the same pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RenderJob {
     /// Its place among the pictures of the shot.
     pub(super) picture: usize,
     pub(super) request: Request,
-    /// One sample per pixel, whatever the style says.
+    /// One sample per pixel, regardless of the style.
     pub(super) draft: bool,
     /// The greatest side of a texture, pixels.
     pub(super) max_side: usize,
@@ -31,20 +31,20 @@ pub(super) struct RenderJob {
 /// A picture that has been drawn.
 pub(super) struct Rendered {
     pub(super) tiles: Tiles,
-    /// Its render report, where it was requested.
+    /// Its render report, if requested.
     pub(super) account: Option<RenderReport>,
     /// A shortfall of the picture.
     pub(super) over_budget: Option<OverBudget>,
-    /// Where its labels are.
+    /// The places of its labels.
     pub(super) labels: Vec<LabelPlace>,
 }
 
-/// Why there is no picture.
+/// The reason why there is no picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Missing {
     /// The user gave it up.
     Cancelled,
-    /// It has no size, there is not enough memory, or drawing has panicked.
+    /// It has no size, there isn't enough memory, or drawing has panicked.
     NotDrawn,
 }
 
@@ -65,7 +65,7 @@ struct DrawOutcome {
 }
 
 impl DrawOutcome {
-    /// The time that the picture would have taken alone, about.
+    /// The approximate time that the picture would have taken alone.
     fn own_time(&self, time: Duration) -> Duration {
         time.saturating_sub(self.waited) / self.together.max(1)
     }
@@ -80,7 +80,7 @@ pub(super) struct Rendering {
     given_up: [Option<RenderJob>; MAX_PICTURES],
     /// Number of pictures drawn, by picture.
     drawn: [u64; MAX_PICTURES],
-    /// The time of the last drawing of each picture, and that of the last one that was not a draft, as if alone.
+    /// The time of the last drawing of each picture, and that of the last one that wasn't a draft, as if alone.
     cost: [Duration; MAX_PICTURES],
     full_cost: [Duration; MAX_PICTURES],
 }
@@ -98,7 +98,8 @@ impl Default for Rendering {
     }
 }
 
-/// Draws pictures at the same time, but alone what is timed. Its times are not those of waiting for the others.
+/// Draws pictures at the same time, but draws a timed picture alone, so that its times don't include waiting for the
+/// others.
 fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
     let turn = Arc::new(Turn::default());
     Worker::new("pictures", clock::now, move || work(Arc::clone(&turn)))
@@ -107,12 +108,12 @@ fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
 /// The pictures that are being drawn.
 #[derive(Default)]
 struct Turn {
-    /// Held by one that is drawn alone, shared by the others.
+    /// Held exclusively by one that is drawn alone, shared by the others.
     lock: RwLock<()>,
     drawing: AtomicU32,
 }
 
-/// One of them, until it is dropped.
+/// A running job, until it's dropped.
 struct RunningJob<'a>(&'a Turn);
 
 impl Drop for RunningJob<'_> {
@@ -126,8 +127,8 @@ fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome
     let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
     let mut last: [Vec<Arc<egui::ColorImage>>; MAX_PICTURES] = Default::default();
     async move |job: RenderJob, progress: &Progress| {
-        // Where jobs pause, none begins before the last one has ended; and the lock holds nothing that a panic could
-        // leave half done.
+        // If jobs pause, none begins before the last one has ended. The lock holds no data that a panic could leave
+        // half done.
         let asked = clock::now();
         let _alone = job.accounted.then(|| turn.lock.write().unwrap_or_else(PoisonError::into_inner));
         let _beside = (!job.accounted).then(|| turn.lock.read().unwrap_or_else(PoisonError::into_inner));
@@ -142,7 +143,7 @@ fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome
         renderer.watch(progress);
         let pixels = &mut pictures[picture];
         let account = if accounted {
-            // By this thread: one of the pool may make a part of something else in between.
+            // By this thread, because one of the pool may do a part of other work in between.
             renderer.pixels_into(&request, pixels).await
         } else {
             renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop())
@@ -162,7 +163,7 @@ fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome
     }
 }
 
-/// Whether two pictures differ at most in the hover.
+/// True if two pictures differ at most in the hover.
 fn same_but_hover(one: &Request, other: &Request) -> bool {
     let bare = |request: &Request| Request { hover: Hover::default(), ..request.clone() };
     bare(one) == bare(other)
@@ -174,17 +175,16 @@ impl Rendering {
         self.drawn
     }
 
-    /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late
-    /// one.
+    /// True for a picture that takes longer than `patience`. During a drag, a draft of it is better than a late one.
     pub(super) fn is_heavy(&self, picture: usize, patience: Duration) -> bool {
         self.full_cost[picture] > patience
     }
 
-    /// Requests a picture, unless it, or one of which it would be a draft, was requested last. Requests a frame of
-    /// `ctx` when it is done.
+    /// Requests a picture, unless the last request was for it, or for one of which it would be a draft. Requests a
+    /// frame of `ctx` when it's done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, job: RenderJob) {
         let i = job.picture;
-        // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
+        // An existing picture needs no draft of itself, and no second drawing without the report that it has.
         let is_as_good = |last: &RenderJob| {
             (!last.draft || job.draft)
                 && (last.accounted || !job.accounted)
@@ -207,7 +207,7 @@ impl Rendering {
         self.worker.running()
     }
 
-    /// Cancels all pictures that are being drawn. A new hover does not begin them anew, only a new shot does.
+    /// Cancels all running pictures. A new hover doesn't begin them anew, only a new shot does.
     pub(super) fn cancel(&mut self) {
         for i in (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)) {
             self.given_up[i].clone_from(&self.asked[i]);
@@ -215,12 +215,12 @@ impl Rendering {
         self.worker.cancel();
     }
 
-    /// The pictures that are done. Waits for them up to `patience`, so that a light scene is never a frame late; where
-    /// the last drawings took longer than that, it does not wait at all, and the window gets a frame of its own when
-    /// they are done.
+    /// The finished pictures. Waits for them up to `patience`, so that a light scene is never a frame late. If the last
+    /// drawings took longer than that, it doesn't wait at all, and the window gets a frame of its own when they are
+    /// done.
     pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; MAX_PICTURES] {
         let pending = (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i));
-        // They are drawn at the same time, and their costs are of times when they were.
+        // They are drawn at the same time, and so were those whose costs were measured.
         let expected = pending.map(|i| self.cost[i]).max().unwrap_or_default();
         let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
         std::array::from_fn(|i| {

@@ -17,7 +17,7 @@ use crate::views::{Arrangement, View};
 /// Room between two cells, in heights of a line.
 const GAP: f32 = 1.0;
 
-/// The width of the bar that shows how far long work has come.
+/// The width of the bar that shows the progress of long work.
 const BAR: f32 = 120.0;
 
 /// The action of a button under the pictures.
@@ -25,7 +25,7 @@ const BAR: f32 = 120.0;
 pub(super) enum StatusAction {
     /// Show a hidden picture.
     ShowAgain(View),
-    /// Share the room in another way; `None` means as suits the room.
+    /// Share the room in another way. `None` for the best way in the room.
     Arrange(Option<Arrangement>),
     /// Show the coach.
     Coach,
@@ -36,17 +36,17 @@ pub(super) enum StatusAction {
 pub(super) struct Status {
     /// The first line.
     pub(super) message: String,
-    /// It is a presentation.
+    /// True in a presentation.
     pub(super) presenting: bool,
     /// For a while the keys of a presentation replace the message, with this opacity.
     pub(super) keys: Option<(&'static str, f32)>,
     /// Long work replaces both.
     pub(super) work: Option<LongWork>,
-    /// The message says why something is not possible.
+    /// True if the message says why something isn't possible.
     pub(super) warning: bool,
     /// At the right end of the first line.
     pub(super) aside: String,
-    /// The arrangement of the pictures, where there is a choice.
+    /// The arrangement of the pictures, if there is a choice.
     pub(super) arrangement: Option<Option<Arrangement>>,
     /// The summary of the coach.
     pub(super) coach: Option<Brief>,
@@ -64,7 +64,7 @@ pub(super) struct Status {
 fn lines(ui: &Ui, width: f32, presenting: bool) -> u8 {
     let em = line_height(ui);
     if presenting {
-        // The room is for the pictures: the card has all coordinates of what is pinned.
+        // The room is for the pictures, because the card has all coordinates of the pinned probe.
         1
     } else if width >= 120.0 * em {
         1
@@ -87,7 +87,7 @@ fn first_line_height(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y
 }
 
-/// The height of the lines under pictures that are so wide together.
+/// The height of the lines under pictures of this total width.
 pub(super) fn height(ui: &Ui, width: f32, presenting: bool) -> f32 {
     first_line_height(ui) + f32::from(lines(ui, width, presenting)) * line_height(ui) + 4.0
 }
@@ -167,7 +167,7 @@ impl Status {
         }
     }
 
-    /// The cells one after the other, each as wide as it is: all of them, or those that are wanted most.
+    /// The cells one after the other, each with its own width: all of them, or the most wanted.
     fn cells(&self, ui: &mut Ui, rect: Rect, lines: u8) {
         let response = ui
             .scope_builder(UiBuilder::new().id_salt("probe").max_rect(rect), |ui| {
@@ -181,7 +181,7 @@ impl Status {
                     show_cell(ui, place, cell);
                 }
                 if self.cells.is_empty() {
-                    // Wrapped where it is longer than a line: narrow pictures have room for several.
+                    // Wrapped if it's longer than a line, because narrow pictures have room for several.
                     let label = Label::new(RichText::new(self.note).small().weak()).selectable(false);
                     ui.add(if lines > 1 { label.wrap() } else { label.truncate() });
                 }
@@ -193,8 +193,8 @@ impl Status {
     }
 }
 
-/// A button with an identity that does not depend on the ones before it: a press and its release belong together, even
-/// where one of those comes or goes in between.
+/// A button whose identity doesn't depend on the ones before it. A press and its release belong together, even if one
+/// of those comes or goes in between.
 fn named<R>(ui: &mut Ui, name: &'static str, button: impl FnOnce(&mut Ui) -> R) -> R {
     ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("under the pictures", name))), button).inner
 }
@@ -203,7 +203,7 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     let mut action = None;
     let button = icon_button(ui, Icon::Arrange, texts.arrange, false);
     Popup::menu(&button).show(|ui| {
-        // Menus leave borders out; without one, an unchosen button cannot be seen on a light background.
+        // Menus leave borders out. Without one, an unchosen button is invisible on a light background.
         ui.visuals_mut().widgets.inactive.bg_stroke = ui.visuals().widgets.noninteractive.fg_stroke;
         for choice in [None].into_iter().chain(Arrangement::ALL.map(Some)) {
             if ui.radio(choice == now, texts.arrangement(choice)).clicked() {
@@ -215,7 +215,7 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     action
 }
 
-/// The places of cells one after the other in `lines` lines, as many as there is space for. Returns whether those are
+/// The places of cells one after the other in `lines` lines, as many as there is space for. Returns true if those are
 /// all.
 fn flow(ui: &Ui, rect: Rect, lines: u8, cells: &[&Cell]) -> (Vec<Rect>, bool) {
     let height = line_height(ui);
@@ -249,7 +249,7 @@ fn show_cell(ui: &mut Ui, place: Rect, cell: &Cell) {
     line_of_text(ui, place, text);
 }
 
-/// A text that is cut off where its place ends.
+/// A text that is cut off at the end of its place.
 fn line_of_text(ui: &mut Ui, place: Rect, text: impl Into<egui::WidgetText>) {
     let text = text.into();
     ui.put(place, |ui: &mut Ui| {

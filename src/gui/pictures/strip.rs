@@ -1,4 +1,4 @@
-//! The strip under the pictures. Every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
+//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
 //! the reason why it was left out, for the picture on the screen.
 
 use std::time::Duration;
@@ -42,11 +42,11 @@ pub(super) struct Strip<'a> {
     pub(super) lang: Lang,
     pub(super) texts: &'a CanvasTexts,
     pub(super) view: View,
-    /// `None` means the picture is hidden, or has not been drawn yet.
+    /// `None` if the picture is hidden, or hasn't been drawn yet.
     pub(super) account: Option<&'a RenderReport>,
     /// The picture is hidden.
     pub(super) hidden: bool,
-    /// The stage that is shown in the picture.
+    /// The stage displayed in the picture.
     pub(super) shown: Option<Stage>,
 }
 
@@ -63,7 +63,7 @@ fn columns(ui: &Ui, width: f32) -> usize {
     let fit = (width - 12.0) / (CELL_WIDTH * line(ui));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few dozen")]
     let fit = fit.clamp(1.0, 64.0) as usize;
-    // No row shorter than it need be: the same number of rows, evenly filled.
+    // No row shorter than necessary: the same number of rows, evenly filled.
     let rows = most.div_ceil(fit.min(most));
     most.div_ceil(rows)
 }
@@ -72,7 +72,7 @@ fn cell_height(ui: &Ui) -> f32 {
     2.0 * line(ui) + 6.0
 }
 
-/// The height of the strip under pictures that are so wide together.
+/// The height of the strip under pictures of this total width.
 #[expect(clippy::cast_precision_loss, reason = "a few rows")]
 pub(super) fn height(ui: &Ui, width: f32) -> f32 {
     let rows = Stage::ALL.len().div_ceil(columns(ui, width)) as f32;
@@ -135,7 +135,7 @@ impl Strip<'_> {
         )
     }
 
-    /// Draws the cells. The one that is pointed at, or has the keyboard.
+    /// Draws the cells. Returns the one under the pointer, or with the keyboard.
     fn cells(&self, ui: &Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
         let Some(account) = self.account else { return (None, None) };
         let mut clicked = None;
@@ -178,7 +178,7 @@ impl Strip<'_> {
         self.lang.mark().printed(&numbers::duration(time))
     }
 
-    /// The counts in and out, with their unit where it `fits`.
+    /// The counts in and out, with their unit if it `fits`.
     fn counts(&self, report: &StageReport, fits: impl Fn(&str) -> bool) -> String {
         let Some((from, to)) = report.counts else { return String::new() };
         let count = |n| self.lang.mark().printed(&numbers::count(n));
@@ -233,8 +233,8 @@ impl Strip<'_> {
             if let Some(time) = report.time {
                 let text = painter.layout_no_wrap(self.duration(time), font, ink);
                 let left = place.right() - 5.0 - text.size().x;
-                // Beside the counts, or above them where they take the room; where the name does too, the sentence
-                // tells it.
+                // Beside the counts, or above them if they take the room. If the name takes it too, the sentence has
+                // it.
                 let rows = [(1.0, counted), (0.0, written)];
                 if let Some((row, _)) = rows.iter().find(|(_, beside)| left > beside.right() + 3.0) {
                     painter.galley(pos2(left, at(*row).y), text, ink);
@@ -249,7 +249,7 @@ impl Strip<'_> {
         } else {
             let middle = written.center().y + 0.5;
             painter.hline(written.x_range(), middle, Stroke::new(1.0, ink));
-            // Of a reason that is too long the first words; the tooltip tells it whole.
+            // The first words of a reason that is too long. The tooltip shows it whole.
             let room = place.width() - 10.0;
             let whole = words::reason(self.lang, report.reason);
             let reason = elide::words(&whole, |text| elide::width(ui, &font, text) <= room);

@@ -1,4 +1,4 @@
-//! A picture on the screen: its textures, and where each of its pixels is.
+//! A picture on the screen: its textures, and the places of its pixels.
 
 use std::sync::Arc;
 
@@ -118,8 +118,8 @@ impl Tiles {
         self.tiles.iter().map(|tile| Arc::clone(&tile.image)).collect()
     }
 
-    /// The same with its difference from the images of another picture, which is probably the one on the screen: who
-    /// makes the picture has more time than who shows it.
+    /// The same with its difference from the images of another picture, which is probably the one on the screen. The
+    /// thread that draws the picture has more time than the one that shows it.
     pub(super) fn since(mut self, images: &[Arc<ColorImage>]) -> Self {
         for (tile, image) in self.tiles.iter_mut().zip(images) {
             tile.since = Some((Arc::clone(image), Changed::between(image, &tile.image)));
@@ -149,7 +149,7 @@ struct PlacedTile {
 }
 
 impl PlacedTile {
-    /// Shows another tile: only the pixels that changed go to the texture, since the way there costs as much as to draw
+    /// Shows another tile. Only the changed pixels go to the texture, since uploading them costs as much as drawing
     /// them.
     fn show(&mut self, Tile { place, image, since }: Tile) {
         self.place = place;
@@ -170,7 +170,7 @@ impl PlacedTile {
 #[derive(Clone, Debug, PartialEq)]
 enum Changed {
     Nothing,
-    /// Nothing outside of a rectangle: its upper left corner, and its pixels.
+    /// No change outside a rectangle. Holds its upper left corner, and its pixels.
     Part {
         corner: [usize; 2],
         pixels: Arc<ColorImage>,
@@ -192,14 +192,14 @@ impl Changed {
         };
         let (mut left, mut right) = (width, 0);
         for (old, new) in rows().take(bottom + 1).skip(top) {
-            // Of each row only the ends beyond those that are known to differ.
+            // Of each row only the ends beyond those known to differ.
             let at_left = old.iter().zip(new).take(left).position(|(old, new)| old != new);
             left = at_left.unwrap_or(left);
             let at_right = old.iter().zip(new).skip(right).rposition(|(old, new)| old != new);
             right = at_right.map_or(right, |at| right + at + 1);
         }
         let size = [right.saturating_sub(left), bottom + 1 - top];
-        // A part is copied first, a whole picture is not.
+        // A part is copied first, a whole picture isn't.
         if 4 * size[0] * size[1] > 3 * width * height {
             return Self::All;
         }
@@ -207,7 +207,7 @@ impl Changed {
     }
 }
 
-/// The picture before, as it disappears.
+/// The former picture, as it disappears.
 struct Fading {
     size: [usize; 2],
     tiles: Vec<PlacedTile>,
@@ -216,7 +216,7 @@ struct Fading {
 }
 
 impl PictureTexture {
-    /// Takes a new picture. The textures are reused where their number is the same.
+    /// Takes a new picture. Reuses the textures if their number is the same.
     pub(super) fn set(&mut self, ctx: &Context, name: &str, picture: Option<Tiles>) {
         self.failed = picture.is_none();
         let Some(Tiles { size, tiles }) = picture else { return };
@@ -233,7 +233,7 @@ impl PictureTexture {
         }
     }
 
-    /// Lets what is shown fade away over the pictures that come next. `now`: a time in seconds.
+    /// Lets the displayed picture fade away over the next ones. `now` is a time in seconds.
     pub(super) fn fade(&mut self, now: f64) {
         self.fading = Some(Fading { size: self.size, tiles: std::mem::take(&mut self.tiles), began: now });
     }
@@ -243,12 +243,12 @@ impl PictureTexture {
         self.failed
     }
 
-    /// True if the picture leaves nothing of its place free: what is beneath it, nobody sees.
+    /// True if the picture leaves nothing of its place free, so that content beneath it is invisible.
     pub(super) fn covers(&self, place: &PictureRect) -> bool {
         !self.tiles.is_empty() && self.size == place.sides()
     }
 
-    /// Paints the picture at its place. One of another size, which is there while the next is being drawn, in the
+    /// Paints the picture at its place. If it has another size, because the next is still being drawn, it goes in the
     /// middle.
     pub(super) fn paint(&mut self, ui: &Ui, place: &PictureRect) {
         paint_tiles(ui, place, self.size, &self.tiles, Color32::WHITE);
@@ -342,8 +342,8 @@ mod tests {
         let mut texture = PictureTexture::default();
         let size = [40, 30];
         let (mut last, foreign) = (Vec::new(), tiles(size, &[[8, 11]]).images());
-        // A pixel of each; the whole as it is at first, then what goes to it; by the difference from the last one, from
-        // another one, or from none that was found before.
+        // A pixel of each: first the whole, then its successor by the difference from the last one, from another one,
+        // or from none found before.
         for (black, since, expected) in [
             (&[[7, 9]][..], 0, Some((None, size))),
             (&[[7, 9]][..], 1, None),

@@ -1,4 +1,4 @@
-//! The system under the window: its file dialogs, and the size that a window can have.
+//! The system under the window: its file dialogs, and the possible sizes of a window.
 
 pub mod native;
 #[cfg(not(target_arch = "wasm32"))]

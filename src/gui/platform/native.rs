@@ -1,4 +1,4 @@
-//! Questions of a file dialog, and their answers: that of the system, or that of a browser.
+//! Questions of a file dialog, and their answers from the system, or from a browser.
 
 #[cfg(target_arch = "wasm32")]
 mod page;
@@ -15,7 +15,7 @@ pub(in crate::gui) use system::OpenFileDialog;
 /// The kind of file to choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
-    /// A file that is there.
+    /// An existing file.
     File,
     /// A file that may not exist yet.
     NewFile,
@@ -32,7 +32,7 @@ pub struct FileQuestion {
     pub title: &'static str,
     /// The names of the kinds of files, and their extensions.
     pub filters: Vec<(String, &'static [&'static str])>,
-    /// The name that is proposed.
+    /// The proposed name.
     pub name: String,
     /// The initial folder of the dialog.
     pub folder: Option<PathBuf>,
@@ -49,7 +49,7 @@ pub enum FileAnswer {
     Unavailable,
 }
 
-/// Shows a message in a box of the system, and waits until it is closed.
+/// Shows a message in a box of the system, and waits until it's closed.
 #[cfg(windows)]
 pub fn message_box(message: &str) {
     rfd::MessageDialog::new()

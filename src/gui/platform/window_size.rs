@@ -1,23 +1,24 @@
-//! The size and the place of the window: those that it had last; at first, on a screen that isn't small, all of it.
+//! The size and the place of the window, restored from the last window. At first, on a screen that isn't small, it
+//! fills the screen.
 
 use eframe::egui::{Context, Pos2, Vec2, ViewportCommand, pos2, vec2};
 
 use crate::gui::model::layout::WindowPlace;
 
-/// Screens up to this size, in points, have the window in the size that suits them.
+/// On screens up to this size, in points, the window has the size that suits them.
 const SMALL: [f32; 2] = [1280.0, 720.0];
-/// Time for which a window manager is waited for, in seconds.
+/// Time to wait for a window manager, in seconds.
 const MAX_WAIT: f32 = 1.0;
 
-/// Time for which a size or a place stays before it is remembered, in seconds: not every one on the way to it is.
+/// Time for which a size or a place stays before it's remembered, in seconds, to leave out those on the way to it.
 const SETTLED: f64 = 1.0;
-/// The part of the window that has to be on the screen, in points, so that it can be taken and moved.
+/// The part of the window that has to be on the screen, in points, so that the user can grab and move it.
 const IN_SIGHT: f32 = 100.0;
 
 /// The opening of the window, from its first frame on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::gui) enum Opening {
-    /// The size of the screen is not known yet.
+    /// The size of the screen isn't known yet.
     #[default]
     Begins,
     /// The window manager has been asked, at a time in seconds.
@@ -27,7 +28,7 @@ pub(in crate::gui) enum Opening {
 }
 
 impl Opening {
-    /// Goes on, in each frame. `last` is the place of the last window.
+    /// Advances, in each frame. `last` is the place of the last window.
     pub(in crate::gui) fn go_on(&mut self, ctx: &Context, last: Option<WindowPlace>) {
         let (now, screen, maximized, inner) = ctx.input(|input| {
             let viewport = input.viewport();
@@ -47,10 +48,10 @@ impl Opening {
             (Self::Asked(since), Some(screen)) if now - since > f64::from(MAX_WAIT) => {
                 let is_large = inner.is_some_and(|inner| inner.width() > 0.9 * screen.x);
                 if maximized != Some(true) && !is_large {
-                    // There is no window manager, and so nothing else on the screen.
+                    // There is no window manager, and so no other window on the screen.
                     ctx.send_viewport_cmd(ViewportCommand::OuterPosition(Pos2::ZERO));
                     ctx.send_viewport_cmd(ViewportCommand::InnerSize(vec2(screen.x, screen.y)));
-                    // Without a window manager the new size may come after the frame that it asks for.
+                    // Without a window manager the new size may come after the frame that requests it.
                     ctx.request_repaint_after_secs(0.2);
                 }
                 *self = Self::Done;
@@ -60,7 +61,7 @@ impl Opening {
     }
 }
 
-/// Opens the window where the last one was, as far as that is on this screen.
+/// Opens the window at the last one's place, as far as that is on this screen.
 fn open_at(ctx: &Context, last: WindowPlace, screen: Vec2) {
     #[expect(clippy::cast_precision_loss, reason = "a window fits into its screen")]
     let [width, height] = last.size.map(|side| side as f32 / ctx.zoom_factor());
@@ -79,15 +80,15 @@ fn open_at(ctx: &Context, last: WindowPlace, screen: Vec2) {
     }
 }
 
-/// Watches where the window is.
+/// Watches the place of the window.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::gui) struct Whereabouts {
     now: Option<(WindowPlace, f64)>,
 }
 
 impl Whereabouts {
-    /// Gives the place of the window once it has stayed there for a while; `None` means it hasn't, or fills the screen
-    /// for a presentation.
+    /// Returns the place of the window once it has stayed there for a while. `None` if it hasn't, or if it fills the
+    /// screen for a presentation.
     pub(in crate::gui) fn settled(&mut self, ctx: &Context, before: Option<WindowPlace>) -> Option<WindowPlace> {
         let (now, viewport) = ctx.input(|input| (input.time, input.viewport().clone()));
         if viewport.fullscreen == Some(true) || viewport.minimized == Some(true) {
@@ -98,7 +99,7 @@ impl Whereabouts {
         let (maximized, size) = (viewport.maximized == Some(true), zoom * viewport.inner_rect?.size());
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a window fits into its screen")]
         let here = match before.filter(|_| maximized) {
-            // What it goes back to from there.
+            // The place that it returns to from there.
             Some(before) => WindowPlace { maximized, ..before },
             None => WindowPlace {
                 at: viewport
@@ -133,7 +134,7 @@ mod tests {
         commands(None, screen, times)
     }
 
-    /// The same where the last window was somewhere.
+    /// The same if the last window had a place.
     fn commands(last: Option<WindowPlace>, screen: Option<Vec2>, times: &[f64]) -> Vec<ViewportCommand> {
         let ctx = Context::default();
         let mut opening = Opening::default();
@@ -160,7 +161,7 @@ mod tests {
             assert_eq!(asked(Some(small), &[0.0, 0.1, 5.0]), [], "{small}");
         }
         assert_eq!(asked(None, &[0.0, 5.0]), [], "as long as the screen is not known");
-        // Nobody answers: there is no window manager.
+        // There is no answer, so there is no window manager.
         let sides = ViewportCommand::InnerSize(vec2(1920.0, 1080.0));
         let alone = asked(Some(vec2(1920.0, 1080.0)), &[0.0, 0.5, 1.2, 3.0]);
         assert_eq!(alone, [maximized, ViewportCommand::OuterPosition(Pos2::ZERO), sides]);
@@ -173,7 +174,7 @@ mod tests {
         let size = ViewportCommand::InnerSize(vec2(1000.0, 700.0));
         let place = ViewportCommand::OuterPosition(pos2(50.0, 60.0));
         assert_eq!(commands(last(Some([50, 60]), false), screen, &[0.0, 2.0]), [size.clone(), place.clone()]);
-        // Wayland tells no place; a second screen may be gone.
+        // Wayland gives no place, and a second screen may be gone.
         assert_eq!(commands(last(None, false), screen, &[0.0, 2.0]), std::slice::from_ref(&size));
         assert_eq!(commands(last(Some([2500, 60]), false), screen, &[0.0, 2.0]), std::slice::from_ref(&size));
         let maximized = commands(last(Some([50, 60]), true), screen, &[0.0, 2.0]);

@@ -1,13 +1,13 @@
-//! The files that were opened or saved last.
+//! The recent files.
 
 use std::path::{Path, PathBuf};
 
-/// The files that were opened or saved last.
+/// The recent files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Recent {
-    /// All that are remembered, the latest first.
+    /// All remembered files, the latest first.
     pub files: Vec<PathBuf>,
-    /// Those of this window that have not been saved yet, the latest first.
+    /// The files of this window that haven't been saved yet, the latest first.
     pub(in crate::gui) new: Vec<PathBuf>,
 }
 
@@ -15,7 +15,7 @@ pub struct Recent {
 const MOST_RECENT: usize = 16;
 
 impl Recent {
-    /// Remembers a file that has been opened or saved. A path that is not a text cannot be remembered.
+    /// Remembers a file that has been opened or saved. A path that isn't text can't be remembered.
     pub fn add(&mut self, path: &Path) {
         if path.is_absolute() && path.to_str().is_some() {
             for list in [&mut self.files, &mut self.new] {

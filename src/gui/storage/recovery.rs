@@ -1,4 +1,4 @@
-//! The list of sessions left by windows that did not close, until the user has decided.
+//! The list of sessions left by windows that didn't close, until the user has decided.
 
 use std::time::{Duration, UNIX_EPOCH};
 
@@ -25,7 +25,7 @@ pub enum Decision {
 /// Rows that are seen at once.
 const ROWS: f32 = 4.0;
 
-/// Shows the list, where there is one.
+/// Shows the list, if there is one.
 pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision> {
     if left.is_empty() {
         return None;
@@ -60,7 +60,7 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
     decision
 }
 
-/// The figure, its age, and whether it is dangerous.
+/// The figure, its age, and a warning if it's dangerous.
 fn described(lang: Lang, left: &LeftOver) -> String {
     let t = window::texts(lang);
     let name = left.path.as_deref().map_or_else(|| t.untitled.to_owned(), sanitize::path);

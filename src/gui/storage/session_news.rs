@@ -1,5 +1,5 @@
-//! Notices about windows that did not close and about the storage of this one. Each line stays until the user closes
-//! it, or until it no longer holds.
+//! Notices about windows that didn't close and about the storage of this one. Each line stays until the user closes it,
+//! or until it no longer holds.
 
 use eframe::egui::{self, Label, RichText};
 
@@ -10,7 +10,7 @@ use crate::i18n::{Lang, messages};
 use crate::limits::MAX_SESSIONS;
 use crate::sanitize;
 
-/// Shows the lines, where there are any.
+/// Shows the lines, if there are any.
 pub fn bar(ui: &mut egui::Ui, lang: Lang, list: &mut NewsList) {
     if list.is_empty() {
         return;
@@ -20,7 +20,8 @@ pub fn bar(ui: &mut egui::Ui, lang: Lang, list: &mut NewsList) {
     egui::Panel::top("session news").show(ui, |ui| {
         for (index, news) in list.iter().enumerate() {
             ui.push_id(index, |ui| {
-                // A row has its own height: all that the panel had before would make it grow with each frame.
+                // A row has its own height, because taking all the panel's former height would make it grow with each
+                // frame.
                 ui.horizontal(|ui| {
                     let line = |ui: &mut egui::Ui| {
                         ui.add(Label::new(text(ui, sentence(lang, news), news)).truncate());
@@ -39,7 +40,7 @@ pub fn bar(ui: &mut egui::Ui, lang: Lang, list: &mut NewsList) {
     }
 }
 
-/// A line, marked where something has gone wrong.
+/// A line, marked if it reports a failure.
 fn text(ui: &egui::Ui, text: String, news: &News) -> RichText {
     if matches!(news, News::Restored) {
         RichText::new(text)
@@ -52,7 +53,7 @@ fn text(ui: &egui::Ui, text: String, news: &News) -> RichText {
 fn sentence(lang: Lang, news: &News) -> String {
     let t = window::texts(lang);
     match news {
-        // Nothing has gone wrong where a page was left.
+        // Leaving a page isn't a failure.
         News::Restored if cfg!(target_arch = "wasm32") => sharing::texts(lang).restored.to_owned(),
         News::Restored => t.restored.to_owned(),
         News::RestoredInPart(keys, path) => {

@@ -1,5 +1,5 @@
-//! A file that several windows write, whole or not at all. Each window merges what was changed in it into what the file
-//! holds by then.
+//! A file that several windows write, whole or not at all. Each window merges its changes into the file's present
+//! content.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,30 +18,30 @@ use crate::progress::Progress;
 /// The longest wait for a running write before the window closes.
 pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_secs(5);
 
-/// A change of a window, to be merged into the present content of the file.
+/// A change of a window, to merge into the present content of the file.
 pub(in crate::gui) trait Change: Clone + Send + 'static {
     /// The content of a file.
     type Content: Default;
     /// The part of the content that the window takes over once the change is in it.
     type Merged: Send + 'static;
 
-    /// Reads a file; `None` if it cannot be understood.
+    /// Reads a file. `None` if it can't be parsed.
     fn understood(text: &str) -> Option<Self::Content>;
 
-    /// Whether there is nothing to write.
+    /// True if there is nothing to write.
     fn is_empty(&self) -> bool;
 
-    /// Whether nothing was added since `other`.
+    /// True if nothing was added since `other`.
     fn is_same(&self, other: &Self) -> bool;
 
     /// The text of the file with the change in it.
     fn merge(&self, content: Self::Content) -> (String, Self::Merged);
 }
 
-/// The content of a file, as text and understood, and the new place of one that could not be understood.
+/// The content of a file, as text and parsed, and the new place of one that couldn't be parsed.
 type Held<T> = (String, T, Option<PathBuf>);
 
-/// The file as it is, empty where there is none. What cannot be understood, or is far too large, is set aside under
+/// The present file, empty if it doesn't exist. Content that can't be parsed, or is far too large, is set aside under
 /// another name.
 fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
     let bytes = match files::read_at_most(file, MAX_KEPT_BYTES) {
@@ -58,7 +58,7 @@ fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
     Ok((String::new(), C::Content::default(), Some(aside)))
 }
 
-/// Merges a change into a file. Also where one went that could not be understood.
+/// Merges a change into a file. Returns where an unparsable one went too.
 fn write<C: Change>(file: &Path, change: &C) -> Result<(C::Merged, Option<PathBuf>), FileError> {
     let _lock = locked(file)?;
     let (before, content, set_aside) = read::<C>(file)?;
@@ -69,17 +69,18 @@ fn write<C: Change>(file: &Path, change: &C) -> Result<(C::Merged, Option<PathBu
     Ok((merged, set_aside))
 }
 
-/// Keeps other windows from writing the file as long as what it gives lives. The folder is made where there is none.
+/// Keeps other windows from writing the file as long as the returned lock lives. Creates the folder if it doesn't
+/// exist.
 fn locked(file: &Path) -> Result<Lock, FileError> {
     disk::create_folder(file.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
-    // Where there are no locks, two windows that write in the same moment may lose a key.
+    // Without locks, two windows that write in the same moment may lose a key.
     disk::lock(&file.with_extension("lock")).map_err(FileError::Write)
 }
 
 type Written<C> = Result<(<C as Change>::Merged, Option<PathBuf>), FileError>;
 
-/// A file to which changes are written beside the window's thread, one after the other. What cannot be written is tried
-/// again with the next change.
+/// A file to which changes are written beside the window's thread, one after the other. A change that can't be written
+/// is tried again with the next.
 pub(in crate::gui) struct SharedFile<C: Change> {
     pub(in crate::gui) path: PathBuf,
     what: Keeping,
@@ -88,13 +89,13 @@ pub(in crate::gui) struct SharedFile<C: Change> {
     worker: Worker<(PathBuf, C), Written<C>>,
     /// The change of the running write, or of one that failed.
     asked: Option<C>,
-    /// The failure of the file has been reported.
+    /// True if the failure of the file has been reported.
     told: bool,
     news: Vec<News>,
 }
 
 impl<C: Change> SharedFile<C> {
-    /// Reads the file, where that is possible.
+    /// Reads the file, if possible.
     pub(in crate::gui) fn open(
         path: PathBuf,
         name: &'static str,
@@ -116,14 +117,14 @@ impl<C: Change> SharedFile<C> {
         (file, content)
     }
 
-    /// Says why the file cannot be used, the first time.
+    /// Reports why the file can't be used, the first time.
     fn say_not_kept(&mut self, error: FileError) {
         if !std::mem::replace(&mut self.told, true) {
             self.news.push(News::not_kept(self.what, self.path.clone(), error));
         }
     }
 
-    /// True from when the file cannot be used until something is written to it.
+    /// True from when the file becomes unusable until a write succeeds.
     pub(in crate::gui) fn is_failing(&self) -> bool {
         self.told
     }
@@ -133,7 +134,7 @@ impl<C: Change> SharedFile<C> {
         std::mem::take(&mut self.news)
     }
 
-    /// Has a change written, unless there is nothing new in it, or something is being written: it waits until then.
+    /// Writes a change, unless there is nothing new in it. If a write is running, it waits for its end.
     pub(in crate::gui) fn ask(&mut self, ctx: &egui::Context, change: C) {
         let is_asked = self.asked.as_ref().is_some_and(|asked| asked.is_same(&change));
         if !(change.is_empty() || is_asked || self.worker.is_pending(0)) {
@@ -142,7 +143,7 @@ impl<C: Change> SharedFile<C> {
         }
     }
 
-    /// The change that was written, once one was, and what the window takes over.
+    /// The last written change, if any, and the content that the window takes over.
     pub(in crate::gui) fn take(&mut self, patience: Duration) -> Option<(C, C::Merged)> {
         let [done] = self.worker.take(patience);
         match done?.outcome? {
@@ -158,13 +159,13 @@ impl<C: Change> SharedFile<C> {
         }
     }
 
-    /// Writes what has not been yet, before the window closes. There is nobody left to be told.
+    /// Writes pending changes before the window closes, when no message can be shown any more.
     pub(in crate::gui) fn finish(&self, change: &C) -> Option<C::Merged> {
         let written = (!change.is_empty()).then(|| write(&self.path, change).ok());
         written.flatten().map(|(merged, _)| merged)
     }
 
-    /// Puts the file under another name, and forgets what was asked for. False if there is none.
+    /// Puts the file under another name, and drops pending requests. Returns false if there is none.
     ///
     /// # Errors
     /// The lock or the file system refuses.

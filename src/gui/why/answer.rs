@@ -42,17 +42,17 @@ impl Writing<'_> {
         self.both(false, false, |writer| writer.write(formula))
     }
 
-    /// With numbers put in.
+    /// With numbers in place of symbols.
     pub(super) fn numbers(&self, formula: &Formula) -> Both {
         self.both(true, true, |writer| writer.write(formula))
     }
 
-    /// A value: a fraction or a root where it is one.
+    /// A value. If it's a fraction or a root, in that form.
     pub(super) fn value(&self, value: f64) -> Both {
         self.both(true, true, |writer| writer.number(value))
     }
 
-    /// A value: where it is a fraction or a root, that and its decimals.
+    /// A value. If it's a fraction or a root, that and its decimals.
     pub(super) fn whole_value(&self, value: f64) -> Both {
         let decimals = self.both(true, false, |writer| writer.number(value));
         if exact_form(value).is_none() {
@@ -65,7 +65,7 @@ impl Writing<'_> {
         }
     }
 
-    /// The value of a symbol, with a degree sign where it is an angle.
+    /// The value of a symbol, with a degree sign if it's an angle.
     fn symbol_value(&self, symbol: Symbol) -> Both {
         if self.setting.angle(symbol).is_some() {
             return self.both(true, true, |writer| writer.write(&symbol.into()));
@@ -74,7 +74,7 @@ impl Writing<'_> {
     }
 }
 
-/// Shows the explanation. Returns the measures to light up in the world besides that of the entry itself.
+/// Shows the explanation. Returns the measures to highlight in the world besides that of the entry itself.
 pub(super) fn show(
     ui: &mut Ui,
     writing: Writing<'_>,
@@ -160,8 +160,8 @@ impl Tree<'_> {
         }
     }
 
-    /// A symbol with its value and meaning. Returns whether it was clicked. `open`: whether its definition is, where it
-    /// has one.
+    /// A symbol with its value and meaning. Returns true if it was clicked. `open` is true if its definition is open,
+    /// if it has one.
     fn row(&mut self, ui: &mut Ui, symbol: Symbol, open: Option<bool>) -> bool {
         let value = self.writing.symbol_value(symbol);
         let (latex, text) =
@@ -194,7 +194,7 @@ impl Tree<'_> {
     }
 }
 
-/// The measures to light up in the world: that of a symbol, or of an entry.
+/// The measures to highlight in the world: that of a symbol, or of an entry.
 pub(super) fn lights(formula: &Formula, pointed: Option<Symbol>) -> Vec<Measured> {
     pointed.map_or_else(|| measures::of_formula(formula), |symbol| measures::of_symbol(symbol).into_iter().collect())
 }

@@ -18,7 +18,7 @@ use crate::i18n::why::notes;
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;
 
-/// Shows both ways of the setting's point; `name` tells it from others.
+/// Shows both ways of the setting's point. `name` distinguishes it from others.
 pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digits): (&Texts, usize)) {
     let style = |notation| Style { notation, mark: t.lang.mark(), digits };
     let there = forward(setting);
@@ -74,7 +74,7 @@ pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digit
     }
 }
 
-/// From the centre of the point's pixel with its Z; `None` for a point that has no pixel.
+/// From the centre of the point's pixel with its Z. `None` for a point without a pixel.
 fn way_back(setting: &Setting<'_>) -> Option<Result<Unprojected, crate::camera::NotProjectable>> {
     /// Whole numbers up to here are exact.
     const LARGEST: f64 = 9e15;

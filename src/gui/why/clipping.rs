@@ -41,10 +41,10 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     }
 }
 
-/// The figure of the program in which dividing before clipping goes wrong.
+/// The built-in figure in which dividing before clipping goes wrong.
 const SHOWS_IT: &str = "divide-first";
 
-/// Where dividing before clipping does no harm to the scene, offers a figure in which it does.
+/// If dividing before clipping does no harm to the scene, offers a figure in which it does.
 fn dead_end(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     if !model.document.figure().reveal.divide_first {
         return;

@@ -29,11 +29,11 @@ use crate::views::Probe;
 /// Height of the plot in points.
 const HEIGHT: f32 = 150.0;
 const SAMPLES: u32 = 200;
-/// The widest head of a column of formats, in points: in a presentation the table has little room.
+/// The widest head of a column of formats, in points, because in a presentation the table has little room.
 const HEAD: f32 = 76.0;
 /// The share of the plot's height that a name takes.
 const NAME: f64 = 0.15;
-/// Where B/F is more, depths are shown by their logarithms. All else would be at the left border.
+/// If B/F is greater, depths are shown by their logarithms. Otherwise all would be at the left border.
 const WIDE_RANGE: f64 = 50.0;
 
 /// Shows it for the camera of the figure.
@@ -64,7 +64,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
     compare_button(ui, model);
 }
 
-/// Shows what follows from a camera. Gives one with other planes where that is wanted.
+/// Shows the consequences of a camera. Returns one with other planes if the user wants that.
 fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Camera) -> Option<Parameters> {
     let lang = model.settings.lang;
     let t = words::texts(lang);
@@ -179,20 +179,20 @@ fn picture(ui: &mut Ui, planes: &TwoPlanes, colors: &Planes, said: &str) {
     ui.painter().add(Shape::mesh(mesh));
 }
 
-/// A curve of z_n, by name, and whether it is that of the camera in the convention that is worked in.
+/// A curve of z_n, by name, and true if it's that of the camera in the present convention.
 type Curve = (&'static str, Vec<[f64; 2]>, bool);
 
-/// z_n over the distance from the eye, as the matrices of a convention have it: in perspective, in parallel projection,
-/// and reversed.
+/// z_n over the distance from the eye, by the matrices of a convention: in perspective, in parallel projection, and
+/// reversed.
 fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f64) -> f64) -> Vec<Curve> {
     let (f, b) = (camera.near(), camera.far());
-    // Near F there are as many samples as far from it.
+    // As many samples near F as far from it.
     let depth = |i: u32| f * (b / f).powf(f64::from(i) / f64::from(SAMPLES));
     let own = camera.projection();
     let all = [
         (t.perspective, Projection::Perspective, false),
         (t.parallel, Projection::Parallel, false),
-        // In the projection of the camera, where the convention is reversed itself.
+        // In the projection of the camera, if the convention itself is reversed.
         (t.reversed, if ndc.reversed { own } else { Projection::Perspective }, true),
     ];
     let curve = |(name, projection, reversed): (&'static str, Projection, bool)| {
@@ -222,13 +222,13 @@ fn chart(lang: Lang, camera: &Camera, ndc: Ndc, said: &str) -> Chart {
     }
 }
 
-/// Whether distances are shown by their logarithms.
+/// True if distances are shown by their logarithms.
 fn is_wide(camera: &Camera) -> bool {
     camera.far() / camera.near() > WIDE_RANGE
 }
 
-/// For each curve the point at which it is farthest from the others, and the corner of its name that goes there. The
-/// name lies beside the curve, on the side where no other is.
+/// For each curve the point at which it's farthest from the others, and the corner of its name at that point. The name
+/// lies beside the curve, on the side without another curve.
 fn places_of_names(curves: &[Curve], [low, high]: [f64; 2]) -> Vec<([f64; 2], Align2)> {
     let height = |curve: usize, k: usize| curves[curve].1[k][1];
     let others = |curve: usize, k: usize| {
@@ -237,7 +237,7 @@ fn places_of_names(curves: &[Curve], [low, high]: [f64; 2]) -> Vec<([f64; 2], Al
     let apart = |curve: usize, k: usize| others(curve, k).map(f64::abs).fold(f64::INFINITY, f64::min);
     let best = |curve: usize| {
         let points = &curves[curve].1;
-        // Not at the ends, where a name would leave the plot.
+        // Not at the ends, because a name would leave the plot there.
         let within = points.len() / 4..points.len() - points.len() / 4;
         let k = within.max_by(|a, b| apart(curve, *a).total_cmp(&apart(curve, *b))).unwrap_or_default();
         let rises = height(curve, (k + 1).min(points.len() - 1)) > height(curve, k);

@@ -1,5 +1,5 @@
-//! Hidden surfaces: the image painted so far, triangle by triangle, by each hidden-surface algorithm; the faces that
-//! are turned away.
+//! Hidden surfaces: the image painted so far, triangle by triangle, by each hidden-surface algorithm, and the faces
+//! that are turned away.
 
 use eframe::egui::{RichText, Slider, Ui};
 

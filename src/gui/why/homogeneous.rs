@@ -1,4 +1,4 @@
-//! The explanation of w: points in (x_r, w_r), where a middle goes, and a floor with and without w.
+//! The explanation of w: points in (x_r, w_r), the image of a midpoint, and a floor with and without w.
 
 use eframe::egui::{self, Align2, Color32, FontId, Pos2, Rect, RichText, Sense, Shape, Stroke, TextStyle, vec2};
 use glam::{DVec2, DVec3, DVec4};
@@ -18,7 +18,7 @@ use crate::i18n::window;
 use crate::sanitize;
 use crate::views::{Palette, Probe};
 
-/// A point that is shown, or a direction (w = 0 in the world).
+/// A displayed point, or a direction (w = 0 in the world).
 struct Shown {
     name: String,
     clip: DVec4,
@@ -48,8 +48,8 @@ fn colored(rgba: crate::appearance::Rgba) -> Color32 {
     Color32::from_rgba_unmultiplied(rgba.r, rgba.g, rgba.b, rgba.a)
 }
 
-/// The points that are looked at: those of the figure and the probe's; without any, corners of the volume. Then the
-/// directions x, y, z.
+/// The points to show: those of the figure and the probe's, or without any, corners of the volume. Then the directions
+/// x, y, z.
 fn shown(model: &Model, palette: Palette) -> (Vec<Shown>, bool) {
     let camera = model.document.camera();
     let probe = match model.probe {
@@ -165,7 +165,7 @@ fn ray(
     painter.circle_filled(at, 4.0, color);
     let galley = painter.layout_no_wrap(said, font.clone(), color);
     let (room, beside) = (painter.clip_rect().shrink(4.0), vec2(7.0, -2.0 - galley.size().y / 2.0));
-    // On the other side where it would leave the picture.
+    // On the other side if it would leave the picture.
     let right = at.x + beside.x + galley.size().x <= room.right();
     let left = if right { at.x + beside.x } else { at.x - beside.x - galley.size().x };
     let top = (at.y + beside.y).clamp(room.top(), (room.bottom() - galley.size().y).max(room.top()));

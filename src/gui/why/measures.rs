@@ -3,7 +3,7 @@
 use crate::explain::{Axis, Formula, Symbol, Vector};
 use crate::figure::{Measure, Measured, WindowSide};
 
-/// The length, angle or axis that a symbol measures; `None` for symbols of neither the camera nor the object.
+/// The length, angle or axis that a symbol measures. `None` for symbols of neither the camera nor the object.
 pub(super) fn of_symbol(symbol: Symbol) -> Option<Measured> {
     match symbol {
         Symbol::Axis(axis, c) => Some(Measured::Axis(number(axis), c.index())),

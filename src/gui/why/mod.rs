@@ -1,7 +1,7 @@
-//! The side of explanations, in the place of operations and numbers: four questions, and what answers each.
+//! The side of explanations, in the place of operations and numbers: four questions, and their answers.
 //!
-//! An explanation is a variant of [`Explanation`], its row in `QUESTIONS` and a file here with `fn ui`. Only the one
-//! that is shown computes anything.
+//! An explanation is a variant of [`Explanation`], its row in `QUESTIONS` and a file here with `fn ui`. Only the
+//! displayed one computes anything.
 
 mod answer;
 mod arithmetic;
@@ -66,18 +66,18 @@ pub(super) enum Part {
     Exercise,
     /// The part of them that scrolls.
     Exercises,
-    /// The matrices, by the conventions that are chosen.
+    /// The matrices, in the chosen conventions.
     Matrices,
 }
 
 impl ExplanationRow {
-    /// An explanation of which everything scrolls.
+    /// An explanation that scrolls as a whole.
     const fn new(explanation: Explanation, words: Words, content: Content) -> Self {
         Self { explanation, words, head: None, content: Some(content) }
     }
 }
 
-/// The questions and their explanations, in the order in which they are read.
+/// The questions and their explanations, in reading order.
 const QUESTIONS: &[QuestionRow] = &[
     QuestionRow {
         question: Question::Where,
@@ -145,7 +145,7 @@ pub(super) fn all(t: &Texts) -> impl Iterator<Item = (Explanation, &'static str,
     })
 }
 
-/// Shows the questions, the explanations of the one that is open, and the explanation that is chosen.
+/// Shows the questions, the explanations of the open one, and the chosen explanation.
 pub(super) fn ui(
     ui: &mut Ui,
     model: &mut Model,
@@ -192,7 +192,7 @@ pub(super) fn ui(
 /// Beside the name of a question on its button, in points.
 const PADDING: f32 = 3.0;
 
-/// The four questions, two in a row. Each opens at the explanation that was read last.
+/// The four questions, two in a row. Each opens at its last explanation.
 fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
     let gap = 4.0;
     let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);
@@ -205,7 +205,7 @@ fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
     // A column is as wide as its longest name asks for.
     let shares = widest.map(|width| width / (widest[0] + widest[1]));
     let wraps = widest[0] + widest[1] > room;
-    // Where one name needs two lines, all buttons are as high.
+    // If one name needs two lines, all buttons are as high.
     let height = if wraps { 2.0 * ui.text_style_height(&font) + 2.0 * ui.spacing().button_padding.y } else { height };
     for two in QUESTIONS.chunks(2) {
         ui.horizontal(|ui| {

@@ -1,5 +1,5 @@
-//! The notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the
-//! thing itself.
+//! The notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the item
+//! itself.
 
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
@@ -55,7 +55,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     numbers(ui, model, note);
     links(ui, t, note, &mut explain.notes);
     if !note.source.is_empty() {
-        // A stranger hasn't the texts at hand: one page says what they are.
+        // Other readers don't have the texts at hand, so one page describes them.
         if ui.link(RichText::new(note.source).small()).explained(with_titles(note.source)).clicked() {
             explain.notes.go_to(notes::SOURCES);
         }
@@ -65,7 +65,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     }
 }
 
-/// The field for words; Enter reads the first note that is found.
+/// The search field. Enter opens the first note found.
 fn search(ui: &mut Ui, t: &Texts, state: &mut Notes) {
     let field = TextField::line(&mut state.wanted, MAX_TYPED_NAME);
     let field = field.with(|edit| edit.hint_text(t.search_notes).desired_width(f32::INFINITY));
@@ -86,7 +86,7 @@ fn found(t: &Texts, wanted: &str) -> Vec<&'static Note> {
     found
 }
 
-/// The headings of the notes found; of all notes, by groups.
+/// The headings of the notes found, or of all notes, by groups.
 fn list(ui: &mut Ui, t: &Texts, state: &mut Notes) {
     let found = found(t, &state.wanted);
     if found.is_empty() {
@@ -94,7 +94,7 @@ fn list(ui: &mut Ui, t: &Texts, state: &mut Notes) {
     }
     let grouped = state.wanted.trim().is_empty();
     let mut group = "";
-    // The note that is read goes where the keyboard is, unless the keyboard is to go where the note is.
+    // The displayed note follows the keyboard, unless the keyboard is to follow the note.
     let follows = !state.wants_focus;
     ui.spacing_mut().item_spacing.y = 1.0;
     for note in found {
@@ -111,7 +111,7 @@ fn list(ui: &mut Ui, t: &Texts, state: &mut Notes) {
             response.request_focus();
             response.scroll_to_me(Some(egui::Align::Center));
         }
-        // Arrow keys move the focus after the frame: no frame reports its arrival.
+        // Arrow keys move the focus after the frame, so no frame reports its arrival.
         if response.clicked() || (follows && response.has_focus()) {
             state.read(note.id);
         }

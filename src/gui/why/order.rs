@@ -89,7 +89,7 @@ fn tab(ui: &mut Ui, model: &mut Model, t: &'static Texts, (order, selected): (&m
     add(ui, t, order);
     ui.separator();
     readings(ui, t, &mut order.reading);
-    // Changes by the rows are shown in this frame.
+    // The display in this frame includes changes by the rows.
     let calls = order.calls();
     let stages = match read(&calls, order.reading) {
         Ok(stages) => stages,
@@ -207,7 +207,7 @@ fn factors(reading: Reading, calls: &[Call], stages: &[Stage]) -> Vec<Call> {
     }
 }
 
-/// Symbols side by side; of a long product only the beginning and the end.
+/// Symbols side by side. For a long product only the beginning and the end.
 fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
     const MOST: usize = 12;
     let mut symbols: Vec<&str> = calls.iter().map(|call| call.symbol()).collect();
@@ -222,7 +222,7 @@ fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
     mathematics::show(ui, &latex, &text, 16.0);
 }
 
-/// Shows an object in the world where a part of the list puts it; without one, a cube.
+/// Shows an object in the world in the place given by a part of the list. Without an object, a cube.
 fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
     let scene = &model.document.figure().scene;
     let (parent, now, objects) = match selected {
@@ -244,7 +244,7 @@ fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bo
     }
 }
 
-/// The list with two calls exchanged: where it leads, and whether that is the same.
+/// The list with two calls exchanged: its result, and if that is the same.
 fn other(
     ui: &mut Ui,
     model: &mut Model,
@@ -286,8 +286,8 @@ fn other(
     place(model, selected, other[k], true);
 }
 
-/// The button. The object that is to get the list. Greyed with the reason where there is none, or the list is not one
-/// of transforms.
+/// The button, and the object that is to get the list. Greyed with the reason if there is none, or if the list isn't
+/// one of transforms.
 fn take(ui: &mut Ui, model: &Model, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
     let (name, why) = match model.tree.selected(&model.document.figure().scene) {
         Some(Selected::Object(name)) => (Some(name.clone()), String::new()),
@@ -300,7 +300,7 @@ fn take(ui: &mut Ui, model: &Model, t: &'static Texts, unbalanced: Option<Unbala
     name.filter(|_| clicked)
 }
 
-/// Gives the object of the figure the whole list, with groups above it where it needs them.
+/// Gives the object of the figure the whole list, with groups above it if it needs them.
 fn take_over(model: &mut Model, t: &'static Texts, name: &str, links: &[Link]) {
     let trs: Vec<Trs> = links.iter().map(|link| link.trs).collect();
     let mut changed = model.document.figure().scene.clone();

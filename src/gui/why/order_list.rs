@@ -30,7 +30,7 @@ enum Change {
     Remove(usize),
 }
 
-/// Shows the list; `included` are the places of the calls that are done.
+/// Shows the list. `included` are the places of the applied calls.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[usize]) {
     // Before the fields, for which an arrow key is a step of their number.
     if let Some(key) = order.focused {
@@ -90,7 +90,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
     ui.ctx().request_repaint();
 }
 
-/// The row before which the pointer would drop the dragged one. Their number after the last one.
+/// The row before which the pointer would drop the dragged one. The number of rows after the last one.
 fn target(ui: &Ui, rows: &[Rect]) -> usize {
     let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else { return rows.len() };
     rows.iter().filter(|row| row.center().y < pointer.y).count()
@@ -107,8 +107,8 @@ fn insertion_line(ui: &Ui, rows: &[Rect], to: usize) {
     ui.painter().hline(ui.max_rect().x_range(), y, stroke);
 }
 
-/// The dots by which a row is dragged, and which keep the keyboard while it is moved. Its number and its symbol. A bar
-/// says that it is done.
+/// The dots for dragging a row, which keep the keyboard while it's moved. Its number and its symbol. A bar means that
+/// it's applied.
 fn handle(ui: &mut Ui, t: &'static Texts, order: &Order, place: usize, is_done: bool) -> egui::Response {
     let call = order.list[place].call;
     let height = ui.spacing().interact_size.y;
@@ -172,7 +172,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
     }
 }
 
-/// Earlier, later, away; at the right end of the row.
+/// Earlier, later, away, at the right end of the row.
 fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usize) -> Option<Change> {
     let number = place + 1;
     let (up, down, away) = at_right(ui, |ui| {

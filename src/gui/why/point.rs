@@ -1,4 +1,4 @@
-//! The tab that follows a point: which one, where it is in every space, and its whole way with the arithmetic.
+//! The tab that follows a point: its choice, its place in every space, and its whole way with the arithmetic.
 
 use eframe::egui::{self, RichText};
 use glam::{DVec2, DVec3};
@@ -57,7 +57,7 @@ fn shadows(ui: &mut egui::Ui, model: &Model, position: DVec3) {
     }
 }
 
-/// The place of the point in a texture, where it is on a surface that has one.
+/// The place of the point in a texture, if it's on a surface that has one.
 fn texture(ui: &mut egui::Ui, model: &Model, position: DVec3) {
     let (lang, digits) = (model.settings.lang, model.settings.digits);
     let Some(at) = texel_at(model.scene_cache.scene(), model.document.camera(), position) else { return };
@@ -82,7 +82,7 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
                 Some(Probe::Point(p)) => p,
                 Some(Probe::Window(_)) | None => model.document.camera().focal_point(),
             };
-            // One more at the same place, rather than the one that is there.
+            // A new one at the same place, rather than the existing one.
             let taken = points.iter().any(|point| point.position == at);
             let step = DVec3::X * (0.1 * model.document.camera().distance());
             model.follow_point(if taken { at + step } else { at });
@@ -96,8 +96,8 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     });
 }
 
-/// The field of the name. It takes effect with Enter, or when it is left; one that is wrong stays with its reason until
-/// it is mended.
+/// The field of the name. It takes effect with Enter, or when the user leaves it. A wrong one stays with its reason
+/// until it's mended.
 fn name(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
     let points = &model.document.figure().points;
     let old = points[index].name.clone();
@@ -160,7 +160,7 @@ fn rows(t: &Texts, setting: &Setting<'_>) -> Vec<TraceRow> {
     rows
 }
 
-/// The point in each of its spaces, to be typed; where it goes when something was.
+/// The point in each of its spaces, as fields. Returns the new place if the user typed one.
 fn places(ui: &mut egui::Ui, model: &mut Model, t: &Texts, setting: &Setting<'_>) -> Option<DVec3> {
     let words = window::texts(model.settings.lang);
     let step = crate::numbers::power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0);

@@ -1,4 +1,4 @@
-//! Stages: each stage of the pipeline with what it did; a click shows its input and output in the picture.
+//! Stages: each stage of the pipeline with its report. A click shows its input and output in the picture.
 
 use eframe::egui::{self, RichText, Ui};
 
@@ -19,7 +19,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     ui.checkbox(&mut model.layout.strip, t.strip).explained(t.strip_hint);
 }
 
-/// The stage that is shown. Its name, its purpose, and its report, or the reason why it was left out.
+/// The displayed stage: its name, its purpose, and its report, or the reason why it was left out.
 fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
     let Some(stage) = model.shown_stage() else {
         ui.label(RichText::new(t.none_shown).weak());
@@ -37,7 +37,7 @@ fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
     source(ui, t, stage);
 }
 
-/// The source file of a stage, for those who want to read how it works.
+/// The source file of a stage, for readers who want to see how it works.
 pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
     let text = RichText::new(format!("{}: {}", t.in_the_code, stage.source())).small().weak();
     ui.label(text).explained(t.in_the_code_hint);

@@ -1,5 +1,5 @@
 //! The explanation of steps. The view volume becomes the canonical one, step by step, in the picture of the canonical
-//! volume; here its factors.
+//! volume, and this tab has its factors.
 
 use std::time::Duration;
 
@@ -51,7 +51,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     shown = steps.advance(shown, now, &camera);
     controls(ui, t, &camera, (steps, &mut shown), now);
     if steps.plays() {
-        // Whole steps do not move in between.
+        // Whole steps don't move in between.
         let pause = if model.settings.reduce_motion { 200 } else { 0 };
         ui.ctx().request_repaint_after(Duration::from_millis(pause));
     }
@@ -74,7 +74,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
 }
 
-/// The step that runs, or has been done last; 0 before the first.
+/// The running step, or the last one done. 0 before the first.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of steps")]
 fn running(time: f64) -> usize {
     (time - 1e-9).ceil() as usize
@@ -149,7 +149,7 @@ fn compared(product: &DMat4, expected: &DMat4) -> (f64, f64) {
     (ratio, rest / a[greatest].abs())
 }
 
-/// Whose steps. Those that the camera has not are greyed, with the reason.
+/// The sources of the steps. Those that the camera lacks are greyed, with the reason.
 fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, mut way: Decomposition) -> Decomposition {
     ui.horizontal_wrapped(|ui| {
         for decomposition in Decomposition::ALL {
@@ -169,7 +169,7 @@ fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, mut way: Decomposition) -> 
     way
 }
 
-/// To the beginning, a step back, play or hold, a step forward, to the end, and the slider over all of them.
+/// Buttons to the beginning, a step back, play or pause, a step forward, to the end, and the slider over all of them.
 fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, (steps, shown): (&mut Steps, &mut ShownStep), now: f64) {
     let (count, time) = (end_of(shown.way, camera), time_of(*shown, camera));
     let mut wanted = None;
@@ -195,7 +195,8 @@ fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, (steps, shown): (&mut Steps
     }
 }
 
-/// The slider over all steps; where it goes. Arrow keys take it a tenth of a step on, with Ctrl to the next whole one.
+/// The slider over all steps. Returns its new place. Arrow keys move it by a tenth of a step, with Ctrl to the next
+/// whole one.
 fn scrubber(ui: &mut Ui, t: &Texts, time: f64, count: f64) -> Option<f64> {
     let key = Id::unique("scrubber of the steps");
     let focused = ui.data(|data| data.get_temp(key)).is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
@@ -239,7 +240,7 @@ fn after(time: f64) -> f64 {
     (time + 1e-9).floor() + 1.0
 }
 
-/// Moves on by tenths of a step. A tenth is a tenth wherever the pointer has left the slider.
+/// Moves on by tenths of a step. The result is a whole tenth, wherever the pointer has left the slider.
 fn tenth(time: f64, by: f64) -> f64 {
     (10.0 * time + by).round() / 10.0
 }
@@ -271,7 +272,7 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, sh
     }
 }
 
-/// A matrix as numbers; `why` explains an entry, by row and column from 0.
+/// A matrix as numbers. `why` explains an entry, by row and column from 0.
 pub(super) fn numbers(
     ui: &mut Ui,
     matrix: &DMat4,

@@ -12,7 +12,7 @@ pub(super) struct ExplainedSetting {
 }
 
 impl ExplainedSetting {
-    /// The camera of the figure, and the object that is selected, if one is.
+    /// The camera of the figure, and the selected object, if there is one.
     pub(super) fn of(model: &Model) -> Self {
         Self { camera: model.document.camera().clone(), object: model.selected_placement() }
     }

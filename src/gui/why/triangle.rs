@@ -86,7 +86,7 @@ fn follow(ui: &Ui, model: &mut Model, shown: ShownTriangle) {
 
 /// The numbers of the triangle that the image shows.
 fn found(ctx: &egui::Context, model: &Model, explain: &mut Explain) -> Option<(TriangleSteps, Covered)> {
-    // They do not depend on the size.
+    // They don't depend on the size.
     let size = Size { width: 1, height: 1, scale: 1.0 };
     let (document, scene, labels) = (&model.document, model.scene_cache.scene(), labels(model.settings.lang));
     let request = Request::of(document.figure(), View::Image, document.camera(), scene, labels, size);
@@ -132,7 +132,7 @@ fn chooser(ui: &mut Ui, t: &Texts, model: &mut Model) {
         if let Some((name, index)) = &mut chosen {
             let count = objects.iter().find(|(object, _)| object == name).map(|(_, count)| *count);
             let last = |count: usize| u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
-            // The scene of a figure that has just been opened is built after this panel is shown.
+            // When a figure has just been opened, its scene is built after this panel is shown.
             let last = count.map_or(*index, last);
             *index = whole_number(ui, t.lang, (t.number, t.number), *index, last);
             ui.label(format!("0 … {last}"));
@@ -208,7 +208,7 @@ impl Page<'_> {
         ui.label(if steps.facing > 0.0 { self.t.is_front } else { self.t.is_back });
     }
 
-    /// The six distances of each corner. Those that are negative are the bits of its outcode.
+    /// The six distances of each corner. Negative ones are the bits of its outcode.
     fn outcodes(&self, ui: &mut Ui, steps: &TriangleSteps) {
         const NAMES: [&str; 6] = ["w + x", "w − x", "w + y", "w − y", "d − F", "B − d"];
         for (name, corner) in ('a'..).zip(&steps.corners) {
@@ -330,9 +330,9 @@ impl Page<'_> {
     }
 }
 
-/// Handles a click in the image while the tab is shown, at a place (pixels) where it has found a triangle, or none: at
-/// the depth test it chooses a pixel of the triangle that is followed, else the one it has found. Returns false where
-/// there is neither.
+/// Handles a click in the image while the tab is shown, at a place (pixels) with the triangle found there, if any. At
+/// the depth test it chooses a pixel of the followed triangle, otherwise the triangle found. Returns false if there is
+/// neither.
 pub(in crate::gui) fn clicked(
     ctx: &egui::Context,
     model: &mut Model,
@@ -353,7 +353,7 @@ pub(in crate::gui) fn clicked(
     } else if let Some((object, index)) = triangle {
         let name = &request.scene.objects[object].name;
         if request.scene.place_of(name) != Some(object) {
-            // The name is that of another object: nothing can say which one is meant.
+            // The name belongs to another object, so we can't tell which one is meant.
             return false;
         }
         choose(model, Some((name.clone(), index)));

@@ -7,7 +7,7 @@ use crate::i18n::Lang;
 use crate::i18n::messages::cameras::camera_wording;
 use crate::i18n::messages::figure_files;
 
-/// A camera by the names of the notes, as it is typed: all that its projection needs, to the last digit.
+/// A camera by the names of the notes, in typed form, with all that its projection needs, to the last digit.
 pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
     let mark = lang.mark();
     let exact = |value: f64| mark.typed(&value.to_string());
@@ -39,12 +39,12 @@ pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
     pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join("; ")
 }
 
-/// Why the values of an answer make no camera, by the names of the notes.
+/// The reason why the values of an answer aren't a camera, by the names of the notes.
 pub(in crate::i18n) fn refused(lang: Lang, error: &FigureError) -> String {
     let of_key = |key: &ParameterKey| error.key.strip_prefix("[camera] ").is_some_and(|name| name == key.name());
     match (&error.problem, ParameterKey::ALL.iter().find(|key| of_key(key))) {
         (Problem::Camera(error), _) => camera_wording(lang, error).in_symbols,
-        // A window is typed as its four sides.
+        // The user types a window as its four sides.
         (problem, Some(ParameterKey::Window)) => {
             let name = if lang == Lang::En { "window" } else { "janela" };
             format!("{name} {}", figure_files::problem(lang, problem))

@@ -40,14 +40,14 @@ texts_with_values! {
     answered_twice(lang, name: &str): "--answer: {} is answered twice",
         "--answer: {} foi respondido duas vezes" (escaped(name));
 
-    /// A file of a folder that is no exercise, where the others are used.
+    /// A file of a folder that isn't an exercise, if the others are used.
     passed_over(lang, why: &str): "skipped: {why}", "ignorado: {why}";
 
-    /// An answer that cannot be read. It has not been judged.
+    /// An answer that can't be read. It hasn't been judged.
     unreadable(lang, name: &str, why: &str): "--answer {name}: {why}. Nothing was checked",
         "--answer {name}: {why}. Nada foi conferido";
 
-    /// `--hints` that is not a number of hints.
+    /// `--hints` that isn't a number of hints.
     hints_range(lang, text: &str): "--hints {text}: expected a whole number from 0 to 9",
         "--hints {text}: esperava-se um número inteiro de 0 a 9" (text = escaped(text));
 
@@ -57,14 +57,14 @@ texts_with_values! {
     /// The number of right entries or conditions of a wrong answer.
     right_of(lang, right: usize, all: usize): "{right} of {all} right", "{right} de {all} certos";
 
-    /// A sheet with an ending that cannot be written.
+    /// A sheet with an ending that can't be written.
     sheet_ending(lang, path: &str): "{path}: unknown extension; allowed: .pdf, .md, .tex",
         "{path}: extensão desconhecida; permitido: .pdf, .md, .tex";
 
-    /// A picture of an exercise that gives none.
+    /// A picture of an exercise that doesn't have one.
     no_picture(lang, id: &str): "--picture: {id} has no image to match", "--picture: {id} não tem imagem a reproduzir";
 
-    /// A picture with an ending that cannot be written.
+    /// A picture with an ending that can't be written.
     picture_ending(lang, path: &str): "--picture {path}: unknown extension; allowed: .png",
         "--picture {path}: extensão desconhecida; permitido: .png";
 
@@ -77,7 +77,7 @@ texts_with_values! {
         "O ponto cai no pixel {pixel}." (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 }
 
-/// Why a file was passed over, where others were too.
+/// The reason why a file was skipped, if others were too.
 pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
     match more {
         1 => both!(lang; "{why} (and one more file was skipped)", "{why} (e mais um arquivo foi ignorado)"),
@@ -92,12 +92,12 @@ pub fn answer_form(lang: Lang, text: &str) -> String {
     format!("--answer {}: {}", escaped(text), name_and_value(lang))
 }
 
-/// `--with` that cannot be used.
+/// `--with` that can't be used.
 pub fn with(_lang: Lang, text: &str, why: &str) -> String {
     format!("--with {}: {why}", escaped(text))
 }
 
-/// A number that the exercise does not leave open.
+/// A number that the exercise doesn't leave open.
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     let name = escaped(name);
     if free.is_empty() {
@@ -138,7 +138,7 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     }
 }
 
-/// Why an exercise is the next to practise.
+/// The reason why an exercise is the next to practise.
 pub fn why(lang: Lang, why: Why) -> String {
     match (lang, why) {
         (Lang::En, Why::Mistake(made, times)) => {
@@ -166,7 +166,7 @@ pub fn why(lang: Lang, why: Why) -> String {
     }
 }
 
-/// How far an answer is from the right place in the image, pixels to the right and down, and where that place is.
+/// The distance of an answer from the right place in the image, pixels to the right and down, and that place.
 pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {
     let distance = x.hypot(y);
     let by = lang.mark().number(distance.round(), 5);

@@ -50,7 +50,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
     text
 }
 
-/// A sheet in LaTeX, which compiles with nothing but amsmath and amssymb, and graphicx where it has pictures.
+/// A sheet in LaTeX, which compiles with only amsmath and amssymb, and graphicx if it has pictures.
 pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
     let babel = pick!(lang; "english", "brazil");
@@ -99,7 +99,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
     text
 }
 
-/// The right answer, as it would be typed.
+/// The right answer, in typed form.
 pub fn answer(lang: Lang, ask: &Ask) -> String {
     let mark = lang.mark();
     match (ask.expected(), ask.expected().table(), &ask.kind) {
@@ -219,7 +219,7 @@ fn of_markdown(text: &str) -> String {
     let mut latex = String::new();
     for (k, part) in text.split('$').enumerate() {
         if k % 2 == 1 {
-            // Forbidden LaTeX is shown to the reader as words: only mathematics leaves them.
+            // Forbidden LaTeX is shown to the reader as words, because only mathematics leaves them.
             let is_mathematics = formula::check_one(part).is_ok();
             latex.push_str(&if is_mathematics { format!("${}$", formula::latex(part)) } else { formula::words(part) });
             continue;
@@ -232,8 +232,8 @@ fn of_markdown(text: &str) -> String {
     latex
 }
 
-/// Markdown that does no more than show its words: no HTML, no links or pictures, which may name files, no commands of
-/// TeX outside of formulas, which some programs hand on.
+/// Markdown that only shows its words. It has no HTML, no links or pictures, which may name files, and outside formulas
+/// no commands of TeX, which some programs pass on.
 fn inert(markdown: &str) -> String {
     let mut inert = String::with_capacity(markdown.len());
     for (k, part) in markdown.split('$').enumerate() {
@@ -259,7 +259,7 @@ fn inert(markdown: &str) -> String {
     inert
 }
 
-/// Words as inert Markdown, in which nothing is mathematics.
+/// Words as inert Markdown, without any mathematics.
 fn of_words(text: &str) -> String {
     text.split('$').map(|part| inert(&part.replace('\\', "\\\\"))).collect::<Vec<_>>().join("\\$")
 }

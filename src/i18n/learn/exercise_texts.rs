@@ -1,6 +1,6 @@
 //! The texts of exercises, written in `assets/exercises`.
 //!
-//! A file is read line by line. `# id: title` begins an exercise: its other lines are paragraphs of the statement in
+//! A file is read line by line. `# id: title` begins an exercise, whose other lines are paragraphs of the statement in
 //! Markdown, and `? name: text` its questions. `# name` begins a list of `- name: text`.
 
 use std::collections::BTreeMap;

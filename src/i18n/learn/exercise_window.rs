@@ -91,12 +91,12 @@ texts! {
     all_right: "Everything is right.", "Tudo está certo.";
 }
 
-/// The action of a button with its question: screen readers hear which one of several it is.
+/// The action of a button with its question, so that screen reader users know which one of several it is.
 pub fn of_ask(what: &str, ask: &str) -> String {
     format!("{what}: {ask}")
 }
 
-/// The guess, and what is asked after it.
+/// The guess, and the question after it.
 pub fn you_said(lang: Lang, guess: &str, question: &str) -> String {
     format!("{}: **{guess}**. {question}", texts(lang).you_guessed)
 }
@@ -111,14 +111,14 @@ pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: 
     }
 }
 
-/// An answer is not an axis. It is longer or shorter than 1.
+/// An answer isn't an axis, because it's longer or shorter than 1.
 pub fn axis_length(lang: Lang, length: f64) -> String {
     let length = lang.mark().number(length, 4);
     both!(lang; "your vector has length {length}, but an axis of a camera has length 1",
         "seu vetor tem comprimento {length}, mas um eixo de uma câmera tem comprimento 1")
 }
 
-/// An answer is not an axis. Its scalar product with **n** is not 0.
+/// An answer isn't an axis, because its scalar product with **n** isn't 0.
 pub fn axis_oblique(lang: Lang, product: f64) -> String {
     let product = lang.mark().number(product, 4);
     both!(lang; "your vector is not perpendicular to n: their scalar product is {product}, not 0",

@@ -14,7 +14,7 @@ use crate::i18n::{Lang, messages, told, window};
 use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
 
-/// A text of a list. The name itself where there is none, as with names that are the same in both languages.
+/// A text of a list. The name itself if there is none, as for names that are the same in both languages.
 fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
     texts(lang).lists.get(list).and_then(|list| list.get(name)).copied().unwrap_or(name)
 }
@@ -50,8 +50,8 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
 }
 
-/// The assumptions where the source leaves a question open, and what the source has otherwise. The assumption `≠ yaw`
-/// is what the note `yaw` says of it.
+/// The assumptions if the source leaves a question open, and the differing ones of the source. The assumption `≠ yaw`
+/// is the text about it in the note `yaw`.
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
     let text = |name: &&str| match name.strip_prefix("≠ ") {
         Some(id) => notes::note(lang, id).map_or_else(String::new, |note| differs(lang, note)),
@@ -82,7 +82,7 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
 }
 
 /// The name of a choice typed by its name or by its word in either language, yes and no also in the form of `inspect`,
-/// true and false. The typed text where it is none of them.
+/// true and false. The typed text if it's none of them.
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
     let wanted = typed.trim().to_lowercase();
@@ -128,7 +128,7 @@ fn parts(text: &'static str) -> [&'static str; 3] {
     std::array::from_fn(|_| parts.next().unwrap_or_default())
 }
 
-/// The text of a cause, a hint, and a stronger one: of its way of making the mistake, else for what was asked, else of
+/// The text of a cause, a hint, and a stronger one: for its way of making the mistake, else for the question, else for
 /// the mistake.
 fn cause(lang: Lang, ask: &Ask, cause: Cause) -> [&'static str; 3] {
     let code = cause.mistake.code();
@@ -140,13 +140,13 @@ fn cause(lang: Lang, ask: &Ask, cause: Cause) -> [&'static str; 3] {
 }
 
 /// The diagnosis of a wrong answer: the mistakes, one after the other, or all of which one was made, and the place of a
-/// single faulty number. `None` means nothing explains the answer.
+/// single faulty number. `None` if nothing explains the answer.
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let diagnosis = judged.diagnosis.as_ref()?;
     if let Some(own) = &diagnosis.own {
         return Some(told(lang, &own.message).to_owned());
     }
-    // Beside another mistake not all other numbers are right.
+    // An arithmetic slip claims that all other numbers are right, which is wrong beside another mistake.
     let beside = diagnosis.causes.len() > 1;
     let told = diagnosis.causes.iter().filter(|found| !beside || found.mistake != Mistake::ArithmeticSlip);
     let mut said: Vec<String> = told.map(|found| cause(lang, ask, *found)[0].to_owned()).collect();
@@ -185,7 +185,7 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     Some(said.join(" "))
 }
 
-/// The answers from whose wrong values this one follows rightly; `None` if it does not.
+/// The answers from whose wrong values this one follows correctly. `None` if it doesn't.
 pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let (last, first) = judged.carried.split_last()?;
     let and = if lang == Lang::En { "and" } else { "e" };
@@ -335,7 +335,7 @@ pub fn step_heading(lang: Lang, exercise: &Exercise, step: &Worked) -> String {
     if step.equation.is_empty() { heading } else { format!("{heading}  {}", step.equation) }
 }
 
-/// An answer as it was understood.
+/// The interpretation of an answer.
 pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
     let mark = lang.mark();
     let entry = |entry: &Option<f64>| entry.map_or_else(|| "?".to_owned(), |value| number(mark, value));
@@ -361,10 +361,10 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
     }
 }
 
-/// The names by which an answer gives the parameters of a camera.
+/// The names that an answer uses for the parameters of a camera.
 const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
 
-/// Why an answer cannot be read.
+/// The reason why an answer can't be read.
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
     match (lang, error) {
         (_, AnswerError::Number { row, column, text, error }) => {
@@ -434,7 +434,7 @@ fn written(lang: Lang, fact: &Fact) -> String {
     }
 }
 
-/// A number as a fraction or a root where it is one, else in six digits.
+/// A number as a fraction or a root if it's one, otherwise in six digits.
 pub fn number(mark: DecimalMark, value: f64) -> String {
     exact_form(value).map_or_else(|| mark.number(value, 6), |form| form.text())
 }

@@ -1,4 +1,4 @@
-//! The words around the fields in which the task of a step is written.
+//! The words around the fields for the task of a step.
 
 texts! {
     task: "Question or goal", "Pergunta ou meta";

@@ -100,7 +100,7 @@ texts! {
     lesson_minutes_field: "Minutes", "Minutos";
     forget_typed: "Back to the saved text", "Voltar ao texto salvo";
     forget_typed_hint: "Discards the text you've typed since it was last saved", "Descarta o texto que você digitou desde que o passo foi salvo";
-    // The question about text that cannot be saved.
+    // The question about text that can't be saved.
     unsaved_text_title: "Leave without the text of this step?", "Sair sem o texto deste passo?";
     unsaved_text: "The text you typed isn't in the lesson's file, and can't be saved there:", "O texto que você digitou não está no arquivo da lição e não pode ser salvo nele:";
     save_copy: "Save a copy…", "Salvar uma cópia…";
@@ -127,7 +127,7 @@ texts! {
     see_lesson: "Lesson", "Lição";
 }
 
-/// A text with the numbers of a figure; as it is written where it has none.
+/// A text with the numbers of a figure. Left as written if the figure has none.
 pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
     match lessons::numbers_of(figure) {
         Ok(report) => filled_from(lang, text, &report),
@@ -135,7 +135,7 @@ pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
     }
 }
 
-/// A text with the numbers of a report; as it is written where the report lacks one of them.
+/// A text with the numbers of a report. Left as written if the report lacks one of them.
 pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
     let text = told(lang, text);
     lessons::filled(text, report, lang.mark()).unwrap_or_else(|_| text.to_owned())
@@ -205,7 +205,7 @@ fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
     if lines.is_empty() { lines } else { format!("\n{heading}:\n{lines}") }
 }
 
-/// The titles of the exercises to which a lesson leads, each once.
+/// The titles of the exercises that a lesson leads to, each once.
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
     lessons::exercises_of(lesson)
         .into_iter()
@@ -226,10 +226,10 @@ texts_with_values! {
     /// The tasks of a lesson that are done.
     answered(lang, done: usize, all: usize): "{done} of {all} tasks done", "{done} de {all} tarefas feitas";
 
-    /// A key of a lesson names another lesson that does not exist.
+    /// A key of a lesson names another lesson that doesn't exist.
     no_lesson(lang, key: &str, id: &str): "{key}: there is no lesson {:?}", "{key}: não há lição {:?}" (escaped(id));
 
-    /// A key of a lesson names a note that does not exist.
+    /// A key of a lesson names a note that doesn't exist.
     no_note(lang, key: &str, id: &str): "{key}: there is no reference page {:?}",
         "{key}: não há verbete {:?}" (escaped(id));
 
@@ -248,14 +248,14 @@ texts_with_values! {
     reached_already(lang, key: &str): "{key} holds already in the figure of the step; allowed: conditions that do not",
         "{key} já vale na figura do passo; permitido: condições que ainda não valham";
 
-    /// The way of a goal does not lead to it.
+    /// The way of a goal doesn't lead to it.
     not_reached(lang, key: &str): "{key} doesn't reach the goal in until", "{key} não alcança a meta de until";
 
     /// A handout has another number of steps on a page.
     per_page(lang, found: &str): "--per-page is {found}; allowed: 2 or 4",
         "--per-page é {found}; permitido: 2 ou 4" (found = escaped(found));
 
-    /// Pictures of a lesson are asked for in a file that holds only one.
+    /// Pictures of a lesson for a file that can hold only one.
     output_name(lang, path: &str): "{path} would be one image; allowed: a folder, or a name that ends in .pdf",
         "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf";
 }
@@ -324,7 +324,7 @@ pub fn no_part(lang: Lang, key: &str) -> String {
         "falta {key}: {why}. A lição funciona sem isso")
 }
 
-/// The name of a link to a step of a lesson. Its title, and the number of the step unless it is the first.
+/// The name of a link to a step of a lesson: its title, and the number of the step unless it's the first.
 pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
     let t = texts(lang);
     let title = told(lang, &lesson.title);

@@ -1,7 +1,7 @@
 //! Faults and warnings of a camera, an operation or a query about it, in both languages.
 //!
-//! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`.
-//! An error without a text does not compile.
+//! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`,
+//! so an error without a text doesn't compile.
 
 use super::expressions::in_expression;
 use super::wording::Wording;
@@ -13,12 +13,12 @@ use crate::i18n::Lang;
 use crate::inspect::InspectError;
 use crate::sanitize::escaped;
 
-/// The reason why parameters are not a camera, with the keys concerned and the values allowed.
+/// The reason why parameters aren't a camera, with the keys concerned and the values allowed.
 pub fn camera(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).full
 }
 
-/// Why parameters are not a camera. The full form in English is the error's own.
+/// The reason why parameters aren't a camera. The full form in English is the error's own.
 pub(in crate::i18n) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
     let english = |in_symbols: &str| Wording::new(error.to_string(), in_symbols);
     match (lang, error) {
@@ -59,7 +59,7 @@ pub(in crate::i18n) fn camera_wording(lang: Lang, error: &CameraError) -> Wordin
     }
 }
 
-/// How to get what a value out of its range asks for, in Portuguese.
+/// The remedy for a value out of its range, in Portuguese.
 fn way_out(key: Checked, value: f64) -> &'static str {
     if is_infinite_far(key, value) { "; para B → ∞, deixe far finito e use --ndc NOME-infinite" } else { "" }
 }
@@ -94,7 +94,7 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
     }
 }
 
-/// Why a text is not an operation.
+/// The reason why a text isn't an operation.
 pub fn operation(lang: Lang, error: &OperationError) -> String {
     let names = || Operation::names().join(", ");
     translated! { lang, error;
@@ -117,7 +117,7 @@ fn amount_in_portuguese(descriptor: &Descriptor) -> String {
     }
 }
 
-/// Why a camera has no matrices in a convention of NDC.
+/// The reason why a camera has no matrices in a convention of NDC.
 pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
     translated! { lang, error;
         InfiniteParallel(ndc) =>
@@ -125,7 +125,7 @@ pub(in crate::i18n) fn infinite_parallel(lang: Lang, error: InfiniteParallel) ->
     }
 }
 
-/// Why a depth belongs to no point.
+/// The reason why a depth belongs to no point.
 pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
     translated! { lang, error;
         NotProjectable::EmptyDepthRange { depth } =>
@@ -139,7 +139,7 @@ pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
     }
 }
 
-/// Why there are no numbers to report.
+/// The reason why there are no numbers to report.
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
     translated! { lang, error;
         InspectError::Camera(error) => "{}" (camera(lang, error));

@@ -1,16 +1,16 @@
-//! Why an expression is not a number, in both languages.
+//! The reasons why an expression isn't a number, in both languages.
 
 use crate::expression::{self, ExpressionError, ExpressionProblem};
 use crate::i18n::Lang;
 use crate::sanitize::escaped;
 
-/// Why an expression is not a number, and where in it that shows.
+/// The reason why an expression isn't a number, and the place in it.
 pub(in crate::i18n) fn in_expression(lang: Lang, text: &str, error: &ExpressionError) -> String {
     let (why, marked) = (expression(lang, &error.problem), expression::marked(text, &error.span));
     both!(lang; "{why} in {marked}", "{why} em {marked}")
 }
 
-/// Why an expression is not a number.
+/// The reason why an expression isn't a number.
 pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
     translated! { lang, problem;
         ExpressionProblem::Empty => "falta um número";
@@ -25,7 +25,7 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
     }
 }
 
-/// A number is not whole.
+/// A number isn't whole.
 pub fn not_whole(lang: Lang) -> &'static str {
     pick!(lang; "must be a whole number", "tem de ser um número inteiro")
 }

@@ -7,7 +7,7 @@ use crate::camera::{CameraError, Warning};
 use crate::i18n::Lang;
 use crate::scene::SceneError;
 
-/// Why camera parameters are not a camera.
+/// The reason why camera parameters aren't a camera.
 pub fn camera_error(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).in_symbols
 }
@@ -17,7 +17,7 @@ pub fn warning(lang: Lang, warning: &Warning) -> String {
     warning_wording(lang, warning).in_symbols
 }
 
-/// Why an object or a light cannot be so.
+/// The reason why an object or a light is impossible.
 pub fn scene_error(lang: Lang, error: &SceneError) -> String {
     scene_wording(lang, error).in_symbols
 }

@@ -11,18 +11,18 @@ use crate::i18n::Lang;
 use crate::limits::{MAX_FORMULA, MAX_TEXTURE_SCALE};
 use crate::sanitize::escaped;
 
-/// The reason why a text is not a figure: line, key, the value found, the values allowed.
+/// The reason why a text isn't a figure: line, key, the value found, the values allowed.
 pub fn figure(lang: Lang, error: &FigureError) -> String {
     let line = both!(lang; "line {}", "linha {}"; error.line);
     format!("{line}: {}", without_line(lang, error))
 }
 
-/// The same for a text that is in no file.
+/// The same for a text that isn't in a file.
 pub fn without_line(lang: Lang, error: &FigureError) -> String {
     let FigureError { key, problem, .. } = error;
     let what = self::problem(lang, problem);
     match problem {
-        // These name the keys themselves: of ours the section is enough.
+        // These name the keys themselves. For ours the section is enough.
         Problem::Camera(_) => {
             let section = key.split_inclusive(']').next().filter(|label| label.ends_with(']')).unwrap_or("[camera]");
             format!("{section} {what}")
@@ -92,7 +92,7 @@ pub(in crate::i18n) fn problem(lang: Lang, problem: &Problem) -> String {
     }
 }
 
-/// Why a formula of a text is refused.
+/// The reason why a formula of a text is refused.
 pub(in crate::i18n) fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
     let (limit, depth) = MAX_FORMULA;
     let why = match problem {

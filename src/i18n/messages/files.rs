@@ -1,4 +1,4 @@
-//! Why files cannot be used, in both languages.
+//! The reasons why files can't be used, in both languages.
 
 use std::path::Path;
 
@@ -22,13 +22,13 @@ pub fn opened(lang: Lang, path: &Path) -> String {
     }
 }
 
-/// Why the file called `name` cannot be used.
+/// The reason why the file called `name` can't be used.
 pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
     let after_name = |problem: &ReadProblem| format!("{name} {}", read_problem(lang, problem));
     match (lang, error) {
         (_, FileError::Png(error)) => format!("{name}: {}", png(lang, error)),
         (_, FileError::Figure(error)) => format!("{name}, {}", figure(lang, error)),
-        // A link is long, and says nothing to people.
+        // A link is long, and meaningless to people.
         (_, FileError::Link(error)) => link(lang, *error),
         (Lang::En, error) => format!("{name} {error}"),
         (Lang::PtBr, FileError::Read(error)) => after_name(&ReadProblem::system(error)),
@@ -54,7 +54,7 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
     }
 }
 
-/// Why there is no link to a figure, or no figure in a link.
+/// The reason why there is no link to a figure, or no figure in a link.
 pub fn link(lang: Lang, error: ShareError) -> String {
     translated! { lang, error;
         ShareError::TooLong(length) =>
@@ -66,13 +66,13 @@ pub fn link(lang: Lang, error: ShareError) -> String {
     }
 }
 
-/// Why a picture cannot be written in a format.
+/// The reason why a picture can't be written in a format.
 pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
     both!(lang; "the image cannot be written as {format} ({why})",
         "a imagem não pode ser gravada como {format} ({why})")
 }
 
-/// Why a picture cannot be written or read.
+/// The reason why a picture can't be written or read.
 pub fn png(lang: Lang, error: &PngError) -> String {
     translated! { lang, error;
         PngError::Encode(why) => "a imagem não pode ser gravada como PNG ({why})";

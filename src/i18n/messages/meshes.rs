@@ -6,7 +6,7 @@ use crate::i18n::Lang;
 use crate::limits::{MAX_OBJECTS, MAX_TEXELS, MAX_TEXTURE_SIDE};
 use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault, TextureError, TextureFault};
 
-/// Why a mesh file cannot be used. In English it is the error's own words.
+/// The reason why a mesh file can't be used. In English, the error's own words.
 pub(in crate::i18n) fn mesh(lang: Lang, error: &MeshError) -> String {
     translated! { lang, error;
         MeshError::Unreadable(error) => "{}" (unreadable(lang, error));

@@ -1,4 +1,4 @@
-//! Why objects and lights make no scene, in both languages.
+//! The reasons why objects and lights aren't a scene, in both languages.
 
 use super::meshes::mesh;
 use super::unreadable::read_problem;
@@ -8,7 +8,7 @@ use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MI
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
 
-/// Why the objects and lights of a figure make no scene. Names the object and the key.
+/// The reason why the objects and lights of a figure aren't a scene. Names the object and the key.
 pub fn scene(lang: Lang, error: &SceneError) -> String {
     let (key, why) = (error.key(), scene_wording(lang, error).full);
     match error {
@@ -25,8 +25,8 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
     }
 }
 
-/// The reason why an object or a light is impossible: in full as after the key, else as beside the field. The full form
-/// in English is the error's own.
+/// The reason why an object or a light is impossible, in full as after the key, otherwise as beside the field. The full
+/// form in English is the error's own.
 pub(in crate::i18n) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     let english = |beside_field: &str| Wording::new(error.to_string(), beside_field);
     match (lang, error) {
@@ -85,7 +85,7 @@ pub(in crate::i18n) fn scene_wording(lang: Lang, error: &SceneError) -> Wording 
     }
 }
 
-/// The reason why a mesh file cannot be used, after its name, which is not repeated.
+/// The reason why a mesh file can't be used, after its name, which isn't repeated.
 fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
     match error {
         MeshError::Unreadable(error) if error.file == path => format!(" {}", read_problem(lang, &error.problem)),

@@ -1,4 +1,4 @@
-//! Reasons why a file cannot be read, in both languages. In English, the error's own words.
+//! Reasons why a file can't be read, in both languages. In English, the error's own words.
 
 use std::borrow::Cow;
 use std::io;
@@ -7,12 +7,12 @@ use crate::i18n::Lang;
 use crate::limits::MAX_SCENE_BYTES;
 use crate::scene::{NamedBy, ReadError, ReadProblem, is_loop, system_kind};
 
-/// Why a file that a scene names cannot be read.
+/// The reason why a file named by a scene can't be read.
 pub(in crate::i18n) fn unreadable(lang: Lang, error: &ReadError) -> String {
     format!("{} {}", error.file, read_problem(lang, &error.problem))
 }
 
-/// The reason why a file cannot be read, after its name.
+/// The reason why a file can't be read, after its name.
 pub(in crate::i18n) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
     translated! { lang, problem;
         ReadProblem::System { kind, code } => "não pode ser lido: {}" (system_in_portuguese(*kind, *code));

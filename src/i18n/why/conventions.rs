@@ -1,4 +1,4 @@
-//! The words of conventions: whose NDC, rows or columns, left or right hand.
+//! The words of conventions: the NDC, rows or columns, left or right hand.
 
 use crate::camera::{Axes, InfiniteParallel, Ndc, Toward, WorldUp};
 use crate::i18n::{Lang, pictures};

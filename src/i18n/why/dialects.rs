@@ -1,4 +1,4 @@
-//! The camera in other vocabularies, and a matrix that is pasted.
+//! The camera in other vocabularies, and a pasted matrix.
 
 use crate::camera::{
     Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixKind, MatrixTextError, NdcRange, Order, Reading,
@@ -128,7 +128,7 @@ pub fn order(lang: Lang, order: Order) -> &'static str {
     }
 }
 
-/// How a matrix was read, and why.
+/// The way a matrix was read, and the reason.
 pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String {
     let Reading { kind: of, axes: whose, ndc, .. } = candidate.reading;
     let (kind, axes) = (kind(lang, of), whose.title);
@@ -306,7 +306,7 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     }
 }
 
-/// Why a text is not a matrix.
+/// The reason why a text isn't a matrix.
 pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
     translated! { lang, fault;
         MatrixTextError::Count(count) =>
@@ -326,7 +326,7 @@ const fn line(lines: Lines) -> &'static str {
     }
 }
 
-/// Why a matrix is not that of a camera.
+/// The reason why a matrix isn't that of a camera.
 pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     let number = |x: f64| lang.mark().number(x, 4);
     if let (Lang::En, RecoveryError::Length { row, length }) = (lang, error) {

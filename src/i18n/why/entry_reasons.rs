@@ -1,4 +1,4 @@
-//! Why each entry of M_v and M_p is what it is, in one sentence.
+//! The reason for each entry of M_v and M_p, in one sentence.
 
 use crate::camera::{Ndc, Projection};
 use crate::explain::{Matrix, Setting};
@@ -229,8 +229,8 @@ const PARALLEL: [[Both; 4]; 4] = [
     ],
 ];
 
-/// Why an entry is what it is, in Markdown. Rows and columns from 0. `None` for other matrices, and for M_p in another
-/// convention of NDC, whose depth and y are others.
+/// The reason for an entry, in Markdown. Rows and columns from 0. `None` for other matrices, and for M_p in another
+/// convention of NDC, which has another depth and y.
 pub fn reason(lang: Lang, matrix: Matrix, setting: &Setting<'_>, [row, column]: [usize; 2]) -> Option<String> {
     let of_the_notes = setting.space().ndc() == Ndc::default();
     let all = match (matrix, setting.space().camera().projection()) {
@@ -245,7 +245,7 @@ pub fn reason(lang: Lang, matrix: Matrix, setting: &Setting<'_>, [row, column]: 
     if !setting.space().camera().has_symmetric_window() {
         return Some(why);
     }
-    // As (5.14) and (5.16) write it.
+    // In the notation of (5.14) and (5.16).
     let of_sides = [("2F/(r − l)", "2F/W"), ("2/(r − l)", "2/W"), ("2F/(t − b)", "2F/H"), ("2/(t − b)", "2/H")];
     Some(of_sides.into_iter().fold(why, |why, (sides, size)| why.replace(sides, size)))
 }

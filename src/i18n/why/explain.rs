@@ -124,7 +124,7 @@ pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
     }
 }
 
-/// Why this equation is the one in force.
+/// The reason why this equation is in force.
 pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
     let (en, pt) = match formulas.equation {
         "(5.13)" => ("perspective, with any window", "perspectiva, com qualquer janela"),

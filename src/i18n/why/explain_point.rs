@@ -51,7 +51,7 @@ texts! {
     drag_point: "drag it, and its distance from the eye stays the same", "arraste-o, e a distância ao olho continua a mesma";
 }
 
-/// The depths that are compared for the shadow at a point.
+/// The depths compared for the shadow at a point.
 pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
     let number = |value: f64| lang.mark().printed(&significant(value, digits));
     let (light, own, size, [i, j]) = (at.light + 1, number(at.own), at.size, at.texel);

@@ -1,4 +1,4 @@
-//! The explanations: what they say about matrices, points, stages and studies.
+//! The explanations: the texts about matrices, points, stages and studies.
 
 pub mod code;
 pub mod conventions;

@@ -1,8 +1,8 @@
 //! The notes: a short text for each symbol, operation, equation, step and stage, in both languages, written in
 //! `assets/notes`.
 //!
-//! A file is read line by line: `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ `
-//! begins an erratum of the lecture notes, `[` the place in them, `→ ` the identifiers of other notes; every other line
+//! A file is read line by line. `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ `
+//! begins an erratum of the lecture notes, `[` the place in them, `→ ` the identifiers of other notes. Every other line
 //! is a paragraph, with mathematics between `$`.
 
 use std::sync::LazyLock;
@@ -41,12 +41,12 @@ pub struct Note {
     pub source: &'static str,
     /// The identifiers of other notes.
     pub links: Vec<&'static str>,
-    /// Everything that it says, as [`folded`].
+    /// Its whole text, as [`folded`].
     searched: String,
 }
 
 impl Note {
-    /// Whether it says all words of `wanted`, however they are accented and capitalised. No words: it does.
+    /// True if it contains all words of `wanted`, ignoring accents and case. Without words, it does.
     pub fn says(&self, wanted: &str) -> bool {
         has_words(&self.searched, wanted)
     }
@@ -56,7 +56,7 @@ impl Note {
         &self.searched
     }
 
-    /// Whether all words of `wanted` are in its heading.
+    /// True if all words of `wanted` are in its heading.
     pub fn is_headed(&self, wanted: &str) -> bool {
         has_words(&folded(self.title), wanted)
     }
@@ -80,13 +80,13 @@ impl Note {
     }
 }
 
-/// The page that says what the texts `[0]` … `[4]` and the spaces are.
+/// The page that describes the texts `[0]` … `[4]` and the spaces.
 pub const SOURCES: &str = "sources";
 
 static EN: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/en.md")));
 static PT_BR: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../../assets/notes/pt-BR.md")));
 
-/// All notes, in the order in which they are read.
+/// All notes, in reading order.
 pub fn notes(lang: Lang) -> &'static [Note] {
     pick!(lang; &EN, &PT_BR)
 }
@@ -139,7 +139,7 @@ pub fn markdown(pieces: &[Piece]) -> String {
     pieces.iter().map(piece).collect()
 }
 
-/// LaTeX of the notes in a line: for screen readers, and to be found.
+/// LaTeX of the notes in a line, for screen readers, and for the search.
 pub fn plain(latex: &str) -> String {
     let (mut text, mut rest) = (String::new(), latex);
     while let Some(c) = rest.chars().next() {

@@ -109,7 +109,7 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
     }
 }
 
-/// A value of the parameter: whole thousands, as the sides of maps are, with all of their digits.
+/// A value of the parameter. Whole thousands, like the sides of maps, are written with all of their digits.
 pub fn value(parameter: f64) -> String {
     let is_whole = parameter.fract() == 0.0 && (1e3..1e4).contains(&parameter);
     significant(parameter, if is_whole { 4 } else { 3 })
@@ -127,7 +127,7 @@ pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
     }
 }
 
-/// Names of cases and methods in Portuguese, where they differ. In English they are the names of the command line.
+/// Names of cases and methods in Portuguese, if they differ. In English they are the names of the command line.
 const PORTUGUESE: &[(&str, &str)] = &[
     ("perspective", "perspectiva"),
     ("parallel", "paralela"),
@@ -230,7 +230,7 @@ pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -
     })
 }
 
-/// The reference of a study's errors, in Portuguese; in English the study names it itself.
+/// The reference of a study's errors, in Portuguese. In English the study names it itself.
 fn reference(study: Study) -> &'static str {
     match study {
         Study::VertexTransform | Study::Basis | Study::RepeatedOperations | Study::Clipping => "512 bits",

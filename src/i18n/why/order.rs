@@ -70,7 +70,7 @@ pub fn step(lang: Lang, place: usize, call: Call) -> String {
     both!(lang; "Step {number}: {symbol}", "Passo {number}: {symbol}")
 }
 
-/// The effect of a call; `number` writes a number.
+/// The effect of a call. `number` writes a number.
 pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -> String) -> String {
     let vector = |v: glam::DVec3| {
         let separator = if lang == Lang::PtBr { "; " } else { ", " };
@@ -116,8 +116,8 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
         "O passo {number} é um pop, e nada foi salvo na pilha antes dele.")
 }
 
-/// The reason why an object alone cannot hold a list, and the remedy. The call at `place`, from 0, comes too late for T
-/// Rz Ry Rx S, and `groups` groups are made.
+/// The reason why an object alone can't hold a list, and the remedy. The call at `place`, from 0, comes too late for T
+/// Rz Ry Rx S, so `groups` groups are created.
 pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));
     match groups {

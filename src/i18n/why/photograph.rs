@@ -1,4 +1,4 @@
-//! The camera of a photograph. Its arithmetic, its errors, and what it cannot say.
+//! The camera of a photograph: its arithmetic, its errors, and the numbers that it can't give.
 
 use crate::camera::{AxisVanishing, PhotographCamera, PhotographError, Untold};
 use crate::i18n::Lang;
@@ -7,13 +7,13 @@ use crate::sanitize::escaped;
 /// Digits of the numbers in sentences.
 const DIGITS: usize = 6;
 
-/// An argument that cannot be read, with an example.
+/// An argument that can't be read, with an example.
 pub fn unreadable(lang: Lang, text: &str, example: &str) -> String {
     let text = escaped(text);
     both!(lang; "{text} cannot be read; for example: {example}", "{text} não pode ser lido; por exemplo: {example}")
 }
 
-/// Why there is no camera.
+/// The reason why there is no camera.
 pub fn error(lang: Lang, error: PhotographError) -> String {
     match error {
         PhotographError::TooFewLines => both!(lang; "at least two axes need two lines each",
@@ -41,7 +41,7 @@ pub fn error(lang: Lang, error: PhotographError) -> String {
     }
 }
 
-/// A number that the photograph cannot say, and the one that stands for it.
+/// A number that the photograph can't give, and the one that stands for it.
 pub fn untold(lang: Lang, untold: Untold) -> &'static str {
     match untold {
         Untold::ViewAngle => pick!(lang; "θ cannot be known: of each pair of axes, one has lines that nearly meet at \

@@ -1,4 +1,4 @@
-//! The stages of the pipeline, and why each runs or is skipped.
+//! The stages of the pipeline, and the reason why each runs or is skipped.
 
 pub use super::reasons::{planes, reason};
 use crate::i18n::Lang;
@@ -31,7 +31,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// The report of a stage: counts in and out, time, and reason; or the reason why it was skipped.
+/// The report of a stage: counts in and out, time, and reason. If it was skipped, the reason for that.
 pub fn line(lang: Lang, report: &StageReport) -> String {
     let (name, reason) = (stage(lang, report.stage), reason(lang, report.reason));
     if !report.ran {
@@ -50,7 +50,7 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
     format!("{name}: {}", parts.join(" · "))
 }
 
-/// The operations of a stage in short; `None` if none were counted.
+/// The operations of a stage in short. `None` if none were counted.
 pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
     let Operations { float, integer, memory } = report.operations;
     let count = |n: u64| lang.mark().printed(&numbers::count(usize::try_from(n).unwrap_or(usize::MAX)));
@@ -113,7 +113,7 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// The unit of a stage's counts. A sample is a pixel, where there is one for each.
+/// The unit of a stage's counts. A sample is a pixel if there is one for each.
 pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     let (en, pt_br) = match (report.stage, report.reason) {
         (Stage::Traverse | Stage::CullObjects, _) => ("objects", "objetos"),
@@ -141,7 +141,7 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     pick!(lang; en, pt_br)
 }
 
-/// "skipped": the mark of a stage that does not run.
+/// "skipped": the mark of a stage that doesn't run.
 pub const fn left_out(lang: Lang) -> &'static str {
     pick!(lang; "skipped", "omitida")
 }

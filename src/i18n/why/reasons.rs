@@ -1,4 +1,4 @@
-//! Why stages run, and why they are skipped.
+//! The reasons why stages run, and why they are skipped.
 
 use crate::i18n::Lang;
 use crate::pipeline::{PlaneSet, Reason};
@@ -38,7 +38,7 @@ texts! {
     no_lines: "nothing but faces is in view", "só há faces no campo de visão";
 }
 
-/// Why a stage runs, or why it is skipped.
+/// The reason why a stage runs, or why it's skipped.
 pub fn reason(lang: Lang, reason: Reason) -> String {
     let t = texts(lang);
     let objects = |n: usize| match n {

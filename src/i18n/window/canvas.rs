@@ -6,8 +6,8 @@ use crate::camera::{Camera, ImageSize};
 use crate::i18n::Lang;
 use crate::views::{Arrangement, View};
 
-/// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand
-/// too.
+/// The texts of the canvas in one language, under a name that distinguishes them from the window's, which are often at
+/// hand too.
 pub type CanvasTexts = Texts;
 
 texts! {
@@ -26,7 +26,7 @@ texts! {
     look: "Viewpoint", "Ponto de vista";
     axis: "axis", "eixo";
     look_menu: "Look from…", "Ver de…";
-    // From where to look.
+    // Viewpoints.
     fit: "Fit all", "Enquadrar tudo";
     front: "From the front (+z)", "De frente (+z)";
     top: "From the top (+y)", "De cima (+y)";
@@ -37,78 +37,77 @@ texts! {
     along_n: "Along n, as the camera looks", "Ao longo de n, como a câmera olha";
     // Tooltip of a menu.
     arrange: "Arrange the views", "Dispor as vistas";
-    // How the pictures share the room.
+    // The ways in which the pictures share the room.
     arrange_auto: "To fit the window", "Conforme a janela";
     arrange_row: "Side by side", "Lado a lado";
     arrange_column: "One above the other", "Uma sobre a outra";
     arrange_above: "The world above the others", "O mundo acima das outras";
     arrange_beside: "The world beside the others", "O mundo ao lado das outras";
-    // Before the names of the pictures that can be shown again.
+    // Before the names of the hidden pictures, which can be shown again.
     hidden: "Hidden:", "Ocultas:";
-    // What pointer and wheel do in the world and in the canonical volume.
+    // The actions of pointer and wheel in the world and in the canonical volume.
     pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: orbitar · Shift ou botão direito: mover · roda: zoom";
-    // What the pointer does in the image.
+    // The actions of the pointer in the image.
     pointer_in_image: "Drag: orbit the camera · Shift or right button: pan · wheel: dolly · click: pin the probe", "Arrastar: orbitar com a câmera · Shift ou botão direito: mover · roda: aproximar · clique: fixar a sonda";
-    // Where nothing is pointed at: what can be done.
+    // The possible actions if the pointer is on nothing.
     idle: "Drag C, PF, VUP and the planes in the world, or anything else to orbit", "Arraste C, PF, VUP e os planos no mundo, ou o resto para orbitar";
-    // The same where the world is hidden.
+    // The same if the world is hidden.
     idle_canonical: "Drag: orbit", "Arraste: girar";
-    // What the keys do in the world.
+    // The actions of the keys in the world.
     keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: orbit · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: orbitar · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
-    // What the keys do in the canonical volume.
+    // The actions of the keys in the canonical volume.
     keys_in_canonical: "Arrows: orbit · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: orbitar · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
-    // What the keys do in the image.
+    // The actions of the keys in the image.
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
     // Title of the strip of stages, and the button that shows it.
     strip: "Stages", "Etapas";
-    // Tooltip of that button.
-    // Name of the chooser whose stages are shown.
+    // Tooltip of that button. Name of the chooser of the view whose stages are shown.
     strip_of: "Stages of the view", "Etapas da vista";
     // Tooltip of a button.
     strip_close: "Hide the stages (F10)", "Ocultar as etapas (F10)";
-    // Of a picture that is hidden.
+    // For a hidden picture.
     strip_hidden: "This view is hidden, so no stage runs for it.", "Esta vista está oculta, e nenhuma etapa é executada para ela.";
     // Before the time of all stages.
     strip_total: "in all", "ao todo";
     // Before the number of stages that ran.
     strip_ran: "ran:", "executadas:";
-    // Before the number of those that did not.
+    // Before the number of stages that didn't run.
     strip_out: "skipped:", "omitidas:";
-    // What can be done with the strip.
+    // The use of the strip.
     strip_hint: "click a stage to see what goes in and what comes out", "clique em uma etapa para ver o que entra e o que sai";
-    // Of a stage.
+    // For a stage.
     strip_reveal: "Click or press Enter to show in the view what goes in and what comes out. F1 opens its reference page", "Clique ou aperte Enter para mostrar na vista o que entra e o que sai. F1 abre o verbete";
     strip_unreveal: "Click or press Enter or Esc to stop showing it. F1 opens its reference page", "Clique ou aperte Enter ou Esc para deixar de mostrar. F1 abre o verbete";
     // While the eye turns.
     turning: "Orbiting", "Orbitando";
     // While the picture is moved.
     moving: "Panning", "Movendo a vista";
-    // How a point is dragged on the plane; what follows is its height.
+    // The way to drag a point on the plane, followed by its height.
     drag_on_plane: "Drag: on the plane y =", "Arrastar: no plano y =";
-    // How a point is dragged up and down.
+    // The way to drag a point up and down.
     drag_vertically: "Shift or Ctrl: up and down", "Shift ou Ctrl: para cima e para baixo";
-    // How VUP is turned.
+    // The way to turn VUP.
     drag_up: "Drag to turn VUP about DOP", "Arraste para girar VUP em torno de DOP";
-    // How a plane is dragged.
+    // The way to drag a plane.
     drag_along_axis: "Drag along the axis", "Arraste ao longo do eixo";
-    // Before the reason why a handle does not go on.
+    // Before the reason why a handle doesn't go on.
     stopped: "Stopped:", "Parado:";
-    // Where a picture could not be drawn.
+    // If a picture couldn't be drawn.
     given_up: "Cancelled. This view is redrawn when the figure changes.", "Cancelada. Esta vista é redesenhada quando a figura mudar.";
     not_drawn: "This view could not be drawn.", "Esta vista não pôde ser desenhada.";
-    // Where nothing is pointed at.
+    // If the pointer is on nothing.
     probe_hint: "Point at a vertex or at a pixel of the image to read its coordinates here.", "Aponte para um vértice ou um pixel da imagem para ler aqui suas coordenadas.";
     // While the probe is pinned.
     pinned: "pinned (Esc: release)", "fixada (Esc: soltar)";
-    // Of a point outside the view volume.
+    // For a point outside the view volume.
     outside: "outside the volume", "fora do volume";
-    // Of a point for which w = 0.
+    // For a point with w = 0.
     no_image: "w = 0, in the plane of the eye, no image", "w = 0, no plano do olho, sem imagem";
-    // Before the place of the pointer, which is not that of a vertex near it.
+    // Before the place of the pointer, which isn't that of a vertex near it.
     pointer: "Pointer:", "Ponteiro:";
     // Before the number and the object of a vertex.
     vertex: "Vertex", "Vértice";
-    // Title of the card with what is pinned, and its buttons.
+    // Title of the card with the pinned probe, and its buttons.
     card: "Probe", "Sonda";
     copy: "Copy", "Copiar";
     copy_hint: "All digits, as text", "Todos os dígitos, como texto";
@@ -121,19 +120,19 @@ texts! {
     space_window: "Window", "Janela";
     space_pixel: "Pixel", "Pixel";
     space_viewport: "Viewport", "Viewport";
-    // The bits that say outside which planes a point is.
+    // The bits for the planes that a point is outside of.
     outcode: "Outcode", "Outcode";
-    // What the outcode of a point inside means.
+    // The meaning of the outcode of a point inside.
     inside: "inside", "dentro";
     // Z of a pixel.
     depth: "Depth", "Profundidade";
-    // Where the depth buffer holds nothing.
+    // If the depth buffer is empty there.
     nothing_here: "nothing here", "nada aqui";
     // From the eye.
     distance: "Distance", "Distância";
-    // Where a ray begins.
+    // The start of a ray.
     ray_origin: "Ray from", "Raio de";
-    // Where a ray goes.
+    // The direction of a ray.
     ray_direction: "Direction", "Direção";
 }
 
@@ -145,7 +144,7 @@ pub fn went_back(lang: Lang, view: View) -> String {
 }
 
 impl CanvasTexts {
-    /// The name of an arrangement; `None` means the automatic one.
+    /// The name of an arrangement. `None` is the automatic one.
     pub fn arrangement(&self, arrangement: Option<Arrangement>) -> &'static str {
         match arrangement {
             None => self.arrange_auto,

@@ -1,4 +1,4 @@
-//! The words of the coach. The health of a camera, and the reasons why a picture is empty.
+//! The words of the coach: the health of a camera, and the reasons why a picture is empty.
 
 use super::scenes::preset_object;
 use crate::appearance::DepthFormat;
@@ -13,7 +13,7 @@ use crate::sanitize::escaped;
 use crate::scene::SceneSpec;
 
 texts! {
-    // Of the command line.
+    // For the command line.
     health: "Health", "Saúde";
     findings: "Problems", "Problemas";
     no_problems: "No problems found. The image agrees with exact visibility.", "Nenhum problema encontrado. A imagem concorda com a visibilidade exata.";
@@ -23,7 +23,7 @@ texts! {
     no_repair: "no change to the figure repairs this", "nenhuma mudança na figura corrige isto";
     nothing_repaired: "there's nothing to repair, so the figure is written unchanged", "não há nada a corrigir, e a figura é gravada sem mudança";
     cannot_repair: "no change to the figure repairs this, so it's written unchanged", "nenhuma mudança na figura corrige isto, e ela é gravada como está";
-    // Of the window.
+    // For the window.
     coach: "Camera check", "Diagnóstico da câmera";
     coach_hint: "How close the camera is to numerical trouble, and why something is missing from the image", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
     camera_is: "Camera check:", "Diagnóstico da câmera:";
@@ -135,7 +135,7 @@ fn vup_angle(lang: Lang, degrees: f64) -> String {
         n(10f64.powf(lost)), n(lost))
 }
 
-/// A number with three digits; where an `f64` has none so large, that.
+/// A number with three digits. If it's beyond the greatest `f64`, the text says so.
 fn length(lang: Lang, x: f64) -> String {
     if x < f64::MAX { lang.mark().number(x, 3) } else { both!(lang; "more than 10³⁰⁸", "mais de 10³⁰⁸") }
 }
@@ -171,7 +171,7 @@ fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
         "θ é {angle}° (5.4). Na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio.")
 }
 
-/// In whose NDC depths are.
+/// The owner of the NDC of depths.
 pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     let name = conventions::name(lang, ndc);
     let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
@@ -180,8 +180,8 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
         "Nas NDC de {name}, z_n é {near} em F e {far} em {back}.")
 }
 
-/// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is
-/// seen.
+/// The verdict of a depth buffer on two planes. `share` is the part of their common area in which the farther one is
+/// visible.
 pub fn two_planes(lang: Lang, share: f64) -> String {
     let percent = lang.mark().number(100.0 * share, 2);
     if share == 0.0 {
@@ -191,8 +191,8 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
         "cintilam (z-fighting): o mais distante em {percent}\u{a0}%")
 }
 
-/// Explains a finding, with the names of the objects concerned as they are called in this language. `scene`: the
-/// figure's, whose own objects have their names from its author.
+/// Explains a finding, with the names of the objects concerned in this language. `scene` is the figure's, whose own
+/// objects have their names from its author.
 pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
     if let Some(error) = &diagnosis.camera_error {
         return impossible_camera(lang, error);
@@ -215,7 +215,7 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
     let [whole, in_part] = [false, true].map(|partly| not_seen(lang, finding.cause, partly, diagnosis));
     let [lost, cut] = [&finding.whole, &finding.partly]
         .map(|names| names.iter().map(|name| object_name(lang, name, scene)).collect::<Vec<_>>());
-    // A sentence that holds for objects seen in part too is written once.
+    // A sentence that also holds for partly visible objects is written once.
     let groups =
         if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
     let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
@@ -281,7 +281,7 @@ fn listed(lang: Lang, names: &[String]) -> String {
     }
 }
 
-/// Why an object, or most of it, can't be seen.
+/// The reason why an object, or most of it, can't be seen.
 fn not_seen(lang: Lang, cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { pick!(lang; "most of it is ", "a maior parte está ") } else { "" };
     let percent = lang.mark().number(100.0 * diagnosis.covered, 2);
@@ -334,7 +334,7 @@ pub fn changes(changes: &[(&'static str, Value)]) -> String {
     changes.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 
-/// The changes of a repair as the panels write them: the notes' symbols, with the decimal mark of the language.
+/// The changes of a repair as in the panels: the notes' symbols, with the decimal mark of the language.
 pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> String {
     let n = |x: f64| lang.mark().number(x, 4);
     let mark = lang.mark();
@@ -364,7 +364,7 @@ pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> Stri
     changes.iter().map(of).collect::<Vec<_>>().join(" · ")
 }
 
-/// A word of `[style]` as the panels write it.
+/// A word of `[style]` as in the panels.
 fn style_word(lang: Lang, word: &'static str) -> &'static str {
     let t = crate::i18n::window::texts(lang);
     match word {

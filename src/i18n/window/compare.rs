@@ -48,7 +48,7 @@ texts! {
     format_hint: "The numbers in which the image stores depths. With few bits, planes that are close together fight for pixels (z-fighting), far from the eye first", "Os números em que a imagem guarda profundidades. Com poucos bits, planos próximos disputam pixels, primeiro longe do olho";
 }
 
-/// Why there is no other side.
+/// The reason why there is no other side.
 pub fn impossible(lang: Lang, error: &FigureError) -> String {
     format!("{} {}", texts(lang).impossible, messages::without_line(lang, error))
 }

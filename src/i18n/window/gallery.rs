@@ -1,4 +1,4 @@
-//! The words of the gallery: its parts, and the headings of the figures of the program.
+//! The words of the gallery: its parts, and the headings of the built-in figures.
 
 use crate::files::Topic;
 use crate::i18n::Lang;
@@ -14,16 +14,15 @@ texts! {
     choose: "Choose a folder…", "Escolher uma pasta…";
     // The question for the path of a folder.
     which_folder: "Which folder?", "Qual pasta?";
-    // What the keys do.
+    // The actions of the keys.
     keys: "Arrows: choose · Enter: open · Ctrl+Tab: next part · Esc: close", "Setas: escolher · Enter: abrir · Ctrl+Tab: parte seguinte · Esc: fechar";
-    // The same where there is one part.
+    // The same if there is one part.
     keys_of_one: "Arrows: choose · Enter: open · Esc: close", "Setas: escolher · Enter: abrir · Esc: fechar";
-    // A button.
-    // Where there is nothing to show.
+    // A button, if there is nothing to show.
     no_recent: "Nothing has been opened or saved yet.", "Nada foi aberto ou salvo ainda.";
     no_folder: "You haven't chosen a folder. This list shows the open figure's folder, or one that you choose.", "Você não escolheu uma pasta. Aqui aparece a da figura aberta, ou uma que você escolher.";
     empty_folder: "There are no figure files (.toml) in this folder.", "Não há arquivos de figura (.toml) nesta pasta.";
-    // Of a file.
+    // For a file.
     gone: "no longer exists", "não existe mais";
     // Headings.
     camera: "The camera", "A câmera";
@@ -36,9 +35,9 @@ texts! {
     // A field for words of titles and captions.
     wanted: "Search the cards", "Pesquisar nos cartões";
     nothing: "No card has these words. Try fewer letters, or another name for it.", "Nenhum cartão tem estas palavras. Tente menos letras, ou outro nome.";
-    // A button where nothing goes wrong, before the title of a figure in which something does.
+    // A button if nothing goes wrong, before the title of a figure in which something does.
     shows: "Open the figure that shows it:", "Abrir a figura que mostra isso:";
-    // Before the number of files that are not shown.
+    // Before the number of hidden files.
     more: "more files:", "outros arquivos:";
 }
 

@@ -46,7 +46,7 @@ texts! {
 
 }
 
-/// Why a text cannot be that of a label.
+/// The reason why a text can't be that of a label.
 pub fn refused(lang: Lang, error: &LabelTextError) -> String {
     match error {
         LabelTextError::Length => both!(lang; "A label has 1 to {MAX_LABEL_TEXT} characters on one line.",

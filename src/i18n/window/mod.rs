@@ -16,7 +16,7 @@ pub mod sessions;
 pub mod sharing;
 
 texts! {
-    // Menus and commands: label, then what the tooltip adds.
+    // Menus and commands: label, then the addition in the tooltip.
     menus: "Menu", "Menu";
     menu_file: "File", "Arquivo";
     menu_edit: "Edit", "Editar";
@@ -244,7 +244,7 @@ texts! {
     theme_dark: "dark", "escuro";
     theme_print: "print", "impressão";
 
-    // What the world shows.
+    // The content of the world.
     in_world: "In the world", "No mundo";
     window_opacity: "painted window", "janela pintada";
     window_opacity_hint: "Opacity of the image on the view window. Automatic makes it opaque, but faint if it would hide much of the scene", "Opacidade da imagem na janela de vista. A automática é opaca, mas fraca se esconder muito da cena";
@@ -260,7 +260,7 @@ texts! {
     section_view: "Section along u", "Corte ao longo de u";
     section_view_hint: "The section through C as in the lecture notes, with the similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its triangles", "O corte por C como nas notas de aula, com os triângulos semelhantes, θ/2, H/2, F, B, um ponto e o y_p dele. Aponte para um vértice para ver os triângulos dele";
 
-    // What is revealed of the pipeline.
+    // The revealed parts of the pipeline.
     depth_view: "image", "imagem";
     depth_view_hint: "The depth buffer in place of the colours. Black is near and white is far. Perspective crowds Z near 1. Point at a pixel to read its numbers below. [0] (5.25), [2] depth buffer", "O z-buffer no lugar das cores. Preto é perto e branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel para ler os números embaixo. [0] (5.25), [2] z-buffer";
     depth_off: "colours", "cores";
@@ -362,7 +362,7 @@ texts! {
     export_lines_own: "own width", "espessura própria";
     export_format: "format", "formato";
     export_format_hint: "The suggested extension. The file name decides", "A extensão sugerida. O nome do arquivo decide";
-    // Of vectors: how faces are written.
+    // For vectors, the representation of faces.
     export_faces: "faces", "faces";
     export_faces_hint: "For SVG and PDF. Areas are vectors too, but with flat light only. An image under the lines shows every light. Automatic takes areas if they show the same as the screen", "Para SVG e PDF. Áreas também são vetores, mas só com luz constante. Uma imagem sob as linhas mostra toda luz. O automático usa áreas se mostram o mesmo que a tela";
     export_faces_auto: "automatic", "automático";
@@ -439,7 +439,7 @@ texts! {
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";
 
-    // Where the notes print something else.
+    // If the notes print something else.
     why: "Why this number?", "Por que este número?";
     why_hint: "Click or press Enter to see why: the formula, the numbers, and the measure in the world", "Clique ou aperte Enter para ver por quê, com a fórmula, os números e a medida no mundo";
     erratum: "≠ notes", "≠ notas";

@@ -34,7 +34,7 @@ texts! {
     clear: "Remove the lines", "Remover as retas";
 }
 
-/// The name of an end of a line: its number from 1 and its axis, and whether it is the first end.
+/// The name of an end of a line: its number from 1 and its axis, and true for the first end.
 pub fn end(lang: Lang, (number, axis): (usize, WorldAxis), is_first: bool) -> String {
     let axis = axis.name();
     if is_first {

@@ -1,4 +1,4 @@
-//! The words of *Predict first*: an operation asks what it will do before it does it.
+//! The words of *Predict first*: an operation asks about its effect beforehand.
 
 texts! {
     switch: "Predict first", "Prever antes";
@@ -22,11 +22,11 @@ texts_with_values! {
     how_large(lang, operation: &str): "**{operation}**: how large will the objects be in the image?",
         "**{operation}**: de que tamanho ficarão os objetos na imagem?";
 
-    /// The answer about a point: its pixel, and how far the mark is `off`.
+    /// The answer about a point: its pixel, and the distance `off` of the mark.
     landed(lang, place: [f64; 2], off: &str): "M is now at the pixel {pixel}. {off}",
         "M está agora no pixel {pixel}. {off}" (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 
-    /// The answer about sizes beside the outcome: how many times as large the objects are.
+    /// The answer about sizes beside the outcome, as the factor by which the objects grow.
     sizes(lang, said: &str, happened: &str, times: f64): "You said {said}. They are {happened}: {times} times as large as before.",
         "Você disse {said}. Ficaram {happened}: {times} vezes o tamanho de antes."
         (times = lang.mark().number(times, 3));

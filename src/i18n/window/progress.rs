@@ -16,7 +16,7 @@ texts! {
     cancel: "Esc cancels", "Esc cancela";
 }
 
-/// The present activity, and its share done, where it is known.
+/// The present activity, and its finished share, if known.
 pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
     let t = texts(lang);
     let doing = match doing {

@@ -232,13 +232,13 @@ fn in_portuguese(word: &str) -> &str {
     }
 }
 
-/// The features that the list of a named scene's objects cannot express, as a sentence. Empty if it expresses all.
+/// The features of a named scene that the list of its objects can't express, as a sentence. Empty if it expresses all.
 pub fn lost(lang: Lang, preset: Preset) -> String {
     let lost = beyond(lang, preset.beyond_objects());
     if lost.is_empty() { lost } else { format!("{} {lost}.", texts(lang).lost) }
 }
 
-/// The features that a list of objects cannot express, as a list.
+/// The features that a list of objects can't express, as a list.
 pub fn beyond(lang: Lang, lost: &[LostFeature]) -> String {
     let word = |what: &LostFeature| match what {
         LostFeature::NumberedFaces => pick!(lang; "the colours of single faces and the numbers on them",

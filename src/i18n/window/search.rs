@@ -1,4 +1,4 @@
-//! The words of the search for anything in the window, and how words are compared: without accents and capitals, and
+//! The words of the search for anything in the window, and the comparison of words: without accents and capitals, and
 //! with the other names of the field.
 
 texts! {
@@ -125,7 +125,7 @@ pub fn folded(text: &str) -> String {
     text.to_lowercase().chars().map(plain).collect()
 }
 
-/// Whether a folded text has all words of `wanted`, however they are accented and capitalised. No words: it has.
+/// True if a folded text has all words of `wanted`, ignoring accents and case. Without words, it does.
 pub fn has_words(text: &str, wanted: &str) -> bool {
     folded(wanted).split_whitespace().all(|word| text.contains(word))
 }
@@ -135,7 +135,7 @@ pub fn also_called(wanted: &str) -> Vec<String> {
     let wanted = folded(wanted).split_whitespace().collect::<Vec<_>>().join(" ");
     let mut all = vec![wanted.clone()];
     for group in SYNONYMS {
-        // A name that is being typed counts from its third letter on.
+        // A name that the user is still typing counts from its third letter on.
         let is_meant = |name: &&&str| wanted == **name || wanted.len() >= 3 && name.starts_with(&wanted);
         let inside = group.iter().find(|name| name.len() > 2 && format!(" {wanted} ").contains(&format!(" {name} ")));
         let Some(name) = group.iter().find(is_meant).or(inside) else { continue };

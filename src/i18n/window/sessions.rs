@@ -1,11 +1,11 @@
-//! Messages about windows that did not close, in both languages.
+//! Messages about windows that didn't close, in both languages.
 
 use std::time::Duration;
 
 use crate::i18n::Lang;
 
 texts_with_values! {
-    /// The rest of a session is in the file at `path`, and cannot be read.
+    /// The rest of a session is in the file at `path`, and can't be read.
     damaged(lang, path: &str): "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}",
         "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}";
 
@@ -17,21 +17,21 @@ texts_with_values! {
     no_slot(lang, slots: usize): "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of those in the list.",
         "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.";
 
-    /// The preferences cannot be understood. They are in the file at `path` now.
+    /// The preferences can't be parsed. They are in the file at `path` now.
     preferences_set_aside(lang, path: &str): "The preferences can't be read. They're kept in {path}, and you begin with new ones.",
         "As preferências não podem ser lidas. Estão guardadas em {path}, e você começa com novas.";
 
-    /// The progress in exercises cannot be read. It is in the file at `path` now.
+    /// The progress in exercises can't be read. It's in the file at `path` now.
     progress_set_aside(lang, path: &str): "Your progress in exercises can't be read. It's kept in {path}, and you begin anew.",
         "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}, e você recomeça.";
 
-    /// Of several files that were dropped at once, only the first was taken.
+    /// Several files were dropped at once, and only the first was taken.
     first_of_dropped(lang, path: &str, count: usize): "Of {count} files, the window opens one: {path}",
         "De {count} arquivos, a janela abre um: {path}";
 }
 
-/// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
-/// with the name of the file.
+/// Data that can't be stored: the session of this window, preferences, progress in exercises. `why` is a sentence with
+/// the name of the file.
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (preferences, progress) {
         (false, false) => "",
@@ -55,7 +55,7 @@ pub const fn no_home(lang: Lang) -> &'static str {
         "Sua conta não tem pasta pessoal. Preferências e progresso não são salvos, e uma falha do programa perderia suas mudanças")
 }
 
-/// The age of something.
+/// An age, in words.
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);

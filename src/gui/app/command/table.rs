@@ -1,4 +1,4 @@
-//! The rows of the commands: words, keys, when each can be done, and what it does.
+//! The rows of the commands: words, keys, conditions and effects.
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
@@ -26,8 +26,8 @@ use crate::i18n::window::{canvas, compare, labels, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
-/// A row: command, keys, the names of label and hint, and what it does: by a flag or by one of several values that
-/// stand in the state, else by a function. The names are those of texts of the window, or of the texts before `::`.
+/// A row: command, keys, the names of label and hint, and the effect: a flag, one of several values in the state, or
+/// otherwise a function. The names are those of texts of the window, or of the texts before `::`.
 macro_rules! row {
     ($command:expr, $keys:expr, $label:ident, $hint:ident, switch $($flag:tt)+) => {
         row!($command, $keys, $label, $hint, |s, _| s.$($flag)+ ^= true).on(|s| s.$($flag)+)
@@ -107,7 +107,7 @@ pub const MENUS: &[Menu] = &[
                 .not_in_browser()],
         ],
     },
-    // By their keys and the search: in the menu, they're in the dialogs of the entries above.
+    // By their keys and the search. In the menu, they're in the dialogs of the entries above.
     Menu {
         title: |t| t.menu_file,
         in_bar: false,
@@ -321,7 +321,7 @@ const fn alt(key: Key) -> KeyboardShortcut {
 type Words = fn(&Texts) -> (&'static str, &'static str);
 
 impl Row {
-    /// A command that can always be done, and is neither on nor off.
+    /// A command that is always available, and is neither on nor off.
     const fn new(command: Command, shortcut: KeyboardShortcut, words: Words, run: fn(&mut State, &Context)) -> Self {
         Self {
             command,
@@ -355,7 +355,7 @@ impl Row {
         Self { enabled, ..self }
     }
 
-    /// It can be done, and its menu lists it, only while a lesson is played.
+    /// Available, and in its menu, only while a lesson is played.
     const fn in_lesson(self) -> Self {
         Self { enabled: |s| s.learn.lesson.is_some(), only_if_enabled: true, ..self }
     }
@@ -373,7 +373,7 @@ impl Row {
     }
 }
 
-/// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
+/// Adds the state on the screen to the lesson to which steps were added last. Without such a lesson, asks for a file.
 fn record_step(state: &mut State, ctx: &Context) {
     match state.learn.file.clone() {
         Some(path) => state.learn.add_step(&mut state.model, &path, Overwrite::Writable),
@@ -381,8 +381,8 @@ fn record_step(state: &mut State, ctx: &Context) {
     }
 }
 
-/// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
-/// were added last, or a new one that begins with what is on the screen.
+/// Writes the user's own lesson, or a copy of a built-in one. While no lesson is played, writes the one to which steps
+/// were added last, or a new one that begins with the state on the screen.
 fn write_lesson(state: &mut State, ctx: &Context) {
     if state.learn.lesson.is_none() && state.learn.file.is_none() {
         file_flow::ask(ctx, state, Purpose::NewLesson);
@@ -401,7 +401,7 @@ fn change_lesson(state: &mut State, change: impl FnOnce(&mut Playing)) {
     }
 }
 
-/// Saves what is typed in the lesson, or the figure.
+/// Saves the text typed in the lesson, or the figure.
 fn save(state: &mut State, ctx: &Context) {
     let writing =
         state.learn.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
@@ -429,13 +429,13 @@ fn show_recent(state: &mut State) {
     show_dialog(state, Dialog::Gallery);
 }
 
-/// Opens the list of lessons, with those of the folder of figures too.
+/// Opens the list of lessons, including those of the figures' folder.
 fn show_lessons(state: &mut State) {
     state.learn.look_for_lessons(&state.model, state.gallery.folder());
     show_dialog(state, Dialog::Lessons);
 }
 
-/// Shows the QR code of the link to the screen. Without the address of a page, it asks for that first.
+/// Shows the QR code of the link to the screen. Without the address of a page, asks for that first.
 fn show_code(state: &mut State) {
     let has_address = state.own_address.is_some() || !state.page_address.is_empty();
     show_dialog(state, if has_address { Dialog::Qr } else { Dialog::Link });
@@ -448,7 +448,7 @@ fn show_handout(state: &mut State, is_lesson: bool) {
     show_dialog(state, Dialog::Handout(form));
 }
 
-/// Opens the export dialog for the views that are shown.
+/// Opens the export dialog for the displayed views.
 fn show_export(state: &mut State) {
     state.export.what = state.model.layout.views();
     state.export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
@@ -460,7 +460,7 @@ fn copy_numbers(state: &mut State, ctx: &Context) {
     state.model.say(Message::NumbersCopied);
 }
 
-/// Shows the 3D pictures as they were seen at another time, where there is one.
+/// Shows the 3D pictures from an earlier or later viewpoint, if there is one.
 fn see_as(state: &mut State, back: bool) {
     if let Some(observers) = state.model.views.go(state.model.document.figure().observers, back) {
         *state.model.document.observers_mut() = observers;
@@ -469,7 +469,7 @@ fn see_as(state: &mut State, back: bool) {
 
 /// Goes on to the next figure or step, or back to the one before.
 fn step(state: &mut State, ctx: &Context, forwards: bool) {
-    // A frozen picture would be under another title.
+    // A frozen picture would stay under another title.
     state.annotations.frozen = false;
     if state.learn.lesson.is_some() {
         state.learn.step_lesson(&mut state.model, forwards);
@@ -512,12 +512,12 @@ fn zoom_by(state: &mut State, more: f32) {
 }
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {
-    // What the figure wants to be explained is open in the presentation too, where it is open now.
+    // An explanation that the figure requests is open in the presentation too, if it's open now.
     let explained =
         state.model.document.figure().screen.panel.flatten().filter(|panel| state.model.shows_explanation(*panel));
     state.model.layout.turn_presentation(!state.model.settings.presentation);
     state.model.settings.presentation ^= true;
-    // A panel that was opened before a class is none of the next one.
+    // A panel opened before one class doesn't belong to the next one.
     state.model.settings.presentation_panels = Panels::default();
     if let Some(playing) = &mut state.learn.lesson {
         playing.shows_question = !state.model.settings.presentation;

@@ -10,7 +10,7 @@ use crate::gui::model::action::AfterSave;
 use crate::i18n::window;
 use crate::sanitize;
 
-/// Shows the bar, where there is something to say.
+/// Shows the bar, if there is something to report.
 pub(crate) fn bar(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.model.settings.lang);
     let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.model.document.name()) else { return };

@@ -1,4 +1,4 @@
-//! The kinds of files that are asked for: title, endings, proposed name.
+//! The kinds of requested files: title, endings, proposed name.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use crate::views::Views;
 
 /// A kind of files.
 pub(in crate::gui) struct FileKind {
-    /// A file that is there, a new one, or a folder.
+    /// An existing file, a new one, or a folder.
     pub(in crate::gui) wanted: Wanted,
     /// The title of the question.
     pub(in crate::gui) title: &'static str,
@@ -24,14 +24,14 @@ pub(in crate::gui) struct FileKind {
     pub(in crate::gui) action: &'static str,
     /// Names of formats with their endings. The first ending is appended to names that have none.
     filters: Vec<(String, &'static [&'static str])>,
-    /// The name that is proposed. Empty for what is read.
+    /// The proposed name. Empty for a file to read.
     name: String,
     /// The folder in which the question begins.
     folder: PathBuf,
 }
 
 impl FileKind {
-    /// The kind of file that is asked for.
+    /// The kind of the requested file.
     pub(in crate::gui) fn of(state: &State, purpose: &Purpose) -> Self {
         let lang = state.model.settings.lang;
         let (t, exercises, film) = (window::texts(lang), exercise_window::texts(lang), explain::texts(lang));
@@ -122,18 +122,18 @@ impl FileKind {
         Self { wanted, title, action, filters, name, folder }
     }
 
-    /// The kind for a figure with a title, whose words are its name.
+    /// The kind for a figure with a title, whose words become its name.
     pub(in crate::gui) fn with_name_of(self, title: Option<&str>) -> Self {
         let name = title.and_then(name_of_title).map(|name| format!("{name}.toml"));
         Self { name: name.unwrap_or(self.name), ..self }
     }
 
-    /// The path that is proposed.
+    /// The proposed path.
     pub(in crate::gui) fn proposal(&self) -> PathBuf {
         if self.name.is_empty() { self.folder.clone() } else { self.folder.join(&self.name) }
     }
 
-    /// The path with an ending of this kind, where it is to be written.
+    /// The path with an ending of this kind, if it's to be written.
     pub(in crate::gui) fn with_ending(&self, path: PathBuf) -> PathBuf {
         let endings: Vec<&str> = self.filters.iter().flat_map(|(_, endings)| endings.iter().copied()).collect();
         let has_one = endings.iter().any(|own| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(own)));

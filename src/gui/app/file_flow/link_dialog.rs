@@ -25,7 +25,7 @@ use crate::sanitize;
 use crate::scene::Shape;
 use crate::share::{self, Held, ShareError};
 
-/// Shows the dialog; `first`: it has just been opened.
+/// Shows the dialog. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
     let words = sharing::texts(state.model.settings.lang);
     ui.heading(words.title);
@@ -47,7 +47,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     let link = link(&state.model, &state.learn, &mut state.shown_link, &address, first);
     match &link {
         Ok(link) => {
-            // Where the clipboard is out of reach, it can be copied from here.
+            // If the clipboard is out of reach, the user can copy the link from here.
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
             let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));
@@ -87,7 +87,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     }
 }
 
-/// The link to what is on the screen, for a dialog; `first`. It has just been opened.
+/// The link to the state on the screen, for a dialog. `first` is true when it has just been opened.
 ///
 /// # Errors
 /// [`ShareError`] if the figure makes it too long.
@@ -105,7 +105,7 @@ pub(in crate::gui) fn link(
     shown_link.of((address.to_owned(), is_whole), |_| made(model, learn, address)).clone()
 }
 
-/// The link: of a lesson of the program to its step, else with the whole figure in it.
+/// The link: for a built-in lesson to its step, otherwise with the whole figure in it.
 fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareError> {
     let of_program = learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
@@ -118,13 +118,13 @@ fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareErro
     share::link(address, Held::Figure, &file_flow::text_as_shown(model))
 }
 
-/// The text of the lesson of the user's own that is played, where the link is to hold it whole.
+/// The text of the user's own lesson that is being played, if the link is to hold all of it.
 fn whole_lesson(learn: &Learn) -> Option<String> {
     let playing = learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
     files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
 }
 
-/// The address that the link begins with: that of the page itself, else the one that the user knows.
+/// The address that the link begins with: that of the page itself, otherwise the one that the user enters.
 fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: bool) -> String {
     if let Some(own) = &state.own_address {
         ui.label(format!("{}: {}", words.address, sanitize::escaped(own)));
@@ -143,7 +143,7 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: 
     address.clone()
 }
 
-/// The files that a figure names and that are not part of the program.
+/// The files that a figure names and that aren't part of the program.
 fn own_files(figure: &Figure) -> Vec<String> {
     let shapes = figure.scene.objects.iter().filter_map(|object| object.shape.as_ref());
     let textures = figure.scene.objects.iter().filter_map(|object| object.texture.as_ref()?.file());

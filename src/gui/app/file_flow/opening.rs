@@ -1,4 +1,4 @@
-//! Files that are opened: figures, lessons, and what a scene is made of.
+//! Opens files: figures, lessons, and the parts of a scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub(in crate::gui) fn texture(model: &mut Model, object: &str, path: &Path) {
     });
 }
 
-/// Puts a photograph under the image. One in the place of another keeps the opacity.
+/// Puts a photograph under the image. If it replaces another, the opacity stays.
 pub(in crate::gui) fn photograph(model: &mut Model, path: &Path) {
     let file = files::named_in_figure(model.document.folder(), path);
     model.document.edit(|figure| {
@@ -90,7 +90,7 @@ pub(super) fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, Fi
     }
 }
 
-/// Goes on with a figure of the program.
+/// Goes on with a built-in figure.
 pub(in crate::gui) fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
     let kept = model.take_kept(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {

@@ -1,4 +1,4 @@
-//! A link as a QR code over the whole window, so that a class has the figure or the lesson on its telephones.
+//! A link as a QR code over the whole window, so that a class gets the figure or the lesson on its telephones.
 
 use eframe::egui::{self, Align2, Color32, Key, Modifiers, Rect, Sense, TextStyle, Ui, vec2};
 use qrcode::{Color, EcLevel, QrCode};
@@ -8,11 +8,11 @@ use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::state::State;
 use crate::i18n::window::sharing;
 
-/// The free border around the code, in modules: as the standard asks for.
+/// The free border around the code, in modules, as the standard requires.
 const QUIET: usize = 4;
 
-/// Fills the window with the code, dark on light in every theme: cameras read nothing else well. `first`: it has just
-/// been opened.
+/// Fills the window with the code, dark on light in every theme, because cameras read nothing else well. `first` is
+/// true when it has just been opened.
 pub(in crate::gui) fn show(ctx: &egui::Context, state: &mut State, first: bool) {
     let t = sharing::texts(state.model.settings.lang);
     let address = state.own_address.clone().unwrap_or_else(|| state.page_address.clone());
@@ -54,7 +54,7 @@ fn paint(ui: &Ui, rect: Rect, code: &QrCode, link: &str) {
     #[expect(clippy::cast_precision_loss, reason = "at most 185 modules")]
     let count = modules as f32;
     let room = (foot.top() - rect.top() - 8.0).min(rect.width());
-    // Whole pixels for each module: others would blur its border.
+    // Whole pixels for each module, because others would blur its border.
     let pixels = ui.ctx().pixels_per_point();
     let side = (room * pixels / count).floor().max(1.0) / pixels;
     let corner = egui::pos2(rect.center().x - 0.5 * side * count, rect.top() + 4.0);

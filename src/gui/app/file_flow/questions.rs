@@ -30,31 +30,31 @@ pub enum Purpose {
     Open,
     /// To save the figure in it, and then to go on.
     Save(Option<AfterSave>),
-    /// For a feature that asks.
+    /// For the feature that requested it.
     For(FileFor),
     /// To write a picture.
     Export(Export),
-    /// A folder, whose figures the gallery is to show.
+    /// A folder, whose figures the gallery will show.
     Folder,
     /// To add a step to a lesson.
     Step,
     /// To add a step to a lesson, and to write the lesson.
     NewLesson,
-    /// To copy a lesson of the program, which is written on from then.
+    /// To copy a built-in lesson. The user goes on writing in the copy.
     OwnLesson,
-    /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
+    /// To save the lesson with the text that can't be saved in its own file, and then to go on.
     LessonText(AfterSave),
     /// To write a lesson or exercises as pages to print.
     Handout(HandoutForm),
 }
 
 impl Purpose {
-    /// True if what is on the screen becomes a step of a lesson.
+    /// True if the state on the screen becomes a step of a lesson.
     pub(in crate::gui) const fn adds_step(&self) -> bool {
         matches!(self, Self::Step | Self::NewLesson)
     }
 
-    /// True if the file is for the figure that is shown.
+    /// True if the file is for the displayed figure.
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
         !matches!(
             self,
@@ -69,7 +69,7 @@ pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 /// The endings of the pictures that can be textures.
 pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
 
-/// The content that another program has written into the figure's file; `None` means unreadable.
+/// The content that another program has written into the figure's file. `None` if it's unreadable.
 pub type Theirs = Option<Vec<u8>>;
 
 /// Overwrites that the user has agreed to.
@@ -95,11 +95,11 @@ pub struct Changed {
     pub theirs: Theirs,
     /// The action after saving.
     pub then: Option<AfterSave>,
-    /// The lines that differ, once they are wanted.
+    /// The differing lines, once requested.
     pub comparison: Option<Comparison>,
 }
 
-/// The words of a figure as they are typed.
+/// The typed words of a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TitleForm {
     pub(in crate::gui) title: Bilingual,
@@ -108,7 +108,7 @@ pub struct TitleForm {
     pub(in crate::gui) of_card: [Option<Bilingual>; 2],
     /// The save that goes with it.
     pub(in crate::gui) then: Option<Purpose>,
-    /// The file, once it has another name than the title gives it.
+    /// The file, once its name differs from the one that the title gives it.
     pub(in crate::gui) path: Option<String>,
 }
 
@@ -117,15 +117,15 @@ pub struct TitleForm {
 pub enum Dialog {
     /// Unsaved changes: save them?
     Unsaved(AfterSave),
-    /// The text of the lesson cannot be saved: forget it? The reason is in `FileFlow::refused`.
+    /// The text of the lesson can't be saved. Forget it? The reason is in `FileFlow::refused`.
     UnsavedText(AfterSave),
     /// The path of a file, as typed.
     Path(Purpose, String),
     /// The file is there already: replace it?
     Overwrite(Purpose, PathBuf),
-    /// Another program has changed the figure's file: write over it?
+    /// Another program has changed the figure's file. Write over it?
     Changed(Changed),
-    /// The file is read-only: replace it all the same?
+    /// The file is read-only. Replace it all the same?
     ReadOnly(Purpose, PathBuf, Agreed),
     /// The title and the caption of the figure.
     Title(TitleForm),
@@ -133,13 +133,13 @@ pub enum Dialog {
     Handout(HandoutForm),
     /// The export dialog.
     Export(Export),
-    /// Pictures are still being written: the window closes when they are there.
+    /// Pictures are still being written. The window closes when they are done.
     Closing,
     /// Help on mouse and keyboard.
     Help,
     /// The program, its version and its components.
     About,
-    /// Why the picture is empty, and how near the camera is to trouble.
+    /// The reasons why the picture is empty, and the health of the camera.
     Coach,
     /// The gallery of figures.
     Gallery,
@@ -147,7 +147,7 @@ pub enum Dialog {
     Compare(CompareForm),
     /// The search for anything in the window.
     Search,
-    /// The treatment of the children of objects that are to be deleted.
+    /// The treatment of the children of deleted objects.
     Delete {
         /// Their names.
         names: BTreeSet<String>,
@@ -169,40 +169,40 @@ pub enum Dialog {
 pub struct FileFlow {
     /// The open question.
     pub dialog: Option<Dialog>,
-    /// The reason why the last typed file could not be opened or written, or a text not be saved. Shown in the dialog.
+    /// The reason why the last typed file couldn't be opened or written, or a text not be saved. Shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
-    /// False: paths are typed in the window, as where the system has no dialogs.
+    /// If false, the user types paths in the window, because the system has no dialogs.
     pub native: bool,
     /// True from the moment when the window may close.
     pub may_close: bool,
-    /// The content of another program in the figure's file, as long as that has to be shown.
+    /// The content of another program in the figure's file, while it has to be shown.
     pub theirs: Option<Theirs>,
     /// Messages about sessions, until the user has closed them.
     pub(in crate::gui) news: NewsList,
-    /// A reported content of the file, which is not reported again.
+    /// A reported content of the file, which isn't reported again.
     pub(in crate::gui) decided: Option<Theirs>,
-    /// The session in this slot is to be restored now.
+    /// The slot of the session to restore now.
     pub(in crate::gui) restore: Option<usize>,
-    /// The figure's file is to be looked at in the next frame.
+    /// True if the figure's file is to be checked in the next frame.
     pub(in crate::gui) look: bool,
     pub(in crate::gui) watch: Watch,
-    /// The file that is being read.
+    /// The file being read.
     pub reading: Reading,
-    /// Files that were given to a page, to be opened: the first of them in the next frame.
+    /// Files given to a page. The first of them opens in the next frame.
     pub(in crate::gui) given: Vec<PathBuf>,
     pub(in crate::gui) asking: Option<Asking>,
-    /// The dialog of a document that a question because of closing the window has covered.
+    /// The dialog of a document, covered by a question about closing the window.
     pub(in crate::gui) covered: Option<(Revision, Dialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
-    /// The document of the gallery whose title has been asked for, before its file is.
+    /// The gallery document whose title we have asked for before we ask for its file.
     pub(in crate::gui) titled: Option<Revision>,
-    /// The content of the export dialog while it is open.
+    /// The content of the export dialog while it's open.
     pub preview: Option<Preview>,
-    /// The pages in the dialog that prints, as long as it is open.
+    /// The pages in the print dialog, as long as it's open.
     pub pages: Option<PagesPreview>,
 }
 
-/// A question for a file to the system, until it is answered.
+/// A request for a file to the system, until it's answered.
 #[derive(Debug)]
 pub(in crate::gui) struct Asking {
     /// The purpose of the file.
@@ -216,7 +216,7 @@ pub(in crate::gui) struct Asking {
 }
 
 impl Dialog {
-    /// True if something typed or a decision is lost when the dialog is closed.
+    /// True if closing the dialog would lose a typed text or a decision.
     pub fn is_question(&self) -> bool {
         match self {
             Self::Unsaved(_)
@@ -245,7 +245,7 @@ impl Dialog {
 }
 
 impl FileFlow {
-    /// Has a file opened in the next frame, as one that is dropped.
+    /// Opens a file in the next frame, like a dropped one.
     pub fn give(&mut self, path: PathBuf) {
         self.given.push(path);
     }
@@ -256,8 +256,8 @@ impl FileFlow {
         self.waits_for_system() || self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
     }
 
-    /// True while a dialog of the system is open. A browser holds its page back by itself, and some do not say when
-    /// their dialog is closed.
+    /// True while a dialog of the system is open. A browser blocks its page by itself, and some don't report when their
+    /// dialog is closed.
     pub(in crate::gui) fn waits_for_system(&self) -> bool {
         self.asking.is_some() && !cfg!(target_arch = "wasm32")
     }
@@ -273,7 +273,7 @@ impl FileFlow {
         Self { native, ..Self::default() }
     }
 
-    /// True from the first question because of closing the window, until one is answered by *Cancel*.
+    /// True from the first question about closing the window, until the user answers one with *Cancel*.
     pub(in crate::gui) fn is_closing(&self) -> bool {
         let closes = |next: &AfterSave| *next == AfterSave::Quit;
         let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) | Purpose::LessonText(next) if closes(next));
@@ -285,13 +285,13 @@ impl FileFlow {
             }
             Some(Dialog::Title(form)) => form.then.as_ref().is_some_and(saves),
             Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
-            // Nothing comes after the answer to any other question.
+            // No action follows the answer to any other question.
             Some(_) | None => false,
         };
         asked || self.may_close || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
     }
 
-    /// The files that are being written or read, each in a sentence, and how far that has come.
+    /// The files being written or read, each in a sentence, and their progress.
     pub(in crate::gui) fn running(&self, lang: Lang) -> Vec<(String, Running)> {
         let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
         let written = self.exporting.iter().filter_map(|exporting| {
@@ -302,7 +302,7 @@ impl FileFlow {
         written.chain(read).collect()
     }
 
-    /// Gives up work with files if `which` says so.
+    /// Cancels the work with files for which `which` returns true.
     pub(in crate::gui) fn cancel(&mut self, which: impl Fn(Running) -> bool) {
         if self.reading.running().is_some_and(|(_, running)| which(running)) {
             self.reading.cancel();

@@ -1,4 +1,4 @@
-//! Files that are read beside the window's thread: one on a network may take seconds.
+//! Files read beside the window's thread, because one on a network may take seconds.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,23 +18,23 @@ use crate::progress::Progress;
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
 
-/// Something to be read.
+/// Something to read.
 #[derive(Clone, Debug)]
 pub(super) enum ToRead {
     /// A figure, a lesson, or a link in a file.
     File(PathBuf),
-    /// The figure that the window's one is compared with.
+    /// The figure to compare the window's one with.
     Compared(PathBuf),
     /// The next figure of a sequence, or the one before.
     Next(Search),
 }
 
-/// The content of a file, or why it can't be used.
+/// The content of a file, or the reason why it can't be used.
 #[derive(Debug)]
 pub(super) enum Content {
     /// A lesson.
     Lesson(PathBuf, Result<Arc<Lesson>, FileError>),
-    /// A figure to be shown.
+    /// A figure to show.
     Figure(PathBuf, Result<Opened, FileError>),
     /// A figure to compare with.
     Compared(PathBuf, Result<Opened, FileError>),
@@ -63,11 +63,11 @@ impl ToRead {
     }
 }
 
-/// The file that is being read.
+/// The file being read.
 #[derive(Debug)]
 pub struct Reading {
     worker: Worker<ToRead, Content>,
-    /// Its path, and the document when it was asked for, with its state; `None` if the user doesn't want it.
+    /// Its path, and the document with its state when the file was requested. `None` if the user doesn't want it.
     asked: Option<(PathBuf, (Revision, Revision))>,
     /// Time that a frame waits for a file. Tests have more of it.
     pub patience: Duration,
@@ -80,13 +80,13 @@ impl Default for Reading {
     }
 }
 
-/// The document that is shown, and its state.
+/// The displayed document, and its state.
 fn now(model: &Model) -> (Revision, Revision) {
     (model.document.id(), model.document.revision())
 }
 
 impl Reading {
-    /// Has something read. What was being read before isn't wanted any more.
+    /// Starts reading a file. The one being read before isn't wanted any more.
     pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, wanted: ToRead) {
         let path = match &wanted {
             ToRead::File(path) | ToRead::Compared(path) => path.clone(),
@@ -96,8 +96,8 @@ impl Reading {
         self.worker.ask(ctx, 0, wanted);
     }
 
-    /// The content once it's there, and whether the window's figure has changed since it was asked for. Nothing if
-    /// another figure is shown by now: the user has gone on.
+    /// The content once it's there, and if the window's figure has changed since the request. Nothing if the user has
+    /// gone on to another figure.
     pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Content, bool)> {
         let [done] = self.worker.take(patience);
         let content = done?.outcome?;
@@ -106,13 +106,13 @@ impl Reading {
         (before.0 == now.0).then_some((content, before != now))
     }
 
-    /// The file that is being read, and for how long.
+    /// The file being read, and the time that it has taken.
     pub(super) fn running(&self) -> Option<(&Path, Running)> {
         let (path, _) = self.asked.as_ref()?;
         Some((path, self.worker.running()?))
     }
 
-    /// Gives it up. Nothing stops the system, but the window doesn't take what it brings.
+    /// Gives it up. The system can't be stopped, but the window ignores the result.
     pub(super) fn cancel(&mut self) {
         self.asked = None;
     }
@@ -129,7 +129,7 @@ mod tests {
     use crate::gui::app::state::State;
     use crate::gui::model::action::AfterSave;
 
-    /// Opens a file that takes longer than a frame. Meanwhile the user does something.
+    /// Opens a file that takes longer than a frame. Meanwhile the user does something else.
     fn opened_slowly(name: &str, meanwhile: fn(&egui::Context, &mut State)) -> (PathBuf, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).unwrap());
         let path = std::env::temp_dir().join(format!("camera-lab-slow-{name}-{}.toml", std::process::id()));

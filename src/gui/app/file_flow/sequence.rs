@@ -1,7 +1,7 @@
-//! A sequence of figures, as in a lecture: those of the folder of the open one in natural order, or the built-in ones;
-//! also after a figure whose folder cannot be read, as in a page.
+//! A sequence of figures, as in a lecture: those of the folder of the open one in natural order, or the built-in ones.
+//! The latter also follow a figure whose folder can't be read, as in a page.
 //!
-//! There are no questions on the way. A figure with changes is kept, and is as it was left when one comes back to it.
+//! There are no questions on the way. A figure with changes is kept, and has them when the user comes back to it.
 //! Closing the window asks about it.
 
 use std::path::Path;
@@ -28,9 +28,9 @@ pub(super) struct Search {
 #[derive(Debug)]
 pub(super) struct Found {
     search: Search,
-    /// The figure, or the one that was kept; `None` at the end of the sequence.
+    /// The figure, or the kept one. `None` at the end of the sequence.
     next: Option<Next>,
-    /// Why those before it could not be opened.
+    /// The reasons why the ones before it couldn't be opened.
     faults: Vec<Message>,
 }
 
@@ -76,7 +76,7 @@ impl Search {
         (places, at)
     }
 
-    /// Opens the next figure. Files that cannot be opened are passed over.
+    /// Opens the next figure. Skips files that can't be opened.
     pub(super) fn find(self) -> Found {
         let (places, mut at) = self.places();
         let mut faults = Vec::new();
@@ -97,7 +97,7 @@ impl Search {
     }
 }
 
-/// Opens the figure at a place, as it is in its file.
+/// Opens the figure at a place, as in its file.
 fn document_at(place: Option<&Source>) -> Result<Document, Box<Message>> {
     let opened = match place {
         None => None,
@@ -114,7 +114,7 @@ fn document_at(place: Option<&Source>) -> Result<Document, Box<Message>> {
     }
 }
 
-/// Shows the figure that was found. Work in the one before is kept.
+/// Shows the figure found. Work in the one before is kept.
 pub(super) fn show(state: &mut State, found: Found) {
     let Found { search: Search { here, forwards, .. }, next, faults } = found;
     let State { model, learn, annotations, recent, file_flow, .. } = state;
@@ -131,7 +131,7 @@ pub(super) fn show(state: &mut State, found: Found) {
     let mut left = model.document.clone();
     annotations.turn_page(here.clone(), source.as_ref());
     learn.take_over(model, document);
-    // What was behind it is kept already.
+    // The document behind it is kept already.
     left.take_behind();
     if left.is_changed() {
         model.kept.push((here, left));
@@ -139,12 +139,12 @@ pub(super) fn show(state: &mut State, found: Found) {
     if let Some(Source::File(path)) = &source {
         recent.add(path);
     }
-    // Another program may have gone on with the file.
+    // Another program may have changed the file since.
     file_flow.look = true;
     model.say(passed_over(faults).unwrap_or(step));
 }
 
-/// The message about files that cannot be opened: the reason for the first, and the number of others.
+/// The message about files that can't be opened, with the reason for the first, and the number of others.
 fn passed_over(faults: Vec<Message>) -> Option<Message> {
     let mut faults = faults.into_iter();
     let first = faults.next()?;

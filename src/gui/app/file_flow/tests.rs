@@ -7,7 +7,7 @@ use crate::gui::export::{Export, Exported};
 use crate::i18n::Lang;
 use crate::progress::Progress;
 
-/// The window as it is while a picture is being written by `make`, and frames of it.
+/// The window while `make` writes a picture, and frames of it.
 fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
     let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
     let export = Export::new([[4, 3]; 3], 1.0);
@@ -57,7 +57,7 @@ fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let path = folder.join("copy.toml");
     for is_same in [false, true] {
-        // The title of the figure has been asked for.
+        // The user has already been asked for the title of the figure.
         state.file_flow.titled = Some(state.model.document.id());
         ask(&ctx, &mut state, Purpose::Save(None));
         assert!(state.file_flow.is_asking());
@@ -69,7 +69,7 @@ fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
         assert_eq!((path.exists(), state.model.document.path().is_some()), (is_same, is_same));
         assert_eq!(matches!(state.model.message, Some(Message::OtherFigure(_))), !is_same);
     }
-    // A lack of dialogs is no reason to have none for the next question.
+    // If the system has no dialogs now, the next question still tries them.
     ask(&ctx, &mut state, Purpose::Open);
     answered(&ctx, &mut state, FileAnswer::Unavailable);
     assert!(matches!(state.file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))) && state.file_flow.native);
@@ -110,7 +110,7 @@ fn a_window_that_is_closed_waits_for_its_pictures() {
     assert_eq!(state.file_flow.dialog, None);
     assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
 
-    // A failed one is reported, by a window that stays.
+    // A failed one is reported, and the window stays.
     let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
     go_on(&ctx, &mut state, AfterSave::Quit);
     assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));

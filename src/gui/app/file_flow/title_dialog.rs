@@ -20,13 +20,13 @@ use crate::sanitize;
 pub(in crate::gui) enum Answer {
     /// In this file.
     Save(Purpose, String),
-    /// In a file that the system's dialog asks for.
+    /// In a file that the user chooses in the system's dialog.
     Choose(Purpose),
 }
 
 impl TitleForm {
-    /// The words of the figure, or none if they are those of a card and the figure is another one by now. `then` is the
-    /// save that goes with it.
+    /// The words of the figure. `None` if they belong to a card and the window shows another figure by now. `then` is
+    /// the save that follows.
     pub(in crate::gui) fn of(model: &Model, then: Option<Purpose>) -> Self {
         let Figure { title, caption, .. } = model.document.figure();
         if model.document.has_words_of_card() {
@@ -37,7 +37,7 @@ impl TitleForm {
     }
 }
 
-/// Shows the dialog. Gives the save that goes with it. `first`: it has just been opened.
+/// Shows the dialog. Returns the save that follows. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -77,7 +77,7 @@ pub(in crate::gui) fn show(
     let by_system = state.file_flow.native && !state.model.in_browser;
     let path = form.then.as_ref().and_then(|purpose| {
         let mut path = form.path.clone().unwrap_or_else(|| proposal(state, purpose, form.title.clone()));
-        // Without a folder it would land anywhere: the system's dialog asks.
+        // Without a folder it would land anywhere, so the system's dialog asks.
         let has_folder = Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
         if by_system && form.path.is_none() && !has_folder {
             return None;
@@ -142,7 +142,7 @@ fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Optio
     form.then
 }
 
-/// A text of one line in both languages; if one is empty, it is the other one.
+/// A text of one line in both languages. If one is empty, it's replaced by the other.
 fn written(text: Bilingual) -> Option<Bilingual> {
     let line = |text: String| {
         let words = text.split(|c: char| c.is_whitespace() || sanitize::is_obeyed(c)).filter(|word| !word.is_empty());

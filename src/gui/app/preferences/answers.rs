@@ -16,7 +16,7 @@ const GUESSED: &str = "is guessed";
 /// All was answered rightly once.
 const SOLVED: &str = "is solved";
 
-/// The value of an exercise without typed answers: it marks those that were taken back.
+/// The value of an exercise without typed answers, which marks answers taken back.
 pub(in crate::gui) const NOTHING: &str = "{}";
 
 /// Keys with their values as TOML.
@@ -55,8 +55,8 @@ pub(in crate::gui) fn read(document: &DocumentMut) -> impl Iterator<Item = (Chos
     })
 }
 
-/// Whether all questions were once answered rightly: files of preferences had this key before there was one of
-/// progress.
+/// True if all questions were once answered correctly. Files of preferences had this key before there was a progress
+/// file.
 pub(in crate::gui) fn is_solved(table: &InlineTable) -> bool {
     table.get(SOLVED).and_then(Value::as_bool).unwrap_or_default()
 }

@@ -1,7 +1,7 @@
 //! Preferences of the window, in a small TOML file in the user's configuration folder.
 //!
-//! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one
-//! wins, key by key, and keys of a later version stay.
+//! Each window writes only the keys that changed in it. If two windows are open at once, the last one wins, key by key,
+//! and keys of a later version stay.
 
 mod answers;
 mod progress;
@@ -27,10 +27,10 @@ use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
 pub use store::Preferences;
 
-/// Whose signs the rotations have, by the names that `--convention` has for them.
+/// The conventions for the signs of rotations, by the names in `--convention`.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
 
-/// The key of the list of files that were opened or saved last.
+/// The key of the list of recent files.
 const RECENT: &str = "recent";
 
 /// The key of the furthest steps of lessons, each as `id=step`, from 1.
@@ -38,7 +38,7 @@ const LESSONS: &str = "lessons";
 /// The done steps of lessons.
 const LESSONS_DONE: &str = "lessons_done";
 
-/// A key of the file: its value in a window, and its effect on one; an impossible value has none.
+/// A key of the file, with its value in a window and its effect on one. An impossible value has none.
 struct Key {
     name: &'static str,
     of: fn(&State) -> Value,
@@ -128,7 +128,7 @@ const KEYS: [Key; 42] = [
             put(&mut state.model.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
         },
     },
-    // Width and height, whether it's maximized, and its corner, if that is known; empty: not known.
+    // Width and height, whether it's maximized, and its corner if known. Empty if unknown.
     Key {
         name: "window",
         of: |state| state.model.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
@@ -218,7 +218,7 @@ const KEYS: [Key; 42] = [
             put(&mut state.export.faces, faces);
         },
     },
-    // Keys or operations with their values; empty: none.
+    // Keys or operations with their values. Empty if there are none.
     Key {
         name: "family",
         of: |state| family_of(&state.family, 0),
@@ -229,7 +229,7 @@ const KEYS: [Key; 42] = [
         of: |state| family_of(&state.family, 1),
         apply: |state, value| set_family(&mut state.family, value, 1),
     },
-    // 0: as many as there is room for.
+    // 0 means as many as there is room for.
     Key {
         name: "family_columns",
         of: |state| state.family.columns.and_then(|n| i64::try_from(n).ok()).unwrap_or_default().into(),
@@ -297,7 +297,7 @@ fn ndc(value: &Value) -> Option<Ndc> {
     Ndc::ALL.into_iter().find(|ndc| value.as_str() == Some(ndc.name()))
 }
 
-/// A number, also one that was written without a point.
+/// A number, even if it's written without a point.
 fn number(value: &Value) -> Option<f64> {
     #[expect(clippy::cast_precision_loss, reason = "what people write is far below 2⁵³")]
     let whole = value.as_integer().map(|whole| whole as f64);
@@ -331,7 +331,7 @@ fn values(state: &State) -> impl Iterator<Item = (&'static str, String)> {
     values.map(|(key, value)| (key, value.to_string()))
 }
 
-/// Sets a window up as the file says. A value that a key cannot have counts as none.
+/// Sets up a window as in the file. An invalid value counts as none.
 fn apply(document: &DocumentMut, state: &mut State) {
     let value = |key: &str| document.get(key).and_then(|item| item.as_value());
     for key in &KEYS {
@@ -391,7 +391,7 @@ fn lessons_done(pairs: impl Iterator<Item = (String, usize)>) -> BTreeMap<String
     done
 }
 
-/// The files that were opened or saved last, the latest first.
+/// The recent files, the latest first.
 fn recent(document: &DocumentMut) -> Vec<PathBuf> {
     let list = document.get(RECENT).and_then(|item| item.as_array());
     let paths = list.into_iter().flatten().filter_map(|value| value.as_str().map(PathBuf::from));

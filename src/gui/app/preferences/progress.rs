@@ -1,6 +1,7 @@
-//! Progress in exercises, and typed answers: a file of its own beside the preferences, which can be read and deleted.
+//! Progress in exercises, and typed answers. They have a file of their own beside the preferences, which the user can
+//! read and delete.
 //!
-//! A window merges its progress into the present content of the file. Nothing of two windows is lost.
+//! A window merges its progress into the present content of the file, so two windows lose nothing of each other.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -61,9 +62,9 @@ impl Change for ProgressJob {
 /// The file of progress, and the part of this window in it.
 pub(in crate::gui) struct KeptProgress {
     file: SharedFile<ProgressJob>,
-    /// The answers typed in this window, as they are in the file.
+    /// The answers typed in this window, as in the file.
     kept: BTreeMap<String, String>,
-    /// The typed answers as the file would have them, with what they were made from: most frames change none.
+    /// The typed answers in the form of the file, with their sources. Most frames change none.
     values: (BTreeMap<Chosen, Typed>, BTreeMap<String, String>),
 }
 
@@ -109,12 +110,12 @@ impl KeptProgress {
         }
     }
 
-    /// True if all that was done is in the file.
+    /// True if all progress is in the file.
     pub(in crate::gui) fn is_written(&mut self, learn: &Learn) -> bool {
         self.job(learn).is_empty()
     }
 
-    /// Whether it cannot be saved.
+    /// True if it can't be saved.
     pub(in crate::gui) fn is_failing(&self) -> bool {
         self.file.is_failing()
     }
@@ -124,7 +125,7 @@ impl KeptProgress {
         self.file.news()
     }
 
-    /// The part that is not in the file yet.
+    /// The part that isn't in the file yet.
     fn job(&mut self, learn: &Learn) -> ProgressJob {
         if self.values.0 != learn.exercises.typed {
             self.values = (learn.exercises.typed.clone(), answers::values(learn).collect());
@@ -149,7 +150,7 @@ impl KeptProgress {
         exercises.unwritten.iter().for_each(|done| done.note(&mut exercises.progress));
     }
 
-    /// Forgets all of it. The file stays under another name, until that is done once more.
+    /// Forgets all of it. The file stays under another name until this is done once more.
     fn forget(&mut self, model: &mut Model, learn: &mut Learn) {
         self.take(learn, MAX_WAIT);
         let aside = self.file.path.with_extension("bak");

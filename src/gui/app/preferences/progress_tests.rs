@@ -62,7 +62,7 @@ fn of_two_windows_nothing_is_lost() {
     assert_eq!((times(&third), third.learn.exercises.stage("window")), (vec![3], Stage::Solved));
     assert_eq!(third.learn.exercises.typed[&basis()], typed("1/sqrt(3)"));
     assert_eq!(third.learn.exercises.typed.len(), 2);
-    // Answers taken back are removed from the file.
+    // Answers taken back disappear from the file.
     third.learn.exercises.typed.insert(basis(), Typed::default());
     of_third.finish(&mut third);
     assert!(!file(&folder, "progress.toml").contains("basis 3"));
@@ -82,7 +82,7 @@ fn what_preferences_kept_before_is_read_once() {
     let (mut next, mut preferences) = folder.window();
     assert_eq!(next.learn.exercises.stage("basis"), Stage::Solved);
     assert_eq!(next.learn.exercises.typed[&basis()].answers["u"], ["1", ""]);
-    // Deleted, it does not come back; the file stays under another name.
+    // Once deleted, it doesn't come back. The file stays under another name.
     let kept = file(&folder, "progress.toml");
     next.learn.exercises.forgets = true;
     preferences.keep(&egui::Context::default(), &mut next);

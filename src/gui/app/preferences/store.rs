@@ -24,7 +24,7 @@ use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
 struct SettingsJob {
     /// Keys with their values as TOML.
     changed: BTreeMap<&'static str, String>,
-    /// The files that were opened in it, the latest first.
+    /// The files opened in it, the latest first.
     opened: Vec<PathBuf>,
     /// The typed answers are in a file of their own now.
     answers_moved: bool,
@@ -74,7 +74,7 @@ impl Change for SettingsJob {
 /// The preferences of a window, and the file in which they are kept.
 pub struct Preferences {
     file: SharedFile<SettingsJob>,
-    /// The keys of this window as they are in the file, or were when it was read.
+    /// The keys of this window as in the file, at present or when it was read.
     kept: BTreeMap<&'static str, String>,
     /// The keys in the file.
     remembered: BTreeSet<String>,
@@ -84,7 +84,7 @@ pub struct Preferences {
 }
 
 impl Preferences {
-    /// Sets a window up from the file in `folder`. The options in `asked` are for this window only, and are not saved.
+    /// Sets up a window from the file in `folder`. The options in `asked` are for this window only, and aren't saved.
     pub fn begin(folder: &Path, state: &mut State, asked: LaunchOptions) -> Self {
         files::remove_left_over(folder);
         let (file, content) = SharedFile::open(
@@ -92,7 +92,7 @@ impl Preferences {
             "preferences",
             (Keeping::Preferences, News::PreferencesSetAside),
         );
-        // The figure that the window opens with may say how it is shown; that is no preference.
+        // The initial figure may set how it's shown, but that isn't a preference.
         state.model.give_back_layout();
         if let Some(document) = &content {
             apply(document, state);
@@ -104,13 +104,13 @@ impl Preferences {
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state).collect();
-        // A page may be somebody's figure in the middle of a text.
+        // A page may show a figure in the middle of another author's text.
         state.learn.welcome = !state.model.settings.welcomed && !state.model.in_browser;
         state.learn.goes_on = state.model.settings.welcomed && !state.model.in_browser && !state.learn.taken.is_empty();
         Self { file, kept, remembered, progress, has_answers }
     }
 
-    /// Sets a key as the system wants it, unless the user has chosen otherwise. That is not remembered.
+    /// Sets a key to the system's value, unless the user has chosen otherwise. That isn't remembered.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(in crate::gui) fn follow(&mut self, state: &mut State, key: &str, set: impl FnOnce(&mut State)) {
         let is_chosen = values(state).any(|(of, value)| of == key && self.kept.get(of) != Some(&value));
@@ -144,13 +144,13 @@ impl Preferences {
         news
     }
 
-    /// The parts that can be saved, as far as is known.
+    /// The savable parts, as far as known.
     pub fn kept(&self) -> impl Iterator<Item = Keeping> {
         let kept = [(Keeping::Preferences, self.file.is_failing()), (Keeping::Progress, self.progress.is_failing())];
         kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)
     }
 
-    /// The part that is not in the file yet.
+    /// The part that isn't in the file yet.
     fn job(&mut self, state: &State) -> SettingsJob {
         let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value)).collect();
         let answers_moved = self.has_answers && self.progress.is_written(&state.learn);

@@ -1,4 +1,4 @@
-//! The interface for other pages, `window.cameraLab`: a page of lecture notes that shows this one in a frame of the
+//! The interface for other pages, `window.cameraLab`. A page of lecture notes that shows this one in a frame of the
 //! same origin can read the figure, set another one, get a link, and lay notes over the pictures. `docs/web.md`
 //! describes it.
 
@@ -64,8 +64,8 @@ fn pictures(page: &Page) -> Result<Object, JsValue> {
     Ok(all)
 }
 
-/// Says that the first picture is there: `cameraLab.ready`, a mark of that name on the page's time line, and an event
-/// of the window.
+/// Signals that the first picture is there, with `cameraLab.ready`, a mark of that name on the page's time line, and an
+/// event of the window.
 pub(in crate::gui) fn say_ready() {
     let Some(window) = crate::gui::app::web::window() else { return };
     if let Ok(lab) = Reflect::get(&window, &"cameraLab".into()) {

@@ -1,4 +1,4 @@
-//! Keys that call a command here, and would do something else in the browser, which is prevented.
+//! Keys that call a command here, and whose other action in the browser is prevented.
 
 use eframe::egui::{Key, Modifiers};
 use wasm_bindgen::JsCast as _;
@@ -8,7 +8,7 @@ use web_sys::{KeyboardEvent, Window};
 
 use crate::gui::model::command::Command;
 
-/// Keeps the browser from acting on the keys of this program. It still gets those that it has for itself.
+/// Keeps the browser from acting on the keys of this program. It still gets those that it reserves for itself.
 pub(in crate::gui) fn keep_from_browser(window: &Window) -> Result<(), JsValue> {
     let pressed = Closure::<dyn FnMut(KeyboardEvent)>::new(|event: KeyboardEvent| {
         let modifiers = Modifiers {
@@ -18,7 +18,7 @@ pub(in crate::gui) fn keep_from_browser(window: &Window) -> Result<(), JsValue> 
             mac_cmd: event.meta_key(),
             command: event.ctrl_key() || event.meta_key(),
         };
-        // With Alt, some keyboards write other signs: then the key itself counts.
+        // With Alt, some keyboards write other signs, so the key itself counts.
         let key = Key::from_name(&event.key()).or_else(|| Key::from_name(&event.code()));
         if key.is_some_and(|key| Command::any_has_in_browser(key, modifiers)) {
             event.prevent_default();

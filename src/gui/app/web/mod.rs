@@ -1,4 +1,4 @@
-//! The window as a page of a browser: the same program, with the page's own ways to files, to storage, and to its
+//! The window as a page of a browser. It's the same program, with the page's own ways to files, to storage, and to its
 //! address.
 
 mod interface;
@@ -26,7 +26,7 @@ use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::i18n::Lang;
 use crate::share;
 
-/// The identifier of the canvas that the page has for the window.
+/// The identifier of the page's canvas for the window.
 const CANVAS: &str = "camera-lab";
 
 thread_local! {
@@ -36,7 +36,7 @@ thread_local! {
     static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
 }
 
-/// Has a file or a link opened in the next frame.
+/// Opens a file or a link in the next frame.
 fn arrive(path: PathBuf) {
     ARRIVED.with_borrow_mut(|arrived| arrived.push(path));
     WAKE.with_borrow(|ctx| ctx.iter().for_each(egui::Context::request_repaint));
@@ -60,11 +60,11 @@ fn window() -> Option<Window> {
     web_sys::window()
 }
 
-/// Calls a function of the page, as `index.html` has it, with a text.
+/// Calls a function of the page, defined in `index.html`, with a text.
 fn call(name: &str, text: &str) {
     let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok());
     if let Some(function) = function.and_then(|function| function.dyn_into::<js_sys::Function>().ok()) {
-        // Nobody is left to report that the page lacks it.
+        // If the page lacks the function, there is no way left to report it.
         let _ = function.call1(&JsValue::NULL, &text.into());
     }
 }
@@ -91,7 +91,7 @@ async fn start() -> Result<(), JsValue> {
     keys::keep_from_browser(&window)?;
     let runner = eframe::WebRunner::new();
     interface::offer(&window, &runner)?;
-    // The page's own reaction to a fragment that changes while it is shown.
+    // The page's own reaction when its fragment changes.
     let followed = Closure::<dyn FnMut()>::new(|| {
         if let Some(link) = linked() {
             arrive(link);
@@ -103,25 +103,25 @@ async fn start() -> Result<(), JsValue> {
     runner.start(canvas, options, Box::new(|context| Ok(Box::new(Page::new(&context.egui_ctx)?)))).await
 }
 
-/// The link that the page was called by, where it holds a figure and this page has not opened it before.
+/// The link that the page was called by, if it holds a figure and this page hasn't opened it before.
 fn linked() -> Option<PathBuf> {
     let fragment = window()?.location().hash().ok()?;
-    // Its faults are reported where it is opened.
+    // Opening it reports its faults.
     let _ = share::text_in(&fragment)?;
     store::is_new_here(&fragment).then(|| PathBuf::from(fragment))
 }
 
-/// True if the page is shown inside of another one.
+/// True if the page is embedded in another one.
 fn is_framed(window: &Window) -> bool {
     !matches!(window.parent(), Ok(Some(parent)) if parent == *window)
 }
 
-/// Whether the user has set a media query for every page.
+/// True if the user has set a media query for every page.
 fn wanted(query: &str) -> bool {
     window().and_then(|window| window.match_media(query).ok().flatten()).is_some_and(|list| list.matches())
 }
 
-/// Light or dark, and whether motion is to be reduced.
+/// Light or dark, and true if motion is to be reduced.
 fn system() -> (Theme, bool) {
     let theme = if wanted("(prefers-color-scheme: dark)") { Theme::Dark } else { Theme::Light };
     (theme, wanted("(prefers-reduced-motion: reduce)"))
@@ -132,9 +132,9 @@ struct Page {
     app: App,
     title: String,
     system: (Theme, bool),
-    /// The page fills the screen, as far as this program knows.
+    /// True if the page fills the screen, as far as this program knows.
     full_screen: bool,
-    /// The readiness of the pictures has been reported.
+    /// True if the readiness of the pictures has been reported.
     told: bool,
 }
 
@@ -159,21 +159,21 @@ impl Page {
         state.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
         if !is_framed(&window) && width.is_some_and(|width| width < f64::from(crate::gui::app::menu::PHONE)) {
-            // The pictures need all the space there is, until a panel is requested.
+            // The pictures need all the available space, until a panel is requested.
             state.model.settings.panels_mut().wanted = [false; 3];
         }
         let system = system();
         (state.model.settings.theme, state.model.settings.reduce_motion) = system;
         let mut app = App::new(ctx, state);
         if is_framed(&window) {
-            // A figure in somebody's page changes nothing stored in this browser.
+            // A figure embedded in a page changes nothing stored in this browser.
             asked.apply(&mut app.state.model);
         } else {
             app.keep_preferences(ctx, Path::new(KEPT), asked);
             app.keep_session(Path::new(KEPT), restore);
         }
         if let Some(open) = asked.open_lesson() {
-            // Over the figure that was left here with changes only once the user agrees.
+            // If the user left changes here, the link replaces the figure only after a question.
             file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
         }
         if let Some(error) = fault {
@@ -199,7 +199,7 @@ impl Page {
         } else if wanted != self.full_screen {
             self.full_screen = wanted;
             if wanted {
-                // Where the browser refuses, the presentation is as large as the page.
+                // If the browser refuses, the presentation is as large as the page.
                 let _ = document.document_element().map(|all| all.request_fullscreen());
             } else {
                 document.exit_fullscreen();
@@ -216,7 +216,7 @@ fn read_link(link: &Path) -> Result<(Figure, SourceFile), files::FileError> {
     Ok(files::open_figure(link)?.at(link))
 }
 
-/// The address of the page, where others can open it. A file on this machine they can't.
+/// The address of the page, if others can open it. They can't open a file on this machine.
 fn own_address(location: &web_sys::Location) -> Option<String> {
     let address = format!("{}{}", location.origin().ok()?, location.pathname().ok()?);
     address.starts_with("http").then_some(address)

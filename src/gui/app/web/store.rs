@@ -11,10 +11,10 @@ use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, Storage, Url};
 use crate::clock;
 use crate::files::disk::page::{self, Page};
 
-/// The prefix of stored names: other pages of the same address have names of their own.
+/// The prefix of stored names, because other pages of the same address have names of their own.
 const PREFIX: &str = "camera-lab/";
 
-/// Time for which a download stays in memory: browsers take it after the click, at their own pace.
+/// Time for which a download stays in memory, because browsers read it some time after the click.
 const TAKEN_MS: i32 = 60_000;
 
 thread_local! {
@@ -24,7 +24,7 @@ thread_local! {
     static OWN: RefCell<BTreeMap<String, js_sys::Function>> = const { RefCell::new(BTreeMap::new()) };
 }
 
-/// Looks which tabs there are, and sets the functions of the page.
+/// Finds out which tabs there are, and sets the functions of the page.
 pub(in crate::gui) async fn begin() {
     let held = held_locks().await.unwrap_or_default();
     ELSEWHERE.with_borrow_mut(|elsewhere| *elsewhere = held);
@@ -38,7 +38,7 @@ pub(in crate::gui) async fn begin() {
     });
 }
 
-/// Without permission to store, there is no storage: an error where something is to be stored.
+/// Without permission to store, there is no storage, and storing fails.
 fn storage() -> io::Result<Storage> {
     let storage = crate::gui::app::web::window().and_then(|window| window.local_storage().ok().flatten());
     storage.ok_or_else(|| io::ErrorKind::PermissionDenied.into())
@@ -57,7 +57,7 @@ fn keep(name: &str, text: Option<&str>) -> io::Result<()> {
     done.map_err(|_| io::ErrorKind::QuotaExceeded.into())
 }
 
-/// True for a link that this tab has not opened yet: where the page is loaded anew, the work goes on instead.
+/// True for a link that this tab hasn't opened yet. If the page is loaded anew, the work goes on instead.
 pub(in crate::gui) fn is_new_here(link: &str) -> bool {
     const KEY: &str = "camera-lab/link";
     let Some(storage) = crate::gui::app::web::window().and_then(|window| window.session_storage().ok().flatten())
@@ -67,7 +67,7 @@ pub(in crate::gui) fn is_new_here(link: &str) -> bool {
     if storage.get_item(KEY).ok().flatten().as_deref() == Some(link) {
         return false;
     }
-    // Where it cannot be recorded, the link is opened again.
+    // If it can't be recorded, the link is opened again.
     let _ = storage.set_item(KEY, link);
     true
 }
@@ -76,12 +76,12 @@ fn download(name: &str, bytes: &[u8]) -> io::Result<()> {
     downloaded(name, bytes).map_err(|_| io::ErrorKind::PermissionDenied.into())
 }
 
-/// Hands bytes over as a click on a link would.
+/// Hands bytes over, as a click on a link would.
 fn downloaded(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     let window = crate::gui::app::web::window().ok_or("no window")?;
     let document = window.document().ok_or("no document")?;
     let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes));
-    // Of no kind that a browser would show instead of keeping it.
+    // A type that no browser displays instead of saving.
     let kind = BlobPropertyBag::new();
     kind.set_type("application/octet-stream");
     let url = Url::create_object_url_with_blob(&Blob::new_with_u8_array_sequence_and_options(&parts, &kind)?)?;
@@ -117,7 +117,7 @@ async fn held_locks() -> Option<BTreeSet<String>> {
     Some(held.iter().filter_map(name).filter_map(|name| name.strip_prefix(PREFIX).map(str::to_owned)).collect())
 }
 
-/// Takes a lock, or gives it back. That comes about a moment later: of two tabs that begin in the same moment, both may
+/// Takes or releases a lock. That comes about a moment later, so of two tabs that start in the same moment, both may
 /// think that they have it.
 fn hold(name: &str, wanted: bool) {
     if !wanted {

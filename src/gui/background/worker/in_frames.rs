@@ -1,4 +1,4 @@
-//! Jobs where there are no threads: in the frames, a slice of them in each.
+//! Does jobs without threads, a slice of them in each frame.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::task::{Context, Poll, Waker};
@@ -9,13 +9,13 @@ use eframe::egui;
 use super::shares::Shares;
 use super::{Done, Make, Running, Shared, Slices, Work};
 
-/// Time for jobs in a frame: the animation moves on in between.
+/// Time for jobs in a frame, between steps of the animation.
 const SLICE: Duration = Duration::from_millis(30);
 
-/// Where the frames themselves take longer, jobs get as much time as they, up to this: a hand feels longer delays.
+/// If the frames themselves take longer, jobs get as much time as they, up to this. Users feel longer delays.
 const LONGEST_SLICE: Duration = Duration::from_millis(100);
 
-/// Before a job of whose like a slice took so long there is a frame that tells it.
+/// If a slice of a similar job took this long, a frame announces the job first.
 const LONG: Duration = Duration::from_millis(500);
 
 /// The backend that does the jobs in the frames.
@@ -25,7 +25,7 @@ pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
     ctx: egui::Context,
     shares: Shares<SLOTS>,
     under_way: Option<RunningJob<Outcome>>,
-    /// When the last slice ended, where another follows in the next frame.
+    /// When the last slice ended, if another follows in the next frame.
     ended: Option<Duration>,
     /// The longest slice of the last job of each slot.
     longest: [Duration; SLOTS],
@@ -56,12 +56,12 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         }
     }
 
-    /// A long job that is done in one slice, so that it has to be announced before it begins.
+    /// A long job done in one slice, which therefore has to be announced before it begins.
     pub(super) fn announced(&self) -> Option<Running> {
         self.announced.map(|slot| Running { slot, time: self.longest[slot], now: None })
     }
 
-    /// Goes on with the jobs that wait, and asks for another frame where some are left.
+    /// Goes on with the waiting jobs, and requests another frame if some are left.
     pub(super) fn go_on(
         &mut self,
         shared: &Shared<Job, Outcome, SLOTS>,
@@ -90,7 +90,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         }
     }
 
-    /// The next job; `None` if none waits, or it has to be announced first.
+    /// The next job. `None` if none waits, or if it has to be announced first.
     fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<RunningJob<Outcome>> {
         let slot = self.shares.next(shared.mailbox().waiting())?;
         let is_told = self.announced.take() == Some(slot);
@@ -104,7 +104,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         Some(RunningJob { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
     }
 
-    /// Does a slice of a job. A job that has panicked has no outcome, and its half-done parts are made anew.
+    /// Does a slice of a job. A job that has panicked has no outcome, and its half-done parts are created again.
     fn slice(
         &mut self,
         job: &mut RunningJob<Outcome>,

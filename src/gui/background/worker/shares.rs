@@ -1,12 +1,12 @@
-//! Whose turn it is.
+//! The shares of the slots in the time, which decide the next turn.
 
 use std::time::Duration;
 
-/// Time used by each slot, so that the next is the one that had least.
+/// Time used by each slot, so that the slot with the least comes next.
 #[derive(Debug)]
 pub(super) struct Shares<const SLOTS: usize> {
     had: [Duration; SLOTS],
-    /// The time that the last slot had had before: one that has not waited gets no credit for it.
+    /// The time that the last slot had had before. A slot that hasn't waited gets no credit for it.
     floor: Duration,
 }
 
@@ -48,7 +48,7 @@ mod tests {
             shares.book(i, takes[i]);
         }
         assert!(came[1] >= 6 && came[0] >= 3 * came[1] - 3 && came[2] >= 3 * came[0] - 3, "{came:?}");
-        // One that had nothing to do for long has no right to all the time after that.
+        // A slot that was idle for long has no right to all the time after that.
         for _ in 0..50 {
             let i = shares.next([false, false, true]).unwrap();
             shares.book(i, takes[i]);

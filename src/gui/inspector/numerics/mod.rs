@@ -1,5 +1,5 @@
-//! The panel of studies: which to measure, the chart of errors, and the methods with their numbers; each opens the
-//! camera on which it was worst.
+//! The panel of studies: the choice of studies, the chart of errors, and the methods with their numbers. Each method
+//! opens the camera with its largest error.
 
 mod plot;
 pub(in crate::gui) mod state;
@@ -67,7 +67,7 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
     }
 }
 
-/// The studies, each with a mark where it has been measured, and the button that measures.
+/// The studies, each with a mark if it has been measured, and the button that measures.
 fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
     let lang = model.settings.lang;
     let t = words::texts(lang);
@@ -102,7 +102,7 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
     });
 }
 
-/// The question of a study, before it has been measured.
+/// The question of a study that hasn't been measured yet.
 fn nothing_yet(ui: &mut Ui, model: &Model, numerics: &Numerics) {
     let lang = model.settings.lang;
     ui.vertical(|ui| {
@@ -116,7 +116,7 @@ fn nothing_yet(ui: &mut Ui, model: &Model, numerics: &Numerics) {
     });
 }
 
-/// The chart of one case. Gives the row whose point was clicked.
+/// The chart of one case. Returns the row whose point was clicked.
 fn chart(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Findings) -> Option<Row> {
     let lang = model.settings.lang;
     let t = words::texts(lang);
@@ -144,7 +144,7 @@ fn chart(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Fin
     .inner
 }
 
-/// The methods at one parameter. Gives the row whose camera is to be opened.
+/// The methods at one parameter. Returns the row whose camera is to be opened.
 fn methods(ui: &mut Ui, model: &Model, numerics: &mut Numerics, findings: &Findings) -> Option<Row> {
     let lang = model.settings.lang;
     let t = words::texts(lang);

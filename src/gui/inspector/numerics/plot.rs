@@ -13,7 +13,7 @@ use crate::numerics::{Findings, Row};
 
 /// Distance within which the pointer catches a point, in points.
 const NEAR: f32 = 14.0;
-/// Room for the line that reads out the point under the pointer.
+/// Room for the line that describes the point under the pointer.
 const READOUT: f32 = 22.0;
 
 /// Shows a chart and the values under the pointer. Returns the row whose point was clicked.
@@ -74,7 +74,7 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
         };
         if let Some(width) = width {
             let line = Line::new(series.name.clone(), points()).color(color).width(width);
-            // Of curves that lie on one another each is seen between the dashes of the next.
+            // Where curves coincide, each is visible between the dashes of the next.
             let below = chart.series[..place].iter().filter(|other| lie_together(other, series)).count();
             plot_ui.line(match below {
                 0 => line,
@@ -94,7 +94,7 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
     }
 }
 
-/// Whether two curves cannot be told apart: at every point within a twentieth of a decade.
+/// True if two curves can't be told apart, because at every point they are within a twentieth of a decade.
 fn lie_together(a: &Series, b: &Series) -> bool {
     let is_curve = |series: &Series| matches!(series.look, Look::Curve | Look::BoldCurve);
     let near = |[a, b]: [f64; 2]| (a.log10() - b.log10()).abs() < 0.05;

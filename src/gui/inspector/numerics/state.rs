@@ -1,4 +1,4 @@
-//! The studies of error against run time: the one shown, the results, and the thread that measures.
+//! The studies of error against run time: the displayed one, the results, and the thread that measures.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -13,15 +13,15 @@ use crate::progress::Progress;
 /// The panel of studies.
 #[derive(Debug)]
 pub struct Numerics {
-    /// The panel is shown.
+    /// True if the panel is shown.
     pub shown: bool,
-    /// The study that is shown.
+    /// The displayed study.
     pub study: Study,
     /// The case, by its index.
     pub case: usize,
-    /// Error over time, rather than over the parameter.
+    /// True for error over time, rather than over the parameter.
     pub over_time: bool,
-    /// The parameter of the table, by its index; `None` means the stiffest.
+    /// The parameter of the table, by its index. `None` for the stiffest.
     pub parameter: Option<usize>,
     /// The effort of a run.
     pub effort: Effort,
@@ -52,12 +52,12 @@ impl Default for Numerics {
 }
 
 impl Numerics {
-    /// Measures the study that is shown, beside the window's thread.
+    /// Measures the displayed study, beside the window's thread.
     pub fn measure(&mut self, ctx: &egui::Context) {
         self.measured.ask_again(ctx, (self.study, self.effort));
     }
 
-    /// Begins the study that is shown, once, where it has not been measured. One that runs makes room for it.
+    /// Begins the displayed study, once, if it hasn't been measured. A running one makes room for it.
     pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context) {
         if self.begun != Some(self.study) && self.found(self.study).is_none() {
             self.begun = Some(self.study);
@@ -71,7 +71,7 @@ impl Numerics {
         self.measured.give_up();
     }
 
-    /// The study that is being measured, and which share of it is done.
+    /// The study being measured, and the share already done.
     pub fn measuring(&self) -> Option<(Study, Option<f32>)> {
         let share = self.measured.running().and_then(|Running { now, .. }| now).and_then(|(_, share)| share);
         self.measured.waiting().map(|(study, _)| (*study, share))
@@ -94,7 +94,7 @@ impl Numerics {
 mod tests {
     use super::*;
 
-    /// The one that was given up comes to its end later, and says nothing of the one that is wanted now.
+    /// The one that was given up ends later, and doesn't affect the one that is wanted now.
     #[test]
     fn a_study_that_is_given_up_and_begun_again_is_measured_until_it_is_found() {
         let ctx = egui::Context::default();

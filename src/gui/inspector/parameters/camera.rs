@@ -1,4 +1,4 @@
-//! C, PF, VUP; projection, θ or H, A, F, B; the view window.
+//! C, PF, VUP, then the projection with θ or H, A, F, B, then the view window.
 
 use eframe::egui;
 
@@ -54,7 +54,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Mo
     });
 }
 
-/// θ and A of a free window: at the places of their fields, so that the padlock below stays under the pointer.
+/// θ and A of a free window, at the places of their fields, so that the padlock below stays under the pointer.
 fn derived(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let window = form.good.window();

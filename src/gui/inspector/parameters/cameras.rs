@@ -22,7 +22,7 @@ use crate::views::{OtherCamera, Palette};
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList) {
     let t = cameras::texts(model.settings.lang);
     let count = model.document.figure().cameras.len();
-    // It opens when the first camera comes, or when one of its buttons was searched for.
+    // It opens when the first camera comes, or when the search leads to one of its buttons.
     let (id, opens) = match (count > 0, cameras.was_called) {
         (true, _) => ("cameras", true),
         (false, true) => ("called cameras", true),
@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList)
             name_row(ui, model, t, None, |ui| drop(ui.weak(t.current)));
         }
         for index in 0..count {
-            // A camera that is removed leaves the list shorter in the same frame.
+            // If a camera is removed, the list is shorter in the same frame.
             if index < model.document.figure().cameras.len() {
                 other(ui, model, cameras, t, index);
             }
@@ -123,7 +123,7 @@ fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) 
     }
 }
 
-/// The field of a name. True for one that is refused.
+/// The field of a name. Returns true if it's refused.
 fn name_field(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) -> bool {
     let figure = model.document.figure();
     let old = index.map_or_else(|| figure.tag.name.clone(), |i| Some(figure.cameras[i].name.clone()));

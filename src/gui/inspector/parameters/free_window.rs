@@ -2,14 +2,13 @@
 
 use crate::camera::{Camera, Parameters};
 
-/// Frees the window where it is.
+/// Frees the window without changing it.
 pub(super) fn opened(parameters: &Parameters, good: &Camera) -> Parameters {
     let window = Camera::new(parameters).map_or_else(|_| good.window(), |camera| camera.window());
     Parameters { window: Some(window), ..*parameters }
 }
 
-/// Makes the window symmetric. Its size stays; where nothing but the padlock has been touched, θ, H and A stay to the
-/// last bit.
+/// Makes the window symmetric. Its size stays. If only the padlock has been used, θ, H and A stay to the last bit.
 pub(super) fn closed(parameters: &Parameters) -> Parameters {
     let before = Parameters { window: None, ..*parameters };
     let Some(window) = parameters.window else { return before };

@@ -69,8 +69,8 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
     more(ui, t, t.viewport, |ui| viewport(ui, model, t));
 }
 
-/// The note on a row; while it is under the pointer, or has the focus, the explanations mark the entries that depend on
-/// it.
+/// The note on a row. While the row is under the pointer, or has the focus, the explanations mark the entries that
+/// depend on it.
 fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: &[Symbol]) {
     if let Some(symbol) = symbols.first() {
         help_topic_row(ui, row, notes::of_symbol(*symbol));
@@ -83,7 +83,7 @@ fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: 
     }
 }
 
-/// A place in pixels: its field takes whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`] alone.
+/// A place in pixels. Its field takes only whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`].
 #[expect(clippy::cast_possible_truncation, reason = "a whole number that fits")]
 fn to_corner(value: f64) -> i32 {
     value as i32

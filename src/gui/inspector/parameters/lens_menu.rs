@@ -23,7 +23,7 @@ struct Kept {
 enum Change {
     /// θ, for a symmetric window.
     Form(LensForm),
-    /// The window becomes smaller by this factor. It is free, or the form has no place in a figure file.
+    /// The window becomes smaller by this factor. It's free, or the form has no place in a figure file.
     Zoom(f64),
     /// The middle of the window, as shares of the side that the sensor spans.
     Shift([f64; 2]),
@@ -33,7 +33,7 @@ enum Change {
 pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = lens::texts(form.lang);
     let shown = egui::Button::new("▾");
-    // Its identity is the menu's, which stays open whatever comes or goes above.
+    // Its identity is the menu's, which stays open while rows above it come or go.
     let place = egui::UiBuilder::new().scope_id(egui::Id::unique("button of the lens menu"));
     let button = ui.scope_builder(place, |ui| ui.add_enabled(form.error.is_none(), shown)).inner;
     let button = button.explained(t.lens_hint).accessible_name(t.lens);
@@ -54,7 +54,7 @@ pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
     }
 }
 
-/// The rows. The last change that one of them asks for.
+/// The rows. Returns the last change that one of them asks for.
 fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> Option<Change> {
     let camera = &form.good;
     let lens = camera.lens_numbers(form.image)?;
@@ -71,7 +71,7 @@ fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> 
     let mut pixels = lens.focal_length_pixels;
     let fields = ["f_x", "f_y"].map(|name| NumberField::new(name, Step::Multiply(1.1)).positive());
     if pair(ui, form, (t.pixels, t.pixels_hint), fields, &mut pixels) {
-        // Pixels keep their shape: the one that was typed counts.
+        // Pixels keep their shape, so the typed one counts.
         let typed = usize::from(pixels[0].to_bits() == lens.focal_length_pixels[0].to_bits());
         change = Some(Change::Zoom(pixels[typed] / lens.focal_length_pixels[typed]));
     }
@@ -144,7 +144,7 @@ fn sensor(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, sensor: &mut Senso
     });
 }
 
-/// One positive number. Whether it changed.
+/// One positive number. Returns true if it changed.
 fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), value: &mut f64) -> bool {
     let before = *value;
     let field = NumberField::new(name, Step::Multiply(1.1)).positive().hint(hint).width(92.0);
@@ -153,7 +153,7 @@ fn number(ui: &mut egui::Ui, form: &ParameterForm, (name, hint): (&str, &str), v
     value.to_bits() != before.to_bits()
 }
 
-/// Two numbers side by side. Whether one changed.
+/// Two numbers side by side. Returns true if one changed.
 fn pair(
     ui: &mut egui::Ui,
     form: &ParameterForm,
@@ -170,7 +170,7 @@ fn pair(
     values.map(f64::to_bits) != before.map(f64::to_bits)
 }
 
-/// Makes the parameters those with another lens.
+/// Changes the lens of the parameters.
 fn apply(form: &mut ParameterForm, change: Change, sensor: Sensor) {
     let parameters = form.parameters;
     match change {
@@ -182,13 +182,13 @@ fn apply(form: &mut ParameterForm, change: Change, sensor: Sensor) {
         Change::Zoom(factor) => form.parameters = zoomed(&parameters, &form.good, factor),
         Change::Shift(shift) => {
             let moved = Parameters { window: Some(form.good.window_with_shift(sensor, shift)), ..parameters };
-            // In the middle it is the symmetric one again.
+            // In the middle the window is the symmetric one again.
             form.parameters = if shift == [0.0; 2] { closed(&moved) } else { moved };
         }
     }
 }
 
-/// The parameters with a window that is smaller by a factor.
+/// The parameters with a window smaller by a factor.
 fn zoomed(parameters: &Parameters, good: &Camera, factor: f64) -> Parameters {
     match parameters.window {
         Some(window) => Parameters { window: Some(window.map(|side| side / factor)), ..*parameters },

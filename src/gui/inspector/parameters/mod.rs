@@ -1,4 +1,5 @@
-//! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
+//! The panel on the left: every parameter of the figure, in three tabs for the camera, the scene, and the way it's
+//! drawn.
 
 mod camera;
 mod cameras;
@@ -116,14 +117,14 @@ fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographT
 struct ParameterForm {
     t: &'static Texts,
     lang: Lang,
-    /// The scene that the camera looks at: of some exercises the notes have errata.
+    /// The scene that the camera looks at, because the notes have errata for some exercises.
     preset: Preset,
     parameters: Parameters,
     error: Option<CameraError>,
     good: Camera,
     /// The form in which θ was given.
     lens: Option<LensForm>,
-    /// The form in which it is given now.
+    /// The new form, if it changes in this frame.
     new_lens: Option<LensForm>,
     image: ImageSize,
     /// A camera that knows more than its parameters.
@@ -131,12 +132,12 @@ struct ParameterForm {
     said: bool,
     /// The measure of the parameter under the pointer.
     measured: Vec<Measured>,
-    /// The parameter under the pointer, or that has the keyboard.
+    /// The parameter under the pointer, or with the keyboard.
     pointed: Vec<Symbol>,
-    /// The measures that the figure shows as labels, and the one that it is to show or to hide now.
+    /// The measures that the figure shows as labels, and the one that it's to show or hide now.
     kept: Vec<Measure>,
     keeps: Option<Measure>,
-    /// The point of the world that is to be followed.
+    /// The point of the world to follow.
     follows: Option<DVec3>,
 }
 
@@ -166,7 +167,7 @@ impl ParameterForm {
         self.error.as_ref().is_some_and(|error| error.parameters().contains(&key))
     }
 
-    /// Shows the fault of a value below its field: that of the typed text, or of the value.
+    /// Shows the fault of a value below its field, either of the typed text or of the value.
     fn complain(&mut self, ui: &mut egui::Ui, key: ParameterKey, fields: &[FieldOutput]) {
         complain(ui, self.lang, fields);
         if self.error.as_ref().is_some_and(|error| error.parameters().first() == Some(&key)) {
@@ -174,7 +175,7 @@ impl ParameterForm {
         }
     }
 
-    /// Why the parameters are not a camera, and the buttons that mend them.
+    /// The reason why the parameters aren't a camera, and the buttons that mend them.
     fn problem(&mut self, ui: &mut egui::Ui) {
         let Some(error) = &self.error else { return };
         self.said = true;
@@ -230,7 +231,7 @@ impl ParameterForm {
         self.complain(ui, key, &[output.inner]);
     }
 
-    /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
+    /// While the pointer is on the row of a parameter, the world shows its length or angle. Then, and while its field
     /// has the focus, the explanations mark the entries that depend on it.
     fn point_at(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
         self.menu(ui, key, row);
@@ -264,8 +265,8 @@ impl ParameterForm {
         }
     }
 
-    /// The menu that a right click on a row opens. Its value is copied, its point followed through the spaces, its
-    /// measure kept in the figure as a label in the world.
+    /// The menu that a right click on a row opens. It copies the row's value, follows its point through the spaces, or
+    /// keeps its measure in the figure as a label in the world.
     fn menu(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
         let opens = ui.rect_contains_pointer(row) && ui.input(|input| input.pointer.secondary_clicked());
         let id = egui::Id::unique(("menu of a parameter", key.symbol()));
@@ -311,7 +312,7 @@ impl ParameterForm {
         self.derived_beside(ui, named, (value, ""), |_, _| ());
     }
 
-    /// The same with its unit, and with something before it.
+    /// The same with its unit, after another control.
     fn derived_beside(
         &mut self,
         ui: &mut egui::Ui,

@@ -67,7 +67,7 @@ fn opacity(ui: &mut egui::Ui, model: &mut Model, t: &Texts, photograph: &Photogr
     }
 }
 
-/// Why the photograph can't be shown, and what mends it.
+/// The reason why the photograph can't be shown, and the buttons that mend it.
 fn notice(ui: &mut egui::Ui, model: &mut Model) {
     let notices = &model.scene_cache.scene().notices;
     let found = notices.iter().find_map(|(_, notice)| match notice {

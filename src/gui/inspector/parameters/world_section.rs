@@ -10,10 +10,10 @@ use crate::i18n::pictures::labels;
 use crate::i18n::{Lang, window};
 use crate::numbers::significant;
 
-/// The steps of opacity that are offered, in percent.
+/// The steps of opacity on offer, in percent.
 const STEPS: [u8; 5] = [0, 25, 50, 75, 100];
 
-/// The lengths of the camera's axes that are offered, as multiples of the usual one.
+/// The lengths of the camera's axes on offer, as multiples of the usual one.
 const LENGTHS: [f64; 4] = [0.5, 1.5, 2.0, 3.0];
 
 /// A switch for each part, in two columns.

@@ -61,7 +61,7 @@ fn entries(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     }
 }
 
-/// An entry; where it is chosen, by the pointer or the keyboard, the menu closes.
+/// An entry. If the pointer or the keyboard chooses it, the menu closes.
 fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
     let clicked = ui.button(name).clicked();
     if clicked {
@@ -75,7 +75,7 @@ fn add(model: &mut Model, object: ObjectSpec) {
     let camera = model.document.camera();
     let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
     let place = match object.shape {
-        // A grid lies where the scene stands, and a group has no body.
+        // A grid lies at the bottom of the scene, and a group has no body.
         None | Some(Shape::Grid) => rounded(camera.focal_point(), size / 10.0),
         Some(_) => free_place(camera, model.scene_cache.scene(), size),
     };

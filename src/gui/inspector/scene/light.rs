@@ -59,7 +59,7 @@ fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     model.document.set(|figure| &mut figure.reveal.shadows, chosen);
 }
 
-/// The switch, and the numbers where it is on.
+/// The switch, and the numbers if it's on.
 fn shadows(ui: &mut egui::Ui, form: &SceneForm, owner: &str, mut now: Shadows) -> Shadows {
     let t = form.t;
     ui.checkbox(&mut now.cast, t.shadows).explained(t.shadows_hint);

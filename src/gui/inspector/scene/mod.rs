@@ -44,7 +44,7 @@ enum Edit {
         names: BTreeSet<String>,
         children: Children,
     },
-    /// Asks about the children, where there are any.
+    /// Asks about the children, if there are any.
     AskRemove(BTreeSet<String>),
     RemoveLight(usize),
 }
@@ -88,14 +88,14 @@ fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
     choice_row(ui, t.preset, t.preset_hint, &mut preset, &presets);
     if preset != old {
         model.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
-        // An empty scene has nothing to frame: the viewpoint stays.
+        // An empty scene has nothing to frame, so the viewpoint stays.
         if preset != Preset::Empty {
             show_from_its_best_side(model, preset);
         }
     }
 }
 
-/// A scene of another size would be out of sight. Each preset comes with its camera, and with an image of the same
+/// A scene of another size would be out of sight, so each preset comes with its camera, and with an image of the same
 /// aspect.
 fn show_from_its_best_side(model: &mut Model, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
@@ -112,8 +112,8 @@ fn show_from_its_best_side(model: &mut Model, preset: Preset) {
     *model.document.observers_mut() = Default::default();
 }
 
-/// The button that expands the named scene into a list of objects. It tells before and after what the list cannot
-/// express.
+/// The button that expands the named scene into a list of objects. It lists beforehand and afterwards what the list
+/// can't express.
 fn edit_a_copy(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let preset = model.document.figure().scene.preset;
     if preset == Preset::Empty {
@@ -174,7 +174,7 @@ struct SceneForm {
     step: f64,
     /// The measure of the part of the transform under the pointer.
     measured: Vec<Measured>,
-    /// The part of the transform that is under the pointer, or has the keyboard.
+    /// The part of the transform under the pointer, or with the keyboard.
     pointed: Vec<Symbol>,
 }
 
@@ -216,7 +216,7 @@ impl SceneForm {
         self.error.as_ref().is_some_and(|error| error.object() == object && error.key() == key)
     }
 
-    /// Shows the fault of a value below its field: that of the typed text, or of the value.
+    /// Shows the fault of a value below its field, either of the typed text or of the value.
     fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
         super::complain(ui, self.lang, fields);
         if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
@@ -224,7 +224,7 @@ impl SceneForm {
         }
     }
 
-    /// Takes the scene over where it is possible. Otherwise the fields keep it, and the figure the last one that was.
+    /// Takes the scene over if it's possible. Otherwise the fields keep it, and the figure keeps the last possible one.
     fn finish(self, model: &mut Model) {
         model.hover.measured.extend_from_slice(&self.measured);
         model.hover.pointed.extend_from_slice(&self.pointed);
@@ -281,7 +281,7 @@ fn perform(model: &mut Model, edit: Edit) {
         Edit::Hang { name, parent } => {
             let mut scene = model.document.figure().scene.clone();
             let stay = !model.tree.moves_with_parent;
-            // A parent that it cannot hang on is not offered.
+            // A parent that can't take the object isn't offered.
             let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
             model.document.edit(|figure| figure.scene = scene);
             if !stayed {

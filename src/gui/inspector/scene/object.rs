@@ -59,7 +59,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     asked
 }
 
-/// The properties of an object of the named scene, which cannot be edited.
+/// The properties of an object of the named scene, which can't be edited.
 pub(super) fn of_preset(ui: &mut egui::Ui, model: &Model, form: &mut SceneForm, name: &str) {
     let t = scenes::texts(model.settings.lang);
     let preset = preset_objects(model.document.figure().scene.preset);
@@ -83,8 +83,7 @@ pub(super) fn of_preset(ui: &mut egui::Ui, model: &Model, form: &mut SceneForm, 
     }
 }
 
-/// A name takes effect with Enter, or when its field is left. One that is wrong stays with its reason until it is
-/// mended.
+/// A name takes effect with Enter, or when its field is left. A wrong one stays with its reason until it's mended.
 fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str) {
     let t = form.t;
     let id = egui::Id::unique(("object name", model.document.id(), name));
@@ -117,7 +116,7 @@ fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str
     }
 }
 
-/// Another shape with the same transform. A shape with data of its own is not offered.
+/// Another shape with the same transform. Shapes with data of their own aren't offered.
 fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let object = &mut form.scene.objects[index];
@@ -139,7 +138,7 @@ fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     }
 }
 
-/// The parent: any object but itself and those that hang on it.
+/// The parent: any object but itself and its descendants.
 fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let object = &form.scene.objects[index];
@@ -370,7 +369,7 @@ fn duplicate(model: &mut Model, form: &mut SceneForm) {
     model.tree.select_all(first.map(Selected::Object), copies);
 }
 
-/// The delete button. A menu where the selection has children.
+/// The delete button, or a menu if the selection has children.
 fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<Edit> {
     let t = form.t;
     let below = transform::below(&form.scene, names);

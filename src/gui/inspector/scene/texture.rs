@@ -1,4 +1,4 @@
-//! The texture of an object: where it comes from, and how it lies on the surface.
+//! The texture of an object: its source, and its place on the surface.
 
 use eframe::egui::{self, RichText};
 
@@ -35,13 +35,12 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     }
 }
 
-/// True for shapes that a picture can lie on.
+/// True for shapes that can carry a picture.
 fn has_faces(shape: &Shape) -> bool {
     !matches!(shape, Shape::Grid | Shape::Points(_) | Shape::Segments(_))
 }
 
-/// Notices about what cannot be used for an object. Gives whether the user can allow files, and whether they can be
-/// read again.
+/// Notices about unusable files of an object. Returns if the user can allow files, and if they can be read again.
 pub(super) fn notices(ui: &mut egui::Ui, model: &Model, owner: &str) -> [bool; 2] {
     let mut found = [false; 2];
     for (_, notice) in model.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
@@ -54,7 +53,7 @@ pub(super) fn notices(ui: &mut egui::Ui, model: &Model, owner: &str) -> [bool; 2
     found
 }
 
-/// The buttons by which the user mends what could not be read.
+/// The buttons with which the user mends unreadable files.
 pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, model: &mut Model, [is_outside, is_lacking]: [bool; 2]) {
     let t = window::scenes::texts(model.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
@@ -80,7 +79,7 @@ fn source(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) 
         Some(TextureSource::File(_)) => t.texture_file,
     };
     let is_file = |source: &Option<TextureSource>| matches!(source, Some(TextureSource::File(_)));
-    // Without a file there is nothing that the texture could be told not to be.
+    // Without a mesh file there is no texture that `None` could replace.
     let is_listed =
         |source: &TextureSource| is_mesh || *source != TextureSource::None || chosen.as_ref() == Some(source);
     let named = TextureSource::NAMED.into_iter().map(|(_, source)| source).filter(is_listed).map(Some);
@@ -117,8 +116,8 @@ fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mes
     choice_row(ui, t.filter, t.filter_hint, &mut object.filter, &all);
 }
 
-/// Some words to choose from, and before them the one that leaves it open. The same word stands there once, unless the
-/// figure says it.
+/// Some words to choose from, after the one that leaves it open. The same word appears there once, unless the figure
+/// gives it.
 fn or_unsaid<T: Copy + PartialEq>(
     unsaid: &'static str,
     all: [(T, &'static str); 3],
@@ -152,7 +151,7 @@ fn scale(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
             let mut typed = *value;
             let field = NumberField::new(name, Step::Add(1.0)).of(&owner).within(allowed).width(56.0);
             field.hint(t.texture_scale_hint).show(ui, form.window, &mut typed);
-            // No repetition at all would leave nothing to see.
+            // No repetition at all would leave nothing visible.
             if typed != 0.0 {
                 *value = typed;
             }

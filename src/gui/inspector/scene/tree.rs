@@ -33,14 +33,14 @@ struct TreeRow {
     shown: String,
     kind: &'static str,
     depth: u16,
-    /// Its children are shown; `None` means it has none.
+    /// True if its children are shown. `None` if it has none.
     open: Option<bool>,
     color: Option<Rgba>,
     hint: &'static str,
 }
 
 impl TreeRow {
-    /// Of the program, not of the figure.
+    /// Belongs to the program, not to the figure.
     fn named(name: String) -> Self {
         Self { shown: name.clone(), name, ..Self::default() }
     }
@@ -49,7 +49,7 @@ impl TreeRow {
 /// Rows farther out of sight than this are left out, for keys and screen readers too. Each costs time in each frame.
 const FAR: f32 = 150.0;
 
-/// An object that is being dragged, by name.
+/// A dragged object, by name.
 struct Dragged(String);
 
 /// Shows the tree, up to `height`, and returns the edits.
@@ -143,7 +143,7 @@ fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &R
     }
 }
 
-/// The edit by an object that is held over, or dropped on, a row.
+/// The edit by an object held over, or dropped on, a row.
 fn dropped(
     ui: &egui::Ui,
     row: &TreeRow,
@@ -257,11 +257,10 @@ fn paint_triangle(ui: &egui::Ui, place: Rect, open: bool) {
     ui.painter().add(egui::Shape::convex_polygon(points, color, Stroke::NONE));
 }
 
-/// An object, and whether it is the figure's own.
+/// An object, and true if it's the figure's own.
 type Node<'a> = (bool, &'a ObjectSpec);
 
-/// The rows that are shown: the world, the objects of the named scene and of the figure under their parents, the
-/// lights.
+/// The displayed rows: the world, the objects of the named scene and of the figure under their parents, the lights.
 fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static Texts) -> Vec<TreeRow> {
     let preset = preset_objects(scene.preset);
     let colors: BTreeMap<&str, Rgba> = built
@@ -272,7 +271,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
             ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => None,
         })
         .collect();
-    // Of a figure's object and one of the preset with the same name, children hang on the figure's.
+    // If an object of the figure and one of the preset have the same name, children hang on the figure's.
     let own: BTreeSet<&str> = scene.objects.iter().map(|o| o.name.as_str()).collect();
     let mut children: BTreeMap<Option<(bool, &str)>, Vec<Node<'_>>> = BTreeMap::new();
     for object in &preset {
@@ -289,7 +288,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
     let of = |key: Option<(bool, &str)>| children.get(&key).into_iter().flatten().rev().copied().collect::<Vec<_>>();
     let mut open: Vec<(u16, Node<'_>)> = of(None).into_iter().map(|child| (1, child)).collect();
     while let Some((depth, (is_own, object))) = open.pop() {
-        // A circle of parents hangs on nothing and is never reached.
+        // Parents in a circle hang on no object, so they are never reached.
         let below = of(Some((is_own, &object.name)));
         let is_open = !folded.contains(&object.name);
         let name = object.name.clone();

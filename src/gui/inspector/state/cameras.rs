@@ -8,10 +8,9 @@ use crate::i18n::window::cameras;
 /// The list of cameras.
 #[derive(Clone, Debug, Default)]
 pub struct CameraList {
-    /// The baseline of the next stereo pair; `None` means a thirtieth of D, as the textbooks of stereo photography have
-    /// it.
+    /// The baseline of the next stereo pair. `None` for a thirtieth of D, as in the textbooks of stereo photography.
     pub baseline: Option<f64>,
-    /// One of its buttons was searched for: the list is unfolded.
+    /// True if the search leads to one of its buttons, so that the list is unfolded.
     pub(in crate::gui) was_called: bool,
 }
 
@@ -59,7 +58,7 @@ impl Model {
     }
 }
 
-/// A name, or the first of the same name with a number that is free.
+/// The name, or if it's taken, the name with the first free number.
 fn free(figure: &crate::figure::Figure, name: &str) -> String {
     if figure.may_name_camera(name, None) {
         return name.to_owned();

@@ -14,14 +14,14 @@ use crate::gui::model::message::Message;
 pub struct CompareForm {
     /// θ of the other side, degrees.
     pub angle: f64,
-    /// An operation as it is typed.
+    /// A typed operation.
     pub operation: String,
-    /// A key with its other value, as it is typed.
+    /// A key with its other value, as typed.
     pub key: String,
 }
 
 impl CompareForm {
-    /// The values of the figure's comparison, else those that are offered.
+    /// The values of the figure's comparison, or the proposed ones.
     pub(in crate::gui) fn of(figure: &Figure) -> Self {
         let operation = figure.compare.as_ref().and_then(|comparison| comparison.ops.first());
         let of_keys = figure.compare.as_ref().filter(|comparison| !comparison.is_of_camera());
@@ -34,7 +34,7 @@ impl CompareForm {
     }
 }
 
-/// Ends the comparison: the views show the figure alone, framed as before.
+/// Ends the comparison. The views show the figure alone, framed as before.
 pub(in crate::gui) fn end(model: &mut Model) {
     if model.document.figure().compare.is_some() {
         model.document.edit(|figure| figure.compare = None);
@@ -48,7 +48,7 @@ pub(in crate::gui) fn keep_as_a(model: &mut Model, camera_a: &mut Option<Arc<Fig
     model.say(Message::CameraKept);
 }
 
-/// Swaps the sides of the comparison; without one, compares with A.
+/// Swaps the sides of the comparison. Without one, compares with A.
 pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
     let figure = in_window(model);
     let swapped = match (&figure.compare, camera_a.clone()) {
@@ -85,18 +85,18 @@ pub(in crate::gui) fn compared_with(model: &Model, other: &Figure) -> Figure {
     Figure { compare: Some(before.with_figure(&figure, other)), ..figure }
 }
 
-/// The figure with the convention of the window, which is not in it.
+/// The figure with the convention of the window, which the figure itself lacks.
 pub(in crate::gui) fn in_window(model: &Model) -> Figure {
     let mut figure = model.document.figure().clone();
     figure.show.ndc = Some(model.settings.conventions.ndc);
     figure
 }
 
-/// Makes a figure that differs in its comparison and in what belongs to it that of the window.
+/// Takes over a figure that differs in its comparison and in the parts that belong to it.
 pub(in crate::gui) fn take(model: &mut Model, figure: Figure) {
     let Figure { camera, image, undistorted, photograph, viewport, style, reveal, world, show, compare, .. } = figure;
     if camera != model.document.figure().camera {
-        // Only then: what is being typed stays.
+        // Only then, so that text being typed stays.
         model.document.set_parameters(camera);
     }
     model.document.edit(|figure| {

@@ -14,16 +14,16 @@ use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
 use crate::views::pick::can_be_seen_by;
 
 impl Model {
-    /// Adds a mesh file, by its path as the figure names it.
+    /// Adds a mesh file, by its path in the figure.
     pub(in crate::gui) fn insert_mesh(&mut self, path: String) {
         let file = path.rsplit(['/', '\\']).next().unwrap_or(&path);
         let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
         let name = if stem.is_empty() { scenes::texts(self.settings.lang).shape_mesh } else { stem }.to_owned();
-        // A mesh has its own size; it stays as it was modelled.
+        // A mesh has its own size, so it stays as modelled.
         self.insert(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path }) });
     }
 
-    /// Adds an object to the group that is selected, else to no other, and selects it.
+    /// Adds an object to the selected group, or to none, and selects it.
     pub(in crate::gui) fn insert(&mut self, object: ObjectSpec) {
         let scene = &self.document.figure().scene;
         let parent = self.group_selected(scene);
@@ -50,10 +50,11 @@ impl Model {
     }
 }
 
-/// A place for a thing that reaches `half` (scene units) to every side: where the camera looks or near it, such that it
-/// is seen whole and in front of everything, and touches nothing; where there is no such place, where the camera looks.
+/// A place for an object that reaches `half` (scene units) to every side. It's at or near the point that the camera
+/// looks at, so that the object is visible as a whole, in front of everything, and touches nothing. If there is no such
+/// place, it's that point itself.
 pub(in crate::gui) fn free_place(camera: &Camera, scene: &Scene, half: f64) -> DVec3 {
-    /// So far to the sides (and half as far towards the eye) places are tried, in steps of a thing's size.
+    /// The distance to try to the sides (and half of it towards the eye), in steps of a thing's size.
     const MOST: i32 = 6;
     let (basis, middle) = (camera.basis(), camera.focal_point());
     let taken: Vec<Aabb> = scene.objects.iter().filter(|o| o.faces).filter_map(Object::bounds).collect();
@@ -80,7 +81,7 @@ fn is_in_volume(camera: &Camera, p: DVec3) -> bool {
     clip.truncate().abs().max_element() <= clip.w
 }
 
-/// Each component to the multiple of a power of ten, not above `unit`, that is nearest.
+/// Rounds each component to the nearest multiple of a power of ten not above `unit`.
 pub(in crate::gui) fn rounded(v: DVec3, unit: f64) -> DVec3 {
     v.map(|x| numbers::round_to(x, unit))
 }

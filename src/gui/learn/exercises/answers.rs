@@ -21,13 +21,13 @@ use crate::limits::MAX_ANSWER;
 /// The type size of the interpretation, in points.
 const SIZE: f32 = 13.0;
 
-/// An unreadable answer: the field, where it is one, and the fault.
+/// An unreadable answer: the field, if there is one, and the fault.
 pub(super) struct Unreadable {
     field: Option<usize>,
     why: String,
 }
 
-/// The interpretation of an answer; `None` if nothing was typed.
+/// The interpretation of an answer. `None` if its fields are empty.
 pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Result<Option<Answer>, Unreadable> {
     let text = joined(ask, fields);
     if text.is_empty() {
@@ -106,7 +106,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     typing.in_focus
 }
 
-/// Says what was guessed, and asks what is seen, until that is answered rightly.
+/// Shows the guess, and asks what the picture shows until the answer to that is right.
 fn say_guess(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>, ask: &Ask, guess: &[String]) {
     let t = sheet.t;
     let is_right = learn.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
@@ -123,8 +123,8 @@ fn say_guess(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>, ask: &Ask, guess: &[S
     prose::show(ui, words::you_said(t.lang, text, question).trim());
 }
 
-/// Keeps the answer as the guess, and shows the picture that answers the question. What is seen there is asked next. A
-/// place, and a guess without a picture, are judged at once.
+/// Keeps the answer as the guess, and shows the picture that answers the question. The next question is what the
+/// picture shows. A place, and a guess without a picture, are judged at once.
 fn take_guess(model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
     let text = joined(ask, learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
@@ -152,8 +152,8 @@ struct Typing {
 /// The height of a row of a typeset matrix, in lines of text.
 const ROW_OF_TABLE: f32 = 1.55;
 
-/// Shows feedback on an answer while it is typed, in the greatest space that earlier feedback needed. The content below
-/// does not jump with every key.
+/// Shows feedback on an answer while the user types, in the greatest space that earlier feedback needed, so that the
+/// content below doesn't jump with every key.
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");
     let line = ui.text_style_height(&TextStyle::Body);
@@ -161,9 +161,9 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     #[expect(clippy::cast_precision_loss, reason = "a few rows")]
     let least = match ask.kind {
         Kind::Choice(_) | Kind::Camera => 0.0,
-        // The cross in the picture says it.
+        // The cross in the picture shows it.
         _ if ask.places => 0.0,
-        // Before the first key there is room for what is going to be understood.
+        // Before the first key there is room for the interpretation.
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
     };
     let kept = ui.data(|data| data.get_temp(id)).unwrap_or(least);
@@ -175,7 +175,7 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     }
 }
 
-/// Right and wrong fields, where they are unchanged since they were judged.
+/// Right and wrong fields, if they haven't changed since they were judged.
 fn marks(learn: &Learn, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     let [rows, columns] = ask.shape();
     let none = vec![None; rows * columns];
@@ -213,7 +213,7 @@ fn numbers(
     const SIGN: i8 = 12;
     let t = sheet.t;
     let shape @ [rows, columns] = ask.shape();
-    // A vector lies in a row: there is little height.
+    // A vector is a row, because there is little height.
     let per_line = if columns == 1 { rows } else { columns };
     let whole = is_whole(ask, fields);
     #[expect(clippy::cast_precision_loss, reason = "a handful of columns")]
@@ -301,7 +301,7 @@ fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
     ui.painter().galley(place.min, galley, color);
 }
 
-/// One of several. Chosen by name, so that it is the same in every language.
+/// One of several. Chosen by name, so that it's the same in every language.
 fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut String) -> Typing {
     let mut typing = Typing::default();
     ui.horizontal_wrapped(|ui| {
@@ -317,7 +317,7 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
     typing
 }
 
-/// A camera as text, and the button that takes the one of the window.
+/// A camera as text, and the button that takes the window's camera.
 fn camera(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
     let t = sheet.t;
     if model.document.figure().scene != sheet.exercise.subject.figure.scene {

@@ -1,4 +1,4 @@
-//! The figure of an exercise as it is put into the pictures, and the small picture that is to be matched.
+//! The figure of an exercise for the pictures, and the small picture to match.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -20,7 +20,7 @@ use crate::views::{Request, SharedScene, Size, View, scene_of};
 /// The size of the small picture, in pixels.
 const SIZE: Size = Size { width: 320, height: 240, scale: 1.0 };
 
-/// The figure before the operations, with its points and their names; with its answers where they have been tried.
+/// The figure before the operations, with its points and their names. If it has been tried, with its answers too.
 pub(super) fn given(exercise: &Exercise, is_tried: bool) -> Figure {
     match exercise.answered.as_deref().filter(|_| is_tried) {
         Some(answered) => answered.clone(),
@@ -41,14 +41,14 @@ pub(super) fn with_camera(exercise: &Exercise, camera: Parameters) -> Figure {
     figure
 }
 
-/// The name that the statement has for a point, where it has one.
+/// The statement's name of a point, if it has one.
 fn name_of(exercise: &Exercise, position: [f64; 3], points: &[NamedPoint]) -> String {
     let told = exercise.facts.iter().find(|(_, fact)| matches!(fact, Fact::Tuple(values) if **values == position));
     let told = told.map(|(name, _)| *name).filter(|name| may_be_named(name, points.iter()));
     told.map_or_else(|| free_name(points), str::to_owned)
 }
 
-/// The subject of an ask, where it is not the exercise's own.
+/// The subject of an ask, if it isn't the exercise's own.
 pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subject {
     match ask.expected() {
         Expected::Quantity(subject, _) => subject,
@@ -59,7 +59,7 @@ pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subjec
 /// The thumbnail drawn last.
 type Drawn = Memo<(Figure, Lang), Option<TextureHandle>>;
 
-/// The image of the figure by the camera that is to be found. Drawn once.
+/// The image of the figure by the camera to be found, drawn once.
 pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) -> Option<TextureHandle> {
     figure.style.theme = theme;
     let drawn = ui.data_mut(|data| {

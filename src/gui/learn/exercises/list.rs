@@ -14,7 +14,7 @@ use crate::i18n::window::search::{folded, has_words};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 
-/// The field for words; Enter opens the first exercise that is found.
+/// The search field. Enter opens the first exercise found.
 pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     let field = TextField::line(&mut state.wanted, MAX_TYPED_NAME);
     let field = field.with(|edit| edit.hint_text(t.search).desired_width(f32::INFINITY));
@@ -36,7 +36,7 @@ pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
     ui.label(RichText::new(text).weak()).explained(format!("✓ {} · ★ {}", t.solved, t.alone));
 }
 
-/// Those that say all the words.
+/// The exercises that contain all the words.
 fn found(lang: Lang, state: &Exercises) -> impl Iterator<Item = &Entry> {
     state.entries().filter(move |entry| {
         has_words(&folded(&format!("{} {} {}", entry.id, entry.source, said::title(lang, entry))), &state.wanted)
@@ -80,7 +80,7 @@ pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     }
 }
 
-/// A row: how far it is, its title and its source; true where it is chosen.
+/// A row with progress, title and source. Returns true if it's chosen.
 fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
     let (sign, stage) = match state.stage(&entry.id) {
         Stage::Untouched => ("○", t.untouched),

@@ -1,5 +1,4 @@
-//! The exercises in the window: the list, and the exercise that is worked on with its statement, answers, verdicts and
-//! the way to them.
+//! The exercises in the window: the list, and the open exercise with its statement, answers, verdicts and solutions.
 
 mod answers;
 mod figure;
@@ -26,7 +25,7 @@ use crate::i18n::learn::exercise_messages as messages;
 use crate::i18n::learn::exercise_window as words;
 use crate::i18n::learn::exercise_window::Texts;
 
-/// The exercise that is worked on, and the words of the window.
+/// The open exercise, and the words of the window.
 #[derive(Clone, Copy)]
 struct Sheet<'a> {
     t: &'static Texts,
@@ -34,7 +33,7 @@ struct Sheet<'a> {
     exercise: &'a Exercise,
 }
 
-/// The part that stays in sight above the list, and above an exercise.
+/// The part that stays visible above the list, and above an exercise.
 pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) {
     let t = words::texts(model.settings.lang);
     let open = learn_state.exercises.open.clone();
@@ -71,7 +70,7 @@ pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) 
     }
 }
 
-/// Shows the list, or the exercise that is worked on.
+/// Shows the list, or the open exercise.
 pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     let t = words::texts(model.settings.lang);
     let Some((entry, exercise)) = learn.exercises.exercise() else {
@@ -80,7 +79,7 @@ pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
         return progress::ui(ui, t, model, learn);
     };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
-    // One thing after the other: what is pinned in the pictures is released by the next one.
+    // One thing after the other: the next Esc releases the probe pinned in the pictures.
     if learn.exercises.described.is_some() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
         learn.exercises.described = None;
     }
@@ -120,7 +119,7 @@ fn question(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>,
     .inner
 }
 
-/// Shows the questions of the exercise that is worked on, without its statement: a step of a lesson asks them.
+/// Shows the questions of the open exercise, without its statement, because a step of a lesson asks them.
 pub(in crate::gui) fn questions(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     let t = words::texts(model.settings.lang);
     let Some((entry, exercise)) = learn.exercises.exercise() else { return };
@@ -131,7 +130,7 @@ pub(in crate::gui) fn questions(ui: &mut Ui, model: &mut Model, learn: &mut Lear
     }
 }
 
-/// Judges the typed answer, if it can be read.
+/// Judges the typed answer, if it's readable.
 fn check(learn_state: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
     let fields = learn_state.exercises.fields(ask).to_vec();
     if answers::understood(sheet, ask, &fields).is_err() {
@@ -153,7 +152,7 @@ fn check(learn_state: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
     learn_state.exercises.note(done);
     learn_state.exercises.took(ask, Checked { fields, judged });
-    // What is wrong elsewhere may follow from this one, or no longer.
+    // A mistake elsewhere may follow from this one, or may do so no more.
     for other in sheet.exercise.asks.iter().filter(|other| other.name != ask.name) {
         let wrong = learn_state.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
         let Some(fields) = wrong.map(|checked| checked.fields.clone()) else { continue };

@@ -24,7 +24,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut 
                 ui.label(format!("{}: {}", sanitize::path(&own.folder), t.own_none));
             }
             Ok(found) if found.faults.is_empty() => {}
-            // A folder may hold many other files: they are one line until somebody wants to know.
+            // A folder may hold many other files, so they are one line until the user opens it.
             Ok(found) => {
                 let text = format!("{}: {}", t.own_passed_over, found.faults.len());
                 let heading = CollapsingHeader::new(RichText::new(text).weak()).id_salt("files that are no exercises");

@@ -42,7 +42,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Lear
     });
 }
 
-/// The known mistakes, those made most often first.
+/// The known mistakes, the most frequent first.
 fn mistakes(ui: &mut Ui, t: &Texts, learn: &Learn) {
     let mut made: Vec<(Mistake, &Made)> = learn.exercises.progress.mistakes().collect();
     if made.is_empty() {

@@ -24,7 +24,7 @@ use crate::i18n::why::dialects;
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
 use crate::limits::MAX_ANSWER;
 
-/// The button of the next help. It keeps the focus, whatever appears above it. It is identified by `id`, and not by its
+/// The button of the next help. It keeps the focus, whatever appears above it, because `id` identifies it, and not its
 /// place.
 pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'static str, &str)) -> Response {
     let own = UiBuilder::new().scope_id(id.with("help"));
@@ -53,12 +53,12 @@ pub(super) fn step_button(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask:
         let opened = learn.exercises.opened.entry(ask.name.clone()).or_default();
         opened.steps += 1;
         if opened.way.is_none() {
-            // What is solved later takes no step away from this solution.
+            // A later solution takes no step away from this one.
             opened.given = progress.given_steps(&exercise.id, ask.steps().len());
         }
         let way = opened.way.get_or_insert_with(|| ask.steps().into());
         if button.has_focus() && opened.steps >= way.len() {
-            // There is no next one: the focus returns to the answer.
+            // There is no next one, so the focus returns to the answer.
             learn.exercises.wants_focus = Some(ask.name.clone());
         }
         learn.exercises.note_opened(exercise, ask);
@@ -66,7 +66,7 @@ pub(super) fn step_button(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask:
     }
 }
 
-/// Shows the camera that a wrong answer describes, beside the right one, or takes it away.
+/// Shows the camera that a wrong answer describes, beside the right one, or hides it.
 pub(super) fn camera_button(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
@@ -95,7 +95,7 @@ pub(super) fn camera_button(ui: &mut Ui, model: &mut Model, learn: &mut Learn, s
     learn.exercises.described = Some(Described { ask: ask.name.clone(), camera });
 }
 
-/// The quantity of `inspect` that is asked for, where it is one, as a whole.
+/// The quantity of `inspect` that the question asks for as a whole, if there is one.
 fn quantity(ask: &Ask) -> Option<Quantity> {
     match ask.expected() {
         Expected::Quantity(_, QuantityPath { quantity, entry: [None, _] }) => Some(*quantity),
@@ -103,7 +103,7 @@ fn quantity(ask: &Ask) -> Option<Quantity> {
     }
 }
 
-/// True for answers that are complete and say something of a camera.
+/// True for complete answers that describe a camera.
 fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
     match &judged.understood {
         Answer::Camera(_) => true,
@@ -117,7 +117,7 @@ fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
     }
 }
 
-/// The kind of a matrix, and whether it is the inverse.
+/// The kind of a matrix, and true if it's the inverse.
 fn matrix_kind(ask: &Ask) -> Option<(MatrixKind, bool)> {
     let Some(Quantity::Matrix(matrix)) = quantity(ask) else { return None };
     Some(match matrix {
@@ -155,9 +155,9 @@ fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Paramet
     Some((*right.parameters(), found.and_then(|found| camera(&found))))
 }
 
-/// The camera at the same place that has an axis of an answer, and of the others as much as goes with it.
+/// The camera at the same place that has an axis of an answer, and as much of the other axes as is compatible.
 fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, NotCamera> {
-    /// Of lengths and cosines: that of an answer of three digits.
+    /// The tolerance of lengths and cosines, for answers of three digits.
     const TOLERANCE: f64 = 2e-3;
     let (parameters, n) = (*right.parameters(), right.basis().n);
     if (axis.length() - 1.0).abs() > TOLERANCE {
@@ -174,7 +174,7 @@ fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, N
     Ok(Parameters { view_up, ..parameters })
 }
 
-/// Why an answer describes no camera.
+/// The reason why an answer describes no camera.
 fn not_camera(lang: Lang, why: &NotCamera) -> String {
     match why {
         NotCamera::Matrix(error) => dialects::recovery_error(lang, error),
@@ -206,7 +206,7 @@ pub(super) fn steps(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<
     last
 }
 
-/// The field of a step that is to be done: the number of its last row.
+/// The field of a step to be done: the number of its last row.
 fn to_do(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (k, step): (usize, &Worked)) {
     let (t, name) = (sheet.t, said::ask(sheet.t.lang, sheet.exercise, ask).replace("**", ""));
     let Some(opened) = learn.exercises.opened.get_mut(&ask.name) else { return };
@@ -239,8 +239,8 @@ fn to_do(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (k, step):
     }
 }
 
-/// A step: its heading, its equation, and each row: symbol = formula = numbers = value. The last row of one that is to
-/// be done ends with its formula.
+/// A step: its heading, its equation, and each row as symbol = formula = numbers = value. If the step is to be done,
+/// its last row ends with the formula.
 fn step(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, exercise: &Exercise, (step, is_to_do): (&Worked, bool)) {
     let lang = sheet.t.lang;
     ui.add_space(2.0);

@@ -19,7 +19,7 @@ use crate::lessons::in_order_of_lessons;
 pub struct Chosen {
     /// The identifier of the exercise or of its family.
     pub id: String,
-    /// The source of its numbers; 0 where they are those of the notes.
+    /// The source of its numbers. 0 if they are those of the notes.
     pub seed: u64,
 }
 
@@ -37,14 +37,14 @@ pub struct Typed {
 }
 
 impl Typed {
-    /// True if nothing was typed.
+    /// True if all fields are empty.
     pub fn is_empty(&self) -> bool {
         let fields = self.answers.values().chain(self.guesses.values());
         let mut all = fields.flatten().chain(self.free.values());
         all.all(|text| text.trim().is_empty())
     }
 
-    /// The numbers chosen where the source leaves them open. Texts that are not numbers are left out.
+    /// The numbers chosen for values that the source leaves open. Texts that aren't numbers are left out.
     pub fn chosen_numbers(&self) -> Free {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
         self.free.iter().filter_map(|(name, text)| Some((name.clone(), number(text)?))).collect()
@@ -69,7 +69,7 @@ pub(in crate::gui) enum Done {
     Judged(Arc<Exercise>, Box<Judged>, u64),
     /// The number of open hints and worked steps of an ask.
     Opened { id: String, seed: u64, ask: String, hints: u32 },
-    /// Other numbers were chosen where the notes leave them open.
+    /// The user chose other numbers for values that the notes leave open.
     NumbersChanged(String),
     /// Solved before there was a file of progress.
     WasSolved(String),
@@ -108,11 +108,11 @@ pub struct Opened {
     pub steps: usize,
     /// The whole solution, once a step was requested.
     pub(in crate::gui) way: Option<Arc<[Worked]>>,
-    /// Number of its steps that are shown as they are. The others are to be done.
+    /// Number of its given steps. The others are to be done.
     pub given: usize,
     /// The texts typed into the steps to be done, by their numbers.
     pub typed: BTreeMap<usize, String>,
-    /// The steps that were done, or shown in the end.
+    /// The steps that the user has done, or has been shown in the end.
     pub filled: BTreeSet<usize>,
     /// The step whose last number was wrong.
     pub(in crate::gui) missed: Option<usize>,
@@ -125,7 +125,7 @@ impl Opened {
     }
 }
 
-/// The camera that an answer describes, or why there is none.
+/// The camera that an answer describes, or the reason why there is none.
 #[derive(Clone, Debug)]
 pub struct Described {
     /// The ask that was answered.
@@ -134,23 +134,23 @@ pub struct Described {
     pub camera: Result<Box<Camera>, NotCamera>,
 }
 
-/// Why an answer describes no camera.
+/// The reason why an answer describes no camera.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotCamera {
-    /// The entries of a matrix do not fit, or its camera is impossible.
+    /// The entries of a matrix don't fit, or its camera is impossible.
     Matrix(RecoveryError),
     /// An axis has another length than 1.
     Length(f64),
-    /// An axis is not perpendicular to n: their scalar product.
+    /// An axis isn't perpendicular to n. Holds their scalar product.
     Oblique(f64),
 }
 
-/// A folder of a lecturer's own exercises, as it was when it was opened.
+/// A folder of a lecturer's own exercises, as it was when opened.
 #[derive(Debug)]
 pub struct OwnFolder {
     /// The path of the folder.
     pub folder: PathBuf,
-    /// Its content, or the reason why it cannot be read.
+    /// Its content, or the reason why it can't be read.
     pub found: Result<OwnExercises, FileError>,
 }
 
@@ -159,7 +159,7 @@ pub struct OwnFolder {
 pub struct Exercises {
     /// The search text of the list.
     pub wanted: String,
-    /// The exercise that is worked on; `None` means the list is shown.
+    /// The open exercise. `None` if the list is shown.
     pub open: Option<Chosen>,
     /// The typed answers of every exercise.
     pub typed: BTreeMap<Chosen, Typed>,
@@ -167,15 +167,15 @@ pub struct Exercises {
     pub checked: BTreeMap<String, Checked>,
     /// The open help, of the current exercise.
     pub opened: BTreeMap<String, Opened>,
-    /// The camera of an answer that is shown beside the right one.
+    /// The camera of an answer, shown beside the right one.
     pub described: Option<Described>,
-    /// The exercises were opened in this window: a panel that was open at the start does not count.
+    /// True if the exercises were opened in this window. A panel that was open at the start doesn't count.
     pub(in crate::gui) was_called: bool,
-    /// The keyboard goes to the first control: the field for words, or the way back to the list.
+    /// The keyboard goes to the first control, which is the search field, or the way back to the list.
     pub(in crate::gui) calls_keyboard: bool,
     /// The next target of the focus: in the list an identifier, in an exercise the answer to the ask of this name.
     pub(in crate::gui) wants_focus: Option<String>,
-    /// The ask with a new verdict or help: scrolled into sight within this number of frames.
+    /// The ask with a new verdict or help, which is scrolled into sight within this number of frames.
     pub(in crate::gui) just_said: Option<(String, u8)>,
     /// The statement is brought into sight.
     pub(in crate::gui) just_opened: bool,
@@ -183,22 +183,22 @@ pub struct Exercises {
     pub progress: Progress,
     /// The file of the progress.
     pub file: Option<PathBuf>,
-    /// Records that are not in the file yet.
+    /// Records that aren't in the file yet.
     pub(in crate::gui) unwritten: Vec<Done>,
-    /// All of it is to be forgotten, and the file to be set aside.
+    /// True if all of it is to be forgotten, and the file to be set aside.
     pub(in crate::gui) forgets: bool,
     /// The folder of a lecturer's own exercises.
     pub own: Option<Arc<OwnFolder>>,
-    /// The questions of the lesson that is played: in no list.
+    /// The questions of the lesson being played, which are in no list.
     pub(in crate::gui) of_lesson: Vec<Entry>,
-    /// Why an exercise was chosen to be practised next.
+    /// The reason why this exercise was chosen for practice next.
     pub(in crate::gui) why: Option<(Chosen, Why)>,
-    /// The exercise as it was made last.
+    /// The exercise as last built.
     made: Option<(Chosen, Free, Arc<Exercise>)>,
 }
 
 impl Exercises {
-    /// All exercises: those of the program, and after them a lecturer's own.
+    /// All exercises: the built-in ones, and after them a lecturer's own.
     pub fn entries(&self) -> impl Iterator<Item = &Entry> {
         let found = self.own.as_ref().and_then(|own| own.found.as_ref().ok());
         exercises::with_own(found.map_or(&[], |found| &found.entries))
@@ -209,16 +209,16 @@ impl Exercises {
         self.entries().chain(&self.of_lesson).find(|entry| entry.id == id)
     }
 
-    /// Reads a folder of a lecturer's own exercises; `None` means there is none any more.
+    /// Reads a folder of a lecturer's own exercises. `None` removes it.
     pub fn look_into(&mut self, folder: Option<PathBuf>) {
         self.own = folder.map(|folder| Arc::new(OwnFolder { found: files::read_exercises(&folder), folder }));
-        // A file that was read once more may say something else.
+        // A reread file may have other content.
         self.made = None;
         self.checked.clear();
         self.leave_unknown();
     }
 
-    /// Shows the list if the exercise that was worked on is gone: its file, or the lesson whose question it was.
+    /// Shows the list if the open exercise is gone with its file, or with the lesson whose question it was.
     pub(in crate::gui) fn leave_unknown(&mut self) {
         if self.open.as_ref().is_some_and(|open| self.entry(&open.id).is_none()) {
             self.open = None;
@@ -231,7 +231,7 @@ impl Exercises {
         (self.was_called, self.calls_keyboard) = (true, true);
     }
 
-    /// Gives the keyboard to their first control, once it is called for.
+    /// Gives the keyboard to their first control, once requested.
     pub(in crate::gui) fn answer_call(&mut self, first: &egui::Response) {
         // A menu that closes takes the keyboard back after its frame.
         if self.calls_keyboard && first.has_focus() {
@@ -244,7 +244,7 @@ impl Exercises {
 
     /// Marks an ask as having a new verdict or help.
     pub(in crate::gui) fn say(&mut self, ask: &Ask) {
-        /// It is laid out in one frame, and its height is known in the next.
+        /// It's laid out in one frame, and its height is known in the next.
         const FRAMES: u8 = 2;
         self.just_said = Some((ask.name.clone(), FRAMES));
     }
@@ -259,7 +259,7 @@ impl Exercises {
         Some(name)
     }
 
-    /// Gives the focus to the widget wanted by its name.
+    /// Gives the focus to the widget requested by its name.
     pub(in crate::gui) fn give_focus(&mut self, name: &str, response: &egui::Response) {
         if self.wants_focus.as_deref() != Some(name) {
             return;
@@ -288,7 +288,7 @@ impl Exercises {
         self.just_opened = true;
     }
 
-    /// The camera that an answer describes, as a file can hold it.
+    /// The camera that an answer describes, in the form of a file.
     pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
         self.described.as_ref()?.camera.as_deref().ok().map(Camera::rounded)
     }
@@ -301,13 +301,13 @@ impl Exercises {
         self.checked.clear();
     }
 
-    /// Shows the list, where the exercise that was worked on takes the keyboard.
+    /// Shows the list, in which the former exercise takes the keyboard.
     pub fn leave(&mut self) {
         self.wants_focus = self.open.take().map(|chosen| chosen.id);
         self.described = None;
     }
 
-    /// The exercise that is worked on, with the numbers that were chosen for it.
+    /// The open exercise, with the numbers chosen for it.
     pub(in crate::gui) fn exercise(&mut self) -> Option<(Entry, Arc<Exercise>)> {
         let chosen = self.open.clone()?;
         let entry = self.entry(&chosen.id)?.clone();
@@ -330,7 +330,7 @@ impl Exercises {
         Some((entry, Arc::clone(exercise)))
     }
 
-    /// Judges the answers that were judged before, which is no new try.
+    /// Judges the answers again that were judged before, which doesn't count as a new try.
     fn judge_again(&mut self, entry: &Entry, exercise: &Exercise) {
         let mut answers = Vec::new();
         for ask in &exercise.asks {
@@ -344,7 +344,7 @@ impl Exercises {
                 continue;
             }
             let fields = self.fields(ask).to_vec();
-            // Another version, or a lecturer who has changed the exercise, may read it otherwise.
+            // Another version of the program, or of a lecturer's exercise, may read it otherwise.
             if let Ok(judged) = exercises::check_beside(entry, exercise, ask, &joined(ask, &fields), &answers) {
                 self.checked.insert(ask.name.clone(), Checked { fields, judged });
             }
@@ -359,7 +359,7 @@ impl Exercises {
         fields
     }
 
-    /// Types into the fields of an ask. The new answer is not judged yet, and describes no camera.
+    /// Types into the fields of an ask. The new answer isn't judged yet, and describes no camera.
     pub(in crate::gui) fn type_into(&mut self, ask: &Ask, fields: Vec<String>) {
         if *self.fields(ask) == fields {
             return;
@@ -377,14 +377,14 @@ impl Exercises {
         }
     }
 
-    /// True for a question of a lesson that is answered by a guess first: before its picture is shown.
+    /// True for a question of a lesson that asks for a guess first, before it shows the picture.
     pub fn asks_for_guess(&self, ask: &Ask) -> bool {
         let id = self.open.as_ref().map(|open| open.id.as_str());
         let is_of_lesson = self.of_lesson.iter().any(|entry| Some(&*entry.id) == id);
         is_of_lesson && (ask.places || matches!(ask.kind, Kind::Choice(_)))
     }
 
-    /// The question for a place in the image, of the exercise that is worked on.
+    /// The question for a place in the image, of the open exercise.
     pub(in crate::gui) fn placing(&mut self, hint: &'static str) -> Option<Placing> {
         let (_, exercise) = self.exercise()?;
         let ask = exercise.asks.iter().find(|ask| ask.places)?;
@@ -402,12 +402,12 @@ impl Exercises {
         })
     }
 
-    /// The guess at a question, once it's made.
+    /// The guess at a question, once there is one.
     pub fn guess_at(&self, ask: &Ask) -> Option<&Vec<String>> {
         self.typed.get(self.open.as_ref()?)?.guesses.get(&ask.name)
     }
 
-    /// Keeps the answer that is typed as the guess, which can't be changed. `now`: seconds since the beginning of 1970.
+    /// Keeps the typed answer as the guess, which can't be changed. `now` is in seconds since the beginning of 1970.
     pub(in crate::gui) fn guess(&mut self, ask: &Ask, right: bool, now: u64) {
         let (fields, Some(open)) = (self.fields(ask).to_vec(), self.open.clone()) else { return };
         let said = joined(ask, &fields);
@@ -417,7 +417,7 @@ impl Exercises {
         self.unwritten.push(done);
     }
 
-    /// Takes back the answers to the questions of a lesson: who opens it again answers them again.
+    /// Takes back the answers to the questions of a lesson, because users who open it again answer them again.
     pub fn ask_again(&mut self, questions: impl Iterator<Item = String>) {
         for id in questions {
             if self.open.as_ref().is_some_and(|open| open.id == id) {
@@ -430,7 +430,7 @@ impl Exercises {
         }
     }
 
-    /// The other answers that were judged, by the names of their questions.
+    /// The other judged answers, by the names of their questions.
     pub(in crate::gui) fn answers_beside(&self, ask: &Ask) -> Vec<(String, Answer)> {
         let others = self.checked.iter().filter(|(name, _)| **name != ask.name);
         others.map(|(name, checked)| (name.clone(), checked.judged.understood.clone())).collect()
@@ -457,13 +457,13 @@ impl Exercises {
         }
     }
 
-    /// The seed with which a family is gone on with: the greatest that was worked on.
+    /// The seed for going on with a family: the greatest one used.
     pub fn seed_of(&self, entry: &Entry) -> u64 {
         let seeds = self.typed.iter().filter(|(chosen, typed)| chosen.id == entry.id && !typed.is_empty());
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
     }
 
-    /// The next exercise to practise, and the reason. Never the current one. `now`: seconds since the beginning of
+    /// The next exercise to practise, and the reason. Never the current one. `now` is in seconds since the beginning of
     /// 1970.
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
         let all = in_order_of_lessons(self.entries());
@@ -474,7 +474,7 @@ impl Exercises {
         })
     }
 
-    /// Goes on with the next exercise to practise. False if there is none.
+    /// Goes on with the next exercise to practise. Returns false if there is none.
     pub(in crate::gui) fn practise(&mut self) -> bool {
         let Some((next, why)) = self.next(clock::seconds_since_1970()) else { return false };
         self.work_on(next.clone());
@@ -492,7 +492,7 @@ impl Exercises {
 
     /// Records progress, for this window and for the file.
     pub(in crate::gui) fn note(&mut self, done: Done) {
-        // Questions of lessons are no exercises to be practised.
+        // Questions of lessons aren't exercises to practise.
         if self.of_lesson.iter().any(|entry| Some(&*entry.id) == self.open.as_ref().map(|open| &*open.id)) {
             return;
         }
@@ -519,8 +519,8 @@ impl Exercises {
     }
 }
 
-/// The answer in the fields, as one text. Empty if nothing was typed. If the first field holds a whole list or
-/// matrix in brackets, it is the answer.
+/// The answer in the fields, as one text. Empty if all fields are. If the first field holds a whole list or matrix in
+/// brackets, that's the answer.
 pub fn joined(ask: &Ask, fields: &[String]) -> String {
     let first = fields.first().map_or("", |field| field.trim());
     if fields.iter().all(|field| field.trim().is_empty()) {
@@ -542,8 +542,8 @@ pub fn joined(ask: &Ask, fields: &[String]) -> String {
     }
 }
 
-/// Whether the first field holds a whole list or matrix: in brackets, or a list of the required count with nothing in
-/// the other fields. Two numbers may be one with a decimal comma.
+/// True if the first field holds a whole list or matrix, in brackets, or as a list of the required count while the
+/// other fields are empty. Two numbers may be one with a decimal comma.
 pub fn is_whole(ask: &Ask, fields: &[String]) -> bool {
     let first = fields.first().map_or("", |field| field.trim());
     let alone = fields.iter().skip(1).all(|field| field.trim().is_empty());

@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     let assumptions = said::assumptions(t.lang, exercise);
     if !assumptions.is_empty() {
         CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(true).show(ui, |ui| {
-            // A list of the renderer begins a long item below its bullet.
+            // In a list, the renderer would begin a long item below its bullet.
             assumptions.iter().for_each(|text| prose::show(ui, &format!("• {text}")));
         });
     }
@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     figures(ui, model, learn, sheet);
 }
 
-/// The way to the lesson of the exercise, unless it is being played.
+/// The way to the lesson of the exercise, unless it's being played.
 fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &Learn, Sheet { entry, .. }: Sheet<'_>) {
     let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
     let plays = |way: &Way| learn_state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
@@ -50,7 +50,7 @@ fn lesson(ui: &mut Ui, model: &mut Model, learn_state: &Learn, Sheet { entry, ..
     }
 }
 
-/// The picture that is to be matched.
+/// The picture to match.
 fn target(ui: &mut Ui, model: &Model, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
     let Some(wanted) = exercise.figure_to_match() else { return };
@@ -90,7 +90,7 @@ fn free(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>) {
     }
 }
 
-/// The buttons that put figures into the pictures. What answers a question is shown once all of them have been tried.
+/// The buttons that put figures into the pictures. Once the user has tried all of them, the answer appears too.
 fn figures(ui: &mut Ui, model: &mut Model, learn: &Learn, sheet: Sheet<'_>) {
     let Sheet { t, exercise, .. } = sheet;
     let is_tried = exercise.asks.iter().all(|ask| learn.exercises.checked.contains_key(&ask.name));

@@ -21,7 +21,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     if let Some(checked) = &checked {
         let judged = &checked.judged;
         let is_old = *learn.exercises.fields(ask) != *checked.fields;
-        // In the line of the verdict: in one of its own it would move the button that it asks for.
+        // In the line of the verdict, because a line of its own would move the requested button.
         ui.horizontal_wrapped(|ui| {
             // As high as words, not as controls.
             ui.spacing_mut().interact_size.y = 0.0;
@@ -105,12 +105,12 @@ fn offer(ui: &mut Ui, model: &mut Model, learn: &mut Learn, Sheet { t, entry, ex
     });
 }
 
-/// The pixel that a question for a place asks for.
+/// The pixel of a question for a place.
 fn place_of(ask: &Ask) -> Option<[f64; 2]> {
     ask.expected().table().filter(|_| ask.places)?.entries.try_into().ok()
 }
 
-/// Why the guess was wrong, told when the right answer was seen. Without a picture to see it was told at once.
+/// The reason why the guess was wrong, given once the right answer was visible. Without a picture it was given at once.
 fn why_guess_was_wrong(learn: &Learn, sheet: Sheet<'_>, ask: &Ask) -> Option<String> {
     learn.lesson.as_ref().filter(|playing| !ask.places && playing.lesson.seen_after(playing.step).is_some())?;
     let guess = learn.exercises.guess_at(ask)?;
@@ -145,7 +145,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, ask: &Ask, judged: &exercises::Judged
     ui.add(egui::Label::new(RichText::new(text).strong().color(theme::verdict_color(ui, judged.right))).wrap());
 }
 
-/// Says that all is right, once it is.
+/// Reports that all answers are right, once they are.
 pub(super) fn all(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>) {
     let right = learn.exercises.right();
     if sheet.exercise.asks.iter().all(|ask| right.contains(ask.name.as_str())) {

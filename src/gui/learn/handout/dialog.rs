@@ -1,4 +1,4 @@
-//! The question of how a lesson or exercises are printed, with the pages as they'll be.
+//! The dialog that prints a lesson or exercises, with a preview of the pages.
 
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
@@ -35,7 +35,7 @@ impl HandoutForm {
     }
 }
 
-/// Shows the dialog, and returns the button that was pressed. `first`: it has just been opened.
+/// Shows the dialog, and returns the pressed button. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(
     ui: &mut Ui,
     model: &Model,
@@ -116,7 +116,7 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
     }
 }
 
-/// The lessons of the program, those of the folder, and the one that is played.
+/// The built-in lessons, those of the folder, and the one being played.
 fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut OpenLesson) {
     let lang = model.settings.lang;
     let of_program = shipped().iter().map(|shipped| OpenLesson { lesson: shipped.lesson.clone(), path: None, step: 0 });
@@ -145,7 +145,7 @@ fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Op
     }
 }
 
-/// A switch for each exercise. Their order on the sheet is the order in which they were chosen.
+/// A switch for each exercise. Their order on the sheet is the order of choosing them.
 fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
     let lang = model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
@@ -164,7 +164,7 @@ fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut Handou
     });
 }
 
-/// The page as it will be, and the ways to the others.
+/// The preview of the page, and the ways to the others.
 fn page(ui: &mut Ui, t: &Texts, learn: &Learn, shown: &mut Option<PagesPreview>, form: &mut HandoutForm, height: f32) {
     let mut pages = shown.take().unwrap_or_default();
     let height = height - ui.spacing().interact_size.y - ui.spacing().item_spacing.y;

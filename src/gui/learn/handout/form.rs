@@ -7,26 +7,26 @@ use crate::handout::HandoutOptions;
 use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
 
-/// The greatest number that chooses the numbers of the exercises.
+/// The greatest number for choosing the numbers of the exercises.
 pub(in crate::gui) const MAX_SEED: u32 = 9_999;
 
 /// The choices in the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandoutForm {
-    /// The lesson to print; `None` prints exercises.
+    /// The lesson to print. `None` prints exercises.
     pub lesson: Option<OpenLesson>,
-    /// The exercises, by their identifiers, in the order in which they were chosen.
+    /// The exercises, by their identifiers, in the order of choosing them.
     pub exercises: Vec<String>,
     /// The source of the exercises' numbers.
     pub seed: u32,
     /// Language, columns, answers and plan.
     pub options: HandoutOptions,
-    /// The page that is shown, from 0.
+    /// The displayed page, from 0.
     pub(in crate::gui) page: usize,
 }
 
 impl HandoutForm {
-    /// The lesson that is played, or the first one, or else exercises, beginning with the one that is open.
+    /// The lesson being played, or the first one, or else exercises, beginning with the open one.
     pub(in crate::gui) fn of(learn: &Learn, lang: Lang, is_lesson: bool) -> Self {
         let open = learn.exercises.open.as_ref();
         let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
@@ -62,7 +62,7 @@ impl HandoutForm {
     }
 }
 
-/// The lesson that is played, or the one to which steps were added last, or the first of the program.
+/// The lesson being played, or the one to which steps were added last, or the first built-in one.
 pub(in crate::gui) fn played(learn: &Learn) -> Option<OpenLesson> {
     let of_playing = learn.lesson.as_ref().map(|playing| (playing.lesson.clone(), playing.path.clone()));
     let last = || learn.own.iter().find(|(path, _)| Some(path) == learn.file.as_ref());

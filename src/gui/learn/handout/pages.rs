@@ -1,4 +1,4 @@
-//! Handouts made beside the window's thread: their pages for the preview, and the file.
+//! Handouts produced beside the window's thread: their pages for the preview, and the file.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ use crate::progress::Progress;
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 1.5;
 
-/// A page that is wanted.
+/// A requested page.
 struct PageJob {
     choices: Choices,
     handout: Job,
@@ -38,9 +38,9 @@ pub struct PagesPreview {
     asked: Option<(Choices, usize)>,
     /// The page, once there is one.
     pub(in crate::gui) texture: Option<TextureHandle>,
-    /// The number of pages; 0 as long as it isn't known.
+    /// The number of pages. 0 as long as it isn't known.
     pub count: usize,
-    /// Why there are no pages.
+    /// The reason why there are no pages.
     pub(in crate::gui) fault: Option<ExportError>,
 }
 
@@ -58,7 +58,7 @@ impl Default for PagesPreview {
 }
 
 fn work() -> impl AsyncFnMut(PageJob, &Progress) -> Done {
-    // Turning a page doesn't make the handout again.
+    // Turning a page doesn't build the handout again.
     let mut made: Option<(Choices, Vec<Page>)> = None;
     async move |PageJob { choices, handout, page, width }, progress: &Progress| {
         let kept = made.take().filter(|(of, _)| *of == choices);
@@ -76,7 +76,7 @@ fn work() -> impl AsyncFnMut(PageJob, &Progress) -> Done {
 }
 
 impl PagesPreview {
-    /// Takes results, and asks for pages if the choices or the page have changed. `width`: that of a page in pixels.
+    /// Takes results, and requests pages if the choices or the page have changed. `width` is that of a page in pixels.
     pub(in crate::gui) fn follow(
         &mut self,
         ctx: &Context,

@@ -1,5 +1,5 @@
-//! The texts of a step and of the lesson beside what they look like, and the order of the steps. A lesson of the user's
-//! own is written where it is played.
+//! The texts of a step and of the lesson beside their preview, and the order of the steps. The user writes a lesson of
+//! their own in the place in which it's played.
 
 use eframe::egui::{Button, Id, RichText, Ui};
 
@@ -116,10 +116,10 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Lear
     }
 }
 
-/// Texts of the step or of the lesson. Returns whether one of the fields has lost the focus.
+/// Texts of the step or of the lesson. Returns true if one of the fields has lost the focus.
 fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing) -> bool {
     let (of, width) = (writing.lang, ui.available_width());
-    // As many rows in both: what is chosen does not move under the pointer.
+    // As many rows in both, so that the choice doesn't move under the pointer.
     let (first, names) = if writing.shows == Fields::Lesson {
         (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 6), (t.lesson_minutes_field, 1)])
     } else {

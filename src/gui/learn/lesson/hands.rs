@@ -1,4 +1,4 @@
-//! A question to the class: keys or clicks count hands, and the bars come with the answer.
+//! A question to the class. Keys or clicks count hands, and the bars come with the answer.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ const KEYS: [Key; 8] = [Key::A, Key::B, Key::C, Key::D, Key::E, Key::F, Key::G, 
 /// The width of the longest bar, in heights of a line.
 const BAR: f32 = 10.0;
 
-/// The hands that were raised in a lesson, by step, and for each choice.
+/// The hands raised in a lesson, by step, and for each choice.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Hands {
     raised: BTreeMap<usize, Vec<u32>>,
@@ -75,7 +75,7 @@ pub(super) fn count(ctx: &Context, model: &Model, learn: &mut Learn, is_asking: 
     });
 }
 
-/// Shows the question with its choices to the class. False if the step has no choices.
+/// Shows the question with its choices to the class. Returns false if the step has no choices.
 pub(super) fn show(ui: &mut Ui, t: &Texts, learn: &mut Learn, step: &Step) -> bool {
     let Some((exercise, choices)) = question_with_choices(step) else { return false };
     let Some(playing) = &mut learn.lesson else { return false };
@@ -107,7 +107,7 @@ struct Place {
     most: u32,
 }
 
-/// A choice with its letter, and with the answer its bar. Returns whether a hand is added by a click.
+/// A choice with its letter, and with the answer its bar. Returns true if a click adds a hand.
 fn row(ui: &mut Ui, t: &Texts, ask: &Ask, place: Place, is_answered: bool) -> bool {
     let Kind::Choice(names) = &ask.kind else { return false };
     let Place { choice, count, most } = place;

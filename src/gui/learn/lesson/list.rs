@@ -15,7 +15,7 @@ use crate::lessons::{OpenLesson, shipped};
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
 
-/// Shows the list. A lesson that is chosen is played. False: the list is to be closed.
+/// Shows the list. A chosen lesson is played. Returns false if the list is to be closed.
 pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> bool {
     let lang = model.settings.lang;
     let t = words::texts(lang);
@@ -24,7 +24,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
     let next = learn.next_lesson();
-    // Always as high, from its first frame on, where it is offered less: what grows moves under the pointer.
+    // At its full height from the first frame, because a list that grows moves under the pointer.
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
     area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
@@ -34,7 +34,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
                 if ui.link(title).clicked() {
-                    // One goes on where one was, and begins anew what is finished.
+                    // An unfinished lesson goes on from its last step, and a finished one starts again.
                     let step = if learn.is_finished(lesson) { 0 } else { learn.step_to_go_on(lesson) };
                     chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
                 }
@@ -48,7 +48,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
                     ui.label(RichText::new(format!("◀ {}", t.learn_next)).strong());
                 }
             });
-            // It would answer the questions of a lesson that is to come.
+            // It would answer the questions of a lesson yet to come.
             let sentence = lesson.sentence.as_ref().filter(|_| learn.is_finished(lesson));
             if let Some(sentence) = sentence {
                 prose::show(ui, told(lang, sentence).trim());

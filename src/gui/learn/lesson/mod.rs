@@ -1,4 +1,4 @@
-//! The lesson that is played: the bar and the text under the pictures, its task, and the list of lessons.
+//! The lesson being played: the bar and the text under the pictures, its task, and the list of lessons.
 
 mod editor;
 mod hands;
@@ -36,12 +36,12 @@ use crate::lessons::{self, Lesson, Link, Task};
 pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(in crate::gui) use speaker::window as speaker_window;
 
-/// The share of the window that text and task may take. What is longer is scrolled.
+/// The share of the window that text and task may take. Longer ones are scrolled.
 const SHARE: f32 = 0.42;
 /// The share that they may take while they are written.
 const SHARE_WRITTEN: f32 = 0.4;
-/// The share that they may take in a presentation while a question is asked: the button that checks its answer is in
-/// sight.
+/// The share that they may take in a presentation during a question, so that the button that checks its answer is
+/// visible.
 const SHARE_ASKED: f32 = 0.5;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
@@ -51,23 +51,23 @@ const BESIDE: f32 = 1.4;
 const BESIDE_PRESENTED: f32 = 0.8;
 /// Between a text and its task beside it.
 const GUTTER: f32 = 24.0;
-/// Lines of text for a question, its field, what is understood and the verdict.
+/// Lines of text for a question, its field, the interpretation and the verdict.
 const LINES_OF_ANSWER: f32 = 12.0;
 /// Lines of text for the verdict on an answer in a presentation.
 const LINES_OF_VERDICT: f32 = 4.0;
 /// The share of a tall window that they take, so that a long verdict has room.
 const ANSWER: f32 = 0.23;
-/// Seconds after which a typed number is one.
+/// Seconds after which typed digits count as a number.
 const TYPED: f64 = 0.9;
 
-/// Goes on with the move to a step, and with what is typed; at the begin of a frame.
+/// Advances the move to a step, and the typed text, at the beginning of a frame.
 pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, is_asking: bool) {
     let now = ctx.input(|input| input.time);
     let presses = |event: &egui::Event| {
         matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::AccessKitActionRequest(_))
     };
     if learn.moves_to_step() && ctx.input(|input| input.raw.events.iter().any(presses)) {
-        // The click is for what the step shows at its end.
+        // The click is for the picture at the end of the move.
         learn.end_move(model);
     }
     if learn.go_on_moving(model, now) {
@@ -78,8 +78,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mu
     learn.check_goal(model);
 }
 
-/// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time. Gives a
-/// command that is to be done.
+/// Offers the first lesson and the gallery, in one line, to first-time users. Returns a command to perform.
 pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
     let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
     if !(learn.welcome && is_fresh) {
@@ -115,7 +114,8 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn)
     command
 }
 
-/// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
+/// Offers to go on from the last time, in one line, with the lesson that was begun, an exercise, or the list of
+/// lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
     let next = learn.next_lesson().and_then(|place| lessons::shipped().get(place));
@@ -150,11 +150,11 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     model.actions.extend(open.map(Action::Offered));
 }
 
-/// In a presentation, digits are the number of a step. It is gone to after a moment, or at Enter.
+/// In a presentation, digits are the number of a step. The lesson goes to it after a moment, or at Enter.
 fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, is_asking: bool, now: f64) {
     let listens = model.settings.presentation && !ctx.text_edit_focused() && !is_asking;
     let Some(playing) = learn.lesson.as_mut().filter(|_| listens) else { return };
-    // In their order, and each as often as it was pressed: a slow frame brings several.
+    // In their order, and each as often as it was pressed, because a slow frame brings several.
     ctx.input_mut(|input| {
         input.events.retain(|event| {
             let egui::Event::Key { key, pressed: true, repeat: false, modifiers: Modifiers::NONE, .. } = event else {
@@ -181,8 +181,8 @@ fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, is_aski
 const DIGITS: [Key; 10] =
     [Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
-/// The bar of the lesson, and the text and the task of its step, below the pictures. Gives a command that is to be
-/// done. All steps have one height, so that nothing moves under the pointer.
+/// The bar of the lesson, and the text and the task of its step, below the pictures. Returns a command to perform. All
+/// steps have one height, so that nothing moves under the pointer.
 pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
     let playing = learn.lesson.as_ref()?;
     let key = (playing.lesson.id.clone(), playing.step);
@@ -217,14 +217,14 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
         let mut is_cut = false;
         if shows {
             ui.add_space(2.0);
-            // As low as its text: taller than its panel, it would push the bar out of sight.
+            // As low as its text, because if it were taller than its panel, it would push the bar out of sight.
             let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
             let shown =
                 area.show(ui, |ui| if writes { written(ui, t, model, learn) } else { content(ui, t, model, learn) });
             let room = shown.inner_rect.height();
             is_cut = shown.content_size.y > room;
             if asks.is_some() && kept.is_none() {
-                // As high as the question, with room for its verdict: the pictures are what is asked about.
+                // As high as the question, with room for its verdict, because the question is about the pictures.
                 let verdict = LINES_OF_VERDICT * ui.text_style_height(&egui::TextStyle::Body);
                 height = most.min(height - room + shown.content_size.y + verdict);
                 ui.ctx().request_discard("the height of a question");
@@ -251,7 +251,7 @@ pub(in crate::gui) struct Fits {
     asks: Option<usize>,
     /// The text, the notes and the counted hands are shown.
     below: [bool; 3],
-    /// There is more than the bar.
+    /// True if there is more than the bar.
     shows: bool,
 }
 
@@ -283,7 +283,7 @@ fn first_height(ui: &mut Ui, t: &Texts, learn: &Learn, fits: &Fits) -> f32 {
         hidden.min_rect().height()
     });
     let text = tallest.fold(0.0, f32::max);
-    // In a presentation one line says that there is a question.
+    // In a presentation one line indicates a question.
     let asked = (LINES_OF_ANSWER * line).max(ANSWER * fits.size.y);
     bar + if fits.presents { text + 1.5 * line } else { text.max(asked) }
 }
@@ -361,14 +361,14 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
     command
 }
 
-/// The lesson of the program after another one.
+/// The built-in lesson after another one.
 fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
     let all = lessons::shipped();
     let place = all.iter().position(|shipped| shipped.lesson.id == lesson.id)?;
     all.get(place + 1).map(|shipped| shipped.lesson.clone())
 }
 
-/// The fields of the step or of the lesson, beside what they look like.
+/// The fields of the step or of the lesson, beside their preview.
 fn written(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
     ui.horizontal_top(|ui| {
         let half = 0.5 * (ui.available_width() - GUTTER);
@@ -389,7 +389,7 @@ fn written(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     });
 }
 
-/// Title, minutes and sentence of the lesson, as the list shows them.
+/// Title, minutes and sentence of the lesson, as in the list.
 fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
     ui.add(egui::Label::new(RichText::new(words::with_minutes(lang, lesson)).heading()).wrap());
     if let Some(sentence) = &lesson.sentence {
@@ -404,9 +404,9 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     let writing = playing.writing.as_ref().filter(|_| learn.writes_lesson(model));
     let shows_text = playing.shows_text || writing.is_some();
     let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), model, learn) || writing.is_some();
-    // What is written is shown in the language of its fields.
+    // The preview is in the language of the fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
-    // The numbers are those of what is on the screen.
+    // The numbers of the figure on the screen.
     let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
         Some(report) => words::filled_from(lang, text, report),
@@ -430,7 +430,7 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
             });
             ui.add_space(GUTTER - ui.spacing().item_spacing.x);
             ui.vertical(|ui| {
-                // Without a width of its own, a field that wants more would reach out of the window.
+                // Without a width of its own, a field that wants more would extend beyond the window.
                 ui.set_width(half);
                 task::show(ui, t, model, learn, &step, &text);
             });

@@ -14,19 +14,19 @@ use crate::numbers::round_to;
 #[derive(Debug)]
 pub(crate) struct Moving {
     pub(super) passage: Passage,
-    /// The step's document, as it is at the end.
+    /// The step's document in its final state.
     pub(super) target: Box<Document>,
     pub(super) seconds: f64,
     pub(super) began: Option<f64>,
 }
 
 impl Learn {
-    /// True while the camera moves to a step. A change of it is none of yours.
+    /// True while the camera moves to a step. Then a change of it isn't the user's.
     pub(in crate::gui) fn moves_to_step(&self) -> bool {
         self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
     }
 
-    /// Goes on with the move to the step. True while it goes on. `now`: a time in seconds.
+    /// Advances the move to the step. Returns true while it goes on. `now` is a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, model: &mut Model, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
         let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
@@ -36,7 +36,7 @@ impl Learn {
         }
         // It begins and ends slowly.
         let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
-        // Of numbers that change with every frame, few digits can be read.
+        // Numbers that change with every frame are readable only with few digits.
         if let Ok(camera) = Camera::new(&few_digits(figure.camera)).or_else(|_| Camera::new(&figure.camera)) {
             model.document.set_camera(camera);
         }
@@ -45,7 +45,7 @@ impl Learn {
         true
     }
 
-    /// Ends the move to the step, where there is one. The step is there exactly.
+    /// Ends the move to the step, if there is one. The step is there exactly.
     pub(in crate::gui) fn end_move(&mut self, model: &mut Model) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
         let (now, target) = (model.document.figure(), moving.target.figure());
@@ -54,7 +54,7 @@ impl Learn {
             || now.labels != target.labels
             || (&now.title, &now.caption) != (&target.title, &target.caption);
         if is_changed {
-            // The figure was changed meanwhile: only the camera arrives.
+            // If the figure was changed meanwhile, only the camera arrives.
             let target = moving.target.figure();
             (*model.document.observers_mut(), *model.document.show_mut()) = (target.observers, target.show.clone());
             model.document.set_camera(moving.target.camera().clone());

@@ -14,23 +14,23 @@ use crate::lessons::{Draft, Lesson, with_step};
 use crate::views::View;
 
 impl Learn {
-    /// Reads the user's own lessons: those beside the one that was written last, the figure or the gallery's figures.
+    /// Reads the user's own lessons: those beside the one written last, the figure or the gallery's figures.
     pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>) {
         let folders = [self.file.as_deref().and_then(Path::parent), model.document.folder(), gallery];
         let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
-        // A folder that cannot be read has none.
+        // A folder that can't be read has none.
         let found = folder.filter(|_| !model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
         self.own = found.unwrap_or_default().lessons;
     }
 
-    /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
+    /// Adds the state on the screen to the lesson in a file, which is created if it doesn't exist.
     pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         if self
             .lesson
             .as_ref()
             .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
         {
-            // The window has the text of the file, and knows what it has written.
+            // The window has the text of the file, and knows its own changes.
             return self.add_to_written(model, path);
         }
         match added(self, model, path, overwrite) {
@@ -39,7 +39,7 @@ impl Learn {
         }
     }
 
-    /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
+    /// True if the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
     pub(in crate::gui) fn is_recorded(&self, model: &mut Model) -> bool {
         let Some(path) = self.file.as_deref().filter(|_| model.document.path().is_none()) else {
             return false;
@@ -62,7 +62,7 @@ impl Learn {
         is_new.then(|| title.clone())
     }
 
-    /// The words of a new step in a lesson. A title that the user gave the figure is the step's.
+    /// The words of a new step in a lesson. If the user gave the figure a title, it becomes the step's.
     pub(in crate::gui) fn draft_of_step(&self, model: &Model, lesson: Option<&Lesson>) -> Draft {
         let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
         if let Some(title) = self.title_to_record(model, lesson) {
@@ -71,7 +71,7 @@ impl Learn {
         draft
     }
 
-    /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
+    /// Reports the last step of a lesson as added, and goes on with the lesson if it's the one being played.
     pub(in crate::gui) fn step_is_added(&mut self, model: &mut Model, path: &Path, lesson: Lesson) {
         self.file = Some(path.to_owned());
         model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
@@ -96,7 +96,7 @@ fn added(learn: &Learn, model: &mut Model, path: &Path, overwrite: Overwrite) ->
     Ok(lesson)
 }
 
-/// The figure as it is on the screen: explanations, views and panel. If you haven't turned a view, its viewpoint isn't
+/// The figure as on the screen, with explanations, views and panel. If you haven't turned a view, its viewpoint isn't
 /// stored, so that it's fitted when the step is played.
 pub(in crate::gui) fn as_shown(model: &mut Model) -> Figure {
     let seen = model.as_seen();

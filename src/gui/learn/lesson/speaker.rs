@@ -1,4 +1,4 @@
-//! The notes of the speaker, in a window of their own: the class sees the pictures, the speaker reads the notes.
+//! The notes of the speaker, in a window of their own. The class sees the pictures, and the speaker reads the notes.
 
 use eframe::egui::{
     self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
@@ -14,17 +14,17 @@ use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
 use crate::lessons::{self, Task};
 
-/// The size of the window at first, in points.
+/// The initial size of the window, in points.
 const SIZE: [f32; 2] = [520.0, 460.0];
 
-/// True if the notes have a window of their own. In a page of a browser they're below the pictures, and so they are if
-/// the only screen is the projection.
+/// True if the notes have a window of their own. In a page of a browser they're below the pictures, as they are if the
+/// only screen is the projection.
 pub(super) fn has_window(ctx: &Context, model: &Model, learn: &Learn) -> bool {
     let is_alone = model.settings.presentation && learn.other_screen.is_none_or(|screen| screen.is_none());
     !ctx.embed_viewports() && !is_alone
 }
 
-/// Shows the notes of the step, where they are wanted. Gives a command that is to be done.
+/// Shows the notes of the step, if wanted. Returns a command to perform.
 pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &Learn) -> Option<Command> {
     let is_wanted = learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
     if !is_wanted || !has_window(ctx, model, learn) {
@@ -66,7 +66,7 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, model: &Model, learn: &Learn) -> O
     let lang = t.lang;
     let playing = learn.lesson.as_ref()?;
     let step = playing.now()?;
-    // The numbers are those of what is on the screen.
+    // The numbers of the figure on the screen.
     let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let filled =
         |text| report.as_ref().map_or_else(|| told(lang, text).to_owned(), |r| words::filled_from(lang, text, r));

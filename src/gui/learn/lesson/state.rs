@@ -1,4 +1,4 @@
-//! The lesson that is played. Its step, the move to it, and what is done.
+//! The lesson being played: its step, the move to it, and finished tasks.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -25,12 +25,12 @@ use crate::share;
 /// Seconds of the move to the figure that answers a question.
 const SEEN: f64 = 2.0;
 
-/// A lesson that is played.
+/// A lesson being played.
 #[derive(Debug, Default)]
 pub struct Playing {
     /// The lesson.
     pub lesson: Arc<Lesson>,
-    /// Its file; `None` means one of the program.
+    /// Its file. `None` for a built-in lesson.
     pub path: Option<PathBuf>,
     /// The step, from 0.
     pub step: usize,
@@ -44,31 +44,31 @@ pub struct Playing {
     pub shows_notes: bool,
     /// The writing of the step, in a lesson of the user's own.
     pub writing: Option<Writing>,
-    /// The lesson has been written since it is played.
+    /// True if the lesson has been written since it was opened.
     pub(in crate::gui) was_written: bool,
-    /// A link holds the whole lesson, where it is the user's own, else the figure of the step.
+    /// True if a link holds the whole lesson, if it's the user's own, instead of the figure of the step.
     pub links_whole: bool,
-    /// The beginning of the fading of what was shown before the step, counted.
+    /// Counts the fadings of the pictures before a step.
     pub(in crate::gui) fades: u64,
     /// The hands that the class has raised.
     pub(in crate::gui) hands: Hands,
-    /// Not all of text and task is in sight. Written by the panel.
+    /// True if part of text and task is out of sight. Set by the panel.
     pub is_cut: bool,
-    /// The height of the panel, and what it depends on. Written by the panel.
+    /// The height of the panel, and the values that it depends on. Set by the panel.
     pub(in crate::gui) height: Option<(super::Fits, f32)>,
-    /// The documents of other steps in which there is work. Each is shown again when its step is.
+    /// The documents of other steps that contain work. Each is shown again with its step.
     pub(in crate::gui) worked_on: BTreeMap<usize, Document>,
     /// The steps whose task is done.
     done: BTreeSet<usize>,
-    /// The steps whose task was passed over.
+    /// The steps whose task was skipped.
     passed: BTreeSet<usize>,
     /// The steps whose way was shown.
     shown: BTreeSet<usize>,
-    /// The step whose task is passed over by the next wish to go on.
+    /// The step whose task the next request to go on skips.
     warned: Option<usize>,
-    /// The digits of the number of a step as they are typed, and when the last was.
+    /// The typed digits of the number of a step, and the time of the last one.
     pub(in crate::gui) typed: Option<(usize, f64)>,
-    /// The figure at which the goal was looked at last, and what it shows.
+    /// The last figure for which the goal was checked, and what it shows.
     looked_at: Option<(Revision, Observers, Show)>,
     seen: Seen,
     /// The panels as they were before the lesson, out of a presentation.
@@ -76,17 +76,17 @@ pub struct Playing {
 }
 
 impl Playing {
-    /// The step that is shown.
+    /// The displayed step.
     pub fn now(&self) -> Option<&Step> {
         self.lesson.steps.get(self.step)
     }
 
-    /// True if the step has nothing to be done any more.
+    /// True if the step has nothing left to do.
     pub fn is_done(&self) -> bool {
         self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
     }
 
-    /// True if the next step may be shown. The task is done, or was passed over.
+    /// True if the next step may be shown, because the task is done, or was skipped.
     pub fn may_go_on(&self) -> bool {
         self.is_done() || self.passed.contains(&self.step)
     }
@@ -96,23 +96,23 @@ impl Playing {
         self.shows_question && self.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))))
     }
 
-    /// Whether the document of a step has work in it. A step is there to be tried. Another camera, image or way of
-    /// drawing isn't marked, isn't stored, and ends with the step. What the user builds is work: objects, lights,
-    /// points, labels, titles. It's treated as in every other figure. It's marked (•), survives a crash, waits in its
-    /// step while other steps are shown, and whatever would end it asks first. Once the lesson has been written here,
-    /// every change is work, because it may become a step.
+    /// True if the document of a step has work in it. A step is there to be tried. Another camera, image or way of
+    /// drawing isn't marked, isn't stored, and ends with the step. The user's own objects, lights, points, labels and
+    /// titles are work, treated as in every other figure. They are marked (•), survive a crash, wait in their step
+    /// while other steps are shown, and every action that would end them asks first. Once the lesson has been written
+    /// here, every change is work, because it may become a step.
     pub(in crate::gui) fn is_work(&self, document: &Document) -> bool {
         if self.was_written { document.is_changed() } else { document.is_built_on() }
     }
 
-    /// Goes on with another text of the lesson. Its steps may have other places.
+    /// Goes on with another text of the lesson, in which steps may have other places.
     pub(in crate::gui) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
         self.lesson = lesson;
         self.done.clear();
         self.passed.clear();
     }
 
-    /// True if the goal was looked at with this figure.
+    /// True if the goal was checked for this figure.
     fn has_looked_at(&self, document: &Document) -> bool {
         let Figure { observers, show, .. } = document.figure();
         self.looked_at
@@ -125,7 +125,7 @@ impl Playing {
         let has_choices = self.now().and_then(question_with_choices).is_some();
         if self.shows_question && presents && has_choices && self.hands.answered != Some(self.step) {
             self.hands.answered = Some(self.step);
-            // The class has seen the answer: the next step may come.
+            // The class has seen the answer, so the next step may come.
             self.passed.insert(self.step);
         } else {
             self.shows_question ^= true;
@@ -133,8 +133,8 @@ impl Playing {
         }
     }
 
-    /// Whether its steps are remembered. A lesson of the user's own doesn't count as the one of the program whose name
-    /// it has.
+    /// True if its steps are remembered. A lesson of the user's own doesn't count as the built-in one with the same
+    /// name.
     fn counts(&self) -> bool {
         self.path.is_none() || !shipped().iter().any(|shipped| shipped.lesson.id == self.lesson.id)
     }
@@ -146,8 +146,7 @@ impl Playing {
 }
 
 impl Learn {
-    /// Whether the figure has changes that must not be lost; in a step of a lesson not all are, see
-    /// `Playing::is_work`.
+    /// True if the figure has changes that must not be lost. In a step of a lesson not all are, see `Playing::is_work`.
     pub fn has_unsaved(&self, model: &Model) -> bool {
         self.is_work(&model.document) || model.is_rearranged(self.lesson.is_some())
     }
@@ -156,8 +155,8 @@ impl Learn {
         self.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
     }
 
-    /// The documents with changes that the window holds without showing them: figures and steps that were left, and
-    /// those behind the figure of an exercise.
+    /// The hidden documents with changes that the window holds: figures and steps that were left, and those behind the
+    /// figure of an exercise.
     pub fn held_documents<'a>(&'a self, model: &'a Model) -> Vec<&'a Document> {
         let left = model.kept.iter().chain(&model.given_up).map(|(_, document)| document);
         let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
@@ -167,8 +166,7 @@ impl Learn {
             .collect()
     }
 
-    /// Takes the documents that wait in steps and behind figures among those that the window asks about when it is
-    /// closed.
+    /// Adds the documents that wait in steps and behind figures to those that the window asks about when it's closed.
     pub(in crate::gui) fn gather_held(&mut self, model: &mut Model) {
         self.keep_behind(model);
         let of_lesson = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
@@ -182,7 +180,7 @@ impl Learn {
         model.keep(behind);
     }
 
-    /// Has the work in the figure, or behind it, wait in the step that is left.
+    /// Keeps the work in the figure, or behind it, waiting in the step that is left.
     pub(in crate::gui) fn leave_step(&mut self, model: &mut Model) {
         let mut left = Some(model.document.clone());
         while let Some(document) = left.take_if(|document| !self.is_work(document)) {
@@ -199,7 +197,7 @@ impl Learn {
         self.lesson.as_ref().map_or(&model.settings.panels, |playing| &playing.panels_before)
     }
 
-    /// The number of steps of a lesson that ask for something, and of those that are done.
+    /// The number of steps of a lesson that have a task, and of those that are done.
     pub fn done_of(&self, lesson: &Lesson) -> (usize, usize) {
         let done = self.done.get(&lesson.id);
         let tasks = lesson.steps.iter().enumerate().filter(|(_, step)| step.task.is_some());
@@ -208,22 +206,21 @@ impl Learn {
         (is_done.into_iter().filter(|is| *is).count(), all.len())
     }
 
-    /// Whether all that a lesson asks for is done.
+    /// True if all tasks of a lesson are done.
     pub fn is_finished(&self, lesson: &Lesson) -> bool {
         let (done, all) = self.done_of(lesson);
         done == all && self.taken.contains_key(&lesson.id)
     }
 
-    /// The lesson of the program to be taken next, by its place: the first that was begun and isn't finished, else the
-    /// first that isn't finished.
+    /// The next built-in lesson to take, by its place: the first unfinished one that was begun, else the first
+    /// unfinished one.
     pub fn next_lesson(&self) -> Option<usize> {
         let open = || shipped().iter().enumerate().filter(|(_, shipped)| !self.is_finished(&shipped.lesson));
         let mut begun = open().filter(|(_, shipped)| self.taken.contains_key(&shipped.lesson.id));
         begun.next().or_else(|| open().next()).map(|(place, _)| place)
     }
 
-    /// The step with which a lesson is gone on with: the first that asks for something that isn't done, where it was
-    /// left or before.
+    /// The step from which a lesson goes on: the first with an unfinished task, at its last step or before.
     pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
         let furthest = self.taken.get(&lesson.id).copied().unwrap_or_default();
         let done = self.done.get(&lesson.id);
@@ -232,7 +229,7 @@ impl Learn {
         if furthest < last { furthest } else { (0..lesson.steps.len()).find(is_open).unwrap_or_default() }
     }
 
-    /// Plays a lesson. The figure is lost. Only the window's start calls this, and
+    /// Plays a lesson. The figure is lost, so only the window's start calls this, and
     /// [`file_flow`](crate::gui::app::file_flow) once it has asked.
     pub(in crate::gui) fn play(&mut self, model: &mut Model, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
@@ -264,7 +261,7 @@ impl Learn {
         self.close_lesson(model);
     }
 
-    /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
+    /// Forgets the lesson, and restores the panels. Work in its steps is kept.
     pub(in crate::gui) fn close_lesson(&mut self, model: &mut Model) {
         if let Some(playing) = self.lesson.take() {
             model.settings.panels.wanted = playing.panels_before.wanted;
@@ -274,7 +271,7 @@ impl Learn {
         self.exercises.leave_unknown();
     }
 
-    /// Shows the figure of the step as it was at first. Undoing brings the changed one back.
+    /// Shows the original figure of the step. Undoing brings the changed one back.
     pub fn step_again(&mut self, model: &mut Model) {
         self.end_move(model);
         let Some(playing) = self.lesson.take() else { return };
@@ -289,7 +286,7 @@ impl Learn {
         }
     }
 
-    /// Goes to a step, from 0. Nothing if there is none. Work in the step that is left waits there.
+    /// Goes to a step, from 0, if it exists. Work in the step that is left waits there.
     pub fn go_to_step(&mut self, model: &mut Model, step: usize) {
         if !self.save_text(model) {
             return;
@@ -304,8 +301,8 @@ impl Learn {
         self.show_step(model, playing, step, moves);
     }
 
-    /// Goes on to the next step, or back to the one before. What is to be done first is said once, and passed over
-    /// then.
+    /// Goes on to the next step, or back to the one before. A message mentions an open task once, and the next
+    /// call skips it.
     pub fn step_lesson(&mut self, model: &mut Model, forwards: bool) {
         if self.end_move(model) && forwards {
             return;
@@ -338,7 +335,7 @@ impl Learn {
         }
     }
 
-    /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
+    /// Changes the figure by the lesson's way to the goal, from the figure of the step, as one change.
     pub(in crate::gui) fn show_solution(&mut self, model: &mut Model, goal: &Goal) {
         let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else {
             return;
@@ -392,8 +389,8 @@ impl Learn {
             Some(Task::Exercise { id, seed }) => Some(Chosen { id: id.clone(), seed: *seed }),
             _ => None,
         };
-        // The pictures and the text have the room. For a try, the panel that it needs is open: the operations, or else
-        // the numbers of the camera.
+        // The pictures and the text have the room. For a try, its panel is open: the operations, or else the numbers of
+        // the camera.
         let goal = if let Some(Task::Try(goal)) = &shown.task { Some(goal) } else { None };
         let operates =
             goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
@@ -410,7 +407,7 @@ impl Learn {
         }
         let passage = Passage::new(from, to);
         if moves && seconds > 0.0 && !passage.is_at_once() {
-            // What is new fades in; then the camera moves.
+            // New parts fade in, then the camera moves.
             playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
@@ -425,7 +422,7 @@ impl Learn {
         }
     }
 
-    /// True for a question that a guess was made at and that isn't answered: it asks about the figure that was seen.
+    /// True for a question with a guess but without an answer, which asks about the figure that was shown.
     fn waits_for_seen(&self) -> bool {
         let step = self.lesson.as_ref().filter(|playing| playing.writing.is_none()).and_then(Playing::now);
         let Some(Task::Question(entry)) = step.and_then(|step| step.task.as_ref()) else { return false };
@@ -435,7 +432,7 @@ impl Learn {
         asks.iter().any(|ask| !ask.places && waits(ask))
     }
 
-    /// Shows the figure that answers the question of the step, with a move to it. False if there is none.
+    /// Shows the figure that answers the question of the step, with a move to it. Returns false if there is none.
     pub(in crate::gui) fn show_seen(&mut self, model: &mut Model) -> bool {
         self.end_move(model);
         let Some(playing) = &self.lesson else { return false };
@@ -458,7 +455,7 @@ impl Learn {
         true
     }
 
-    /// Notes what is reached in the step.
+    /// Notes the progress in the step.
     pub(in crate::gui) fn check_goal(&mut self, model: &Model) {
         let Some(mut playing) = self.lesson.take() else { return };
         let step = playing.step;
@@ -507,7 +504,7 @@ impl Learn {
 }
 
 impl Model {
-    /// Keeps documents with changes until the window is closed, which asks about them.
+    /// Keeps documents with changes until the user closes the window, which then asks about them.
     pub(in crate::gui) fn keep(&mut self, documents: Vec<Document>) {
         for mut document in documents {
             let behind = document.take_behind();

@@ -14,7 +14,7 @@ use crate::i18n::learn::exercises::title;
 use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};
 
-/// Shows the task of a step. In a presentation a question is shown by a key.
+/// Shows the task of a step. In a presentation a key shows the question.
 pub(super) fn show(
     ui: &mut Ui,
     t: &Texts,
@@ -76,7 +76,7 @@ pub(super) fn show(
     }
 }
 
-/// Says that the task is done, once it is.
+/// Reports that the task is done, once it is.
 fn said(ui: &mut Ui, t: &Texts, is_done: bool) {
     if is_done {
         ui.label(RichText::new(format!("✓ {}", t.done)).strong().color(theme::verdict_color(ui, true)));

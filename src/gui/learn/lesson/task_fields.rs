@@ -24,7 +24,7 @@ const MAX_CHOICES: usize = 8;
 /// The greatest number of wrong numbers.
 const MAX_WRONG: usize = 16;
 
-/// The fields of a task. Returns whether one of them has lost the focus.
+/// The fields of a task. Returns true if one of them has lost the focus.
 pub(super) fn show(
     ui: &mut Ui,
     task: &mut TaskText,
@@ -54,7 +54,7 @@ pub(super) fn show(
     fields.is_left
 }
 
-/// The kinds of task. Returns whether another one was chosen.
+/// The kinds of task. Returns true if another one was chosen.
 fn kinds(ui: &mut Ui, t: &Texts, task: &mut TaskText) -> bool {
     let mut chosen = task.kind;
     ui.horizontal_wrapped(|ui| {
@@ -98,7 +98,7 @@ impl Fields<'_> {
         self.is_left |= response.lost_focus();
     }
 
-    /// A line that says in itself what it holds.
+    /// A line that names its content in itself.
     fn line(&mut self, ui: &mut Ui, width: f32, (name, place): (&'static str, usize), text: &mut String) {
         let id = Id::unique(("line of a task", name, place, self.lang));
         let field = TextField::line(text, MAX_TITLE);

@@ -1,5 +1,5 @@
-//! A lesson of the user's own that is written in the window: its texts and those of its step as they are typed, the
-//! changes of its file, and the way back.
+//! A lesson of the user's own, written in the window: its texts and those of its step as typed, the changes of its
+//! file, and undo.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -21,32 +21,32 @@ use crate::share;
 /// Changes that can be taken back.
 const MOST_EARLIER: usize = 100;
 
-/// The writing of the step that is shown.
+/// The writing of the displayed step.
 #[derive(Debug, Default)]
 pub struct Writing {
-    /// The text of the file as it was read or written last.
+    /// The text of the file as last read or written.
     text: String,
     /// The step whose texts these are, from 0.
     step: usize,
-    /// The texts as they are typed.
+    /// The typed texts.
     pub typed: Typed,
     /// The same as they are in the file.
     kept: Typed,
-    /// The file with the typed texts, which is not yet written.
+    /// The file with the typed texts, not yet written.
     ahead: Option<String>,
-    /// Why it cannot be written.
+    /// The reason why it can't be written.
     pub fault: Option<FigureError>,
     /// The language of the fields.
     pub lang: Lang,
-    /// The group of fields that is shown.
+    /// The displayed group of fields.
     pub shows: Fields,
     /// The time of the last key, in seconds.
     pub typed_at: f64,
-    /// The file before each change, and the step that was shown.
+    /// The file before each change, and the displayed step then.
     earlier: Vec<(String, usize)>,
     /// The file after each change that was undone, and its step.
     later: Vec<(String, usize)>,
-    /// Typed text that is not in the file, as a session stores it.
+    /// Typed text that isn't in the file, as a session stores it.
     unsaved: Option<Arc<UnsavedText>>,
 }
 
@@ -62,7 +62,7 @@ pub enum Fields {
     Lesson,
 }
 
-/// The texts of a step and of its lesson as they are typed.
+/// The typed texts of a step and of its lesson.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Typed {
     /// Title, text and notes of the step, then title, sentence and minutes of the lesson. The minutes in the first
@@ -77,7 +77,7 @@ impl Writing {
         Self { text, step: usize::MAX, lang, ..Self::default() }
     }
 
-    /// The changes of the file that can be undone, or redone.
+    /// The changes of the file to undo, or to redo.
     fn changes(&mut self, back: bool) -> &mut Vec<(String, usize)> {
         if back { &mut self.earlier } else { &mut self.later }
     }
@@ -110,7 +110,7 @@ impl Writing {
         (self.ahead, self.fault, self.unsaved) = (None, None, None);
     }
 
-    /// The file with the texts as they are typed.
+    /// The file with the typed texts.
     fn tried(&self) -> Result<(String, Lesson), FigureError> {
         let fields = FIELDS.into_iter().zip(self.typed.words.iter().zip(&self.kept.words));
         let changed = fields.filter(|(_, (typed, kept))| typed != kept);
@@ -144,27 +144,27 @@ pub(crate) enum StepChange {
     Earlier,
     /// The step comes after the next one.
     Later,
-    /// The step shows what is on the screen.
+    /// The step shows the state on the screen.
     Screen,
-    /// A step more after this one, with what is on the screen.
+    /// One more step after this one, with the state on the screen.
     Another,
     /// A step less.
     Remove,
 }
 
 impl Learn {
-    /// True if the lesson that is played is a file that can be written.
+    /// True if the lesson being played is a file that can be written.
     pub fn plays_own_lesson(&self, model: &Model) -> bool {
         let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
         path.is_some_and(|path| share::link_of(path).is_none()) && !model.in_browser
     }
 
-    /// True if the step is written: in a presentation the class sees it as it will be.
+    /// True if the user is writing the step. In a presentation the class sees its final form.
     pub fn writes_lesson(&self, model: &Model) -> bool {
         !model.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
     }
 
-    /// Begins to write the step that is shown, or ends it.
+    /// Starts or ends writing the displayed step.
     pub(in crate::gui) fn write_lesson(&mut self, model: &mut Model) {
         if !self.save_text(model) || !self.plays_own_lesson(model) {
             return;
@@ -187,7 +187,7 @@ impl Learn {
         }
     }
 
-    /// Plays the last step of the lesson to which steps were added last, and begins to write it. The figure is lost.
+    /// Plays the last step of the lesson to which steps were added last, and starts writing it. The figure is lost.
     pub(in crate::gui) fn write_recorded(&mut self, model: &mut Model) {
         let Some(path) = self.file.clone() else { return };
         match files::read_lesson(&path) {
@@ -200,7 +200,7 @@ impl Learn {
         }
     }
 
-    /// Shows the texts of the step that is played in the fields.
+    /// Shows the texts of the step being played in the fields.
     pub(in crate::gui) fn follow_writing(&mut self) {
         let Some(playing) = &mut self.lesson else { return };
         if let Some(writing) = &mut playing.writing
@@ -210,18 +210,18 @@ impl Learn {
         }
     }
 
-    /// The text of the lesson that is not in its file.
+    /// The text of the lesson that isn't in its file.
     pub fn unsaved_text(&self) -> Option<&Arc<UnsavedText>> {
         self.lesson.as_ref()?.writing.as_ref()?.unsaved.as_ref()
     }
 
-    /// True if the text that is not in its file could be written into another one.
+    /// True if the text that isn't in the file could be written into another one.
     pub(in crate::gui) fn has_good_text(&self) -> bool {
         let writing = self.lesson.as_ref().and_then(|playing| playing.writing.as_ref());
         writing.is_some_and(|writing| writing.ahead.is_some())
     }
 
-    /// Goes on with the text of a session, in the step in which it was typed. `shown`: the figure of the window.
+    /// Goes on with the text of a session, in the step in which it was typed. `shown` is the figure of the window.
     pub(in crate::gui) fn resume_text(&mut self, model: &mut Model, unsaved: UnsavedText, shown: Figure) {
         let UnsavedText { path, step, text, words, task } = unsaved;
         // A session without a lesson was not restored.
@@ -244,7 +244,7 @@ impl Learn {
         }
     }
 
-    /// Takes what is typed into the lesson that is shown, or finds why it cannot be.
+    /// Applies the typed text to the displayed lesson, or finds the reason why it can't.
     pub(in crate::gui) fn text_edited(&mut self, now: f64) {
         let Some(playing) = &mut self.lesson else { return };
         let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
@@ -266,8 +266,8 @@ impl Learn {
         }
     }
 
-    /// Writes what is typed into the file. False if it cannot be written. A message says why, and the texts stay in
-    /// their fields.
+    /// Writes the typed text into the file. Returns false if it can't be written. Then a message says why, and the
+    /// texts stay in their fields.
     pub(in crate::gui) fn save_text(&mut self, model: &mut Model) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
@@ -288,7 +288,7 @@ impl Learn {
         is_kept
     }
 
-    /// Forgets what is typed and not in the file.
+    /// Drops typed text that isn't in the file.
     pub(in crate::gui) fn forget_text(&mut self) {
         let Some(playing) = &mut self.lesson else { return };
         let Some(writing) = &mut playing.writing else { return };
@@ -296,7 +296,8 @@ impl Learn {
         self.text_edited(0.0);
     }
 
-    /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
+    /// Saves the lesson with its typed text as another file and continues with that file. Returns false if it can't be
+    /// written.
     pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
@@ -308,13 +309,13 @@ impl Learn {
         playing.path = Some(path.to_owned());
         (writing.text, writing.kept) = (text, writing.typed.clone());
         (writing.ahead, writing.unsaved) = (None, None);
-        // The changes of the other file are not those of this one.
+        // The changes of the other file aren't those of this one.
         (writing.earlier, writing.later) = Default::default();
         self.file = Some(path.to_owned());
         true
     }
 
-    /// Adds what is on the screen as the last step of the lesson that is written.
+    /// Adds the state on the screen as the last step of the lesson being written.
     pub(in crate::gui) fn add_to_written(&mut self, model: &mut Model, path: &Path) {
         if !self.save_text(model) {
             return;
@@ -371,7 +372,7 @@ impl Learn {
         }
     }
 
-    /// True if the lesson that is written has a change to undo, or to redo: after those of the figure on the screen.
+    /// True if the lesson being written has a change to undo, or to redo, after those of the figure on the screen.
     pub fn can_undo_lesson(&self, model: &Model, back: bool) -> bool {
         self.writes_lesson(model)
             && self.lesson.as_ref().and_then(|playing| playing.writing.as_ref()).is_some_and(|w| w.can_undo(back))
@@ -401,14 +402,14 @@ impl Learn {
         }
     }
 
-    /// Goes on with a lesson of the program as the user's own, in a copy in a file.
+    /// Goes on with a built-in lesson as the user's own, in a copy in a file.
     pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         let Some(playing) = &self.lesson else { return };
         let id = playing.lesson.id.clone();
         let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
         match files::save(path, shipped.text.as_bytes(), overwrite) {
             Ok(()) => {
-                // The figure of the step stays as it is on the screen.
+                // The figure of the step stays as on the screen.
                 if let Some(playing) = &mut self.lesson {
                     playing.path = Some(path.to_owned());
                 }
@@ -418,7 +419,8 @@ impl Learn {
         }
     }
 
-    /// Writes the text of the lesson into its file, unless another program has changed it. True if it is written.
+    /// Writes the text of the lesson into its file, unless another program has changed it. Returns true if it's
+    /// written.
     fn store(&mut self, model: &mut Model, path: &Path, text: String, step: usize) -> bool {
         let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else {
             return false;
@@ -445,7 +447,7 @@ impl Learn {
         }
     }
 
-    /// Reads the lesson again that another program has changed. Text that is not in the file is lost.
+    /// Reads the lesson again after another program has changed it. Text that isn't in the file is lost.
     pub(in crate::gui) fn read_lesson_again(&mut self, model: &mut Model) {
         let Some(playing) = &self.lesson else { return };
         let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
@@ -459,7 +461,7 @@ impl Learn {
         }
     }
 
-    /// Goes on after a change of the steps. The work in each goes where the step goes. That in a removed step is kept.
+    /// Goes on after a change of the steps. The work in each step goes with it. That in a removed step is kept.
     fn go_on_changed(&mut self, model: &mut Model, lesson: Lesson, change: StepChange, step: usize, then: usize) {
         self.end_move(model);
         // A step has no caption.
@@ -499,8 +501,8 @@ impl Learn {
         model.keep(without);
     }
 
-    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: which of the new steps
-    /// it belongs to is not known.
+    /// Shows a step of the lesson from another text of the file. The work in steps is kept, because it's unknown to
+    /// which of the new steps it belongs.
     fn play_changed(&mut self, model: &mut Model, lesson: Lesson, step: usize) {
         self.end_move(model);
         self.leave_step(model);

@@ -1,4 +1,4 @@
-//! Where a figure comes from.
+//! The source of a figure.
 
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// The source of a document; `None` means a new one.
+    /// The source of a document. `None` for a new one.
     pub(in crate::gui) fn of(document: &Document) -> Option<Self> {
         match (document.path(), document.shipped_name()) {
             (Some(path), _) => Some(Self::File(path.clone())),

@@ -1,16 +1,16 @@
-//! The display of matrices and the numbers that follow from them. The figure does not depend on it.
+//! The display of matrices and the numbers that follow from them. The figure doesn't depend on it.
 
 use crate::camera::Ndc;
 
-/// Whose NDC, and how matrices are written.
+/// The convention of NDC, and the notation of matrices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
-    /// Whose NDC the numbers, the probe and the canonical volume are in.
+    /// The NDC of the numbers, the probe and the canonical volume.
     pub ndc: Ndc,
-    /// With whose they are compared.
+    /// The convention compared with.
     pub compared: Option<Ndc>,
     /// Points are rows: matrices are transposed.
     pub row_vectors: bool,
-    /// z_c is shown growing along DOP.
+    /// True if z_c is shown growing along DOP.
     pub left_handed: bool,
 }

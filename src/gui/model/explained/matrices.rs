@@ -11,7 +11,7 @@ pub enum Reading {
     /// With the notes' symbols.
     #[default]
     Formulas,
-    /// With the numbers in the place of the symbols.
+    /// With numbers in place of the symbols.
     Numbers,
     /// Their values.
     Values,
@@ -26,7 +26,7 @@ pub struct Matrices {
     pub inverse: bool,
     /// The notation of its entries.
     pub reading: Reading,
-    /// The entry that is explained: row and column from 0.
+    /// The explained entry: row and column from 0.
     pub entry: [usize; 2],
     /// The entry takes the keyboard in the next frame.
     pub(in crate::gui) wants_focus: bool,
@@ -51,7 +51,7 @@ impl Default for Matrices {
 }
 
 impl Matrices {
-    /// The matrix that is shown.
+    /// The displayed matrix.
     pub fn shown(&self) -> Matrix {
         if self.inverse { self.matrix.inverse() } else { self.matrix }
     }
@@ -80,14 +80,14 @@ const GLOW_SECONDS: f64 = 1.0;
 /// Entries changed last, with the time.
 #[derive(Clone, Debug, Default)]
 pub(in crate::gui) struct Glow {
-    /// The matrix, and whose it is.
+    /// The matrix, and its owner.
     of: Option<(Matrix, Option<String>)>,
     values: [[f64; 4]; 4],
     since: [[Option<f64>; 4]; 4],
 }
 
 impl Glow {
-    /// Notes which values are others than in the last frame; of another matrix, none. `now` is a time in seconds.
+    /// Notes which values differ from the last frame. For another matrix, none do. `now` is a time in seconds.
     pub(in crate::gui) fn follow(&mut self, of: (Matrix, Option<&str>), values: [[f64; 4]; 4], now: f64) {
         let same = self.of.as_ref().is_some_and(|(matrix, whose)| (*matrix, whose.as_deref()) == of);
         if !same {

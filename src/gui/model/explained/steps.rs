@@ -1,5 +1,5 @@
-//! The explanation of the steps: whose steps are shown next, and whether they are played. How far they
-//! have come is in the figure's `[show]`.
+//! The explanation of the steps: the source of the next steps, and if they are playing. Their progress is in the
+//! figure's `[show]`.
 
 use crate::camera::{Camera, Decomposition};
 use crate::figure::ShownStep;
@@ -7,21 +7,21 @@ use crate::views::Normalizing;
 
 /// Duration of a step in playback, in seconds.
 const STEP_SECONDS: f64 = 2.0;
-/// After a longer pause between two frames, playing goes on where it was.
+/// After a longer pause between two frames, playing goes on from the same place.
 const LONGEST_FRAME: f64 = 0.5;
 
 /// The explanation of steps.
 #[derive(Clone, Debug, Default)]
 pub struct Steps {
-    /// Whose steps.
+    /// The source of the steps.
     pub way: Decomposition,
-    /// The entry that is explained: of the step's matrix (0) or of the product so far (1), row and column from 0.
+    /// The explained entry, of the step's matrix (0) or of the product so far (1), with row and column from 0.
     pub(in crate::gui) entry: Option<(usize, [usize; 2])>,
-    /// When the last frame was shown, in seconds, while it is played.
+    /// When the last frame was shown, in seconds, while it's playing.
     played: Option<f64>,
 }
 
-/// Number of steps for a camera; 0 where the source has none.
+/// Number of steps for a camera. 0 if the source has none.
 pub fn count(way: Decomposition, camera: &Camera) -> usize {
     camera.decomposed(way).map_or(0, |factors| factors.len())
 }
@@ -43,13 +43,13 @@ pub fn time_of(step: ShownStep, camera: &Camera) -> f64 {
 }
 
 impl Steps {
-    /// True while it is played.
+    /// True while it's playing.
     pub fn plays(&self) -> bool {
         self.played.is_some()
     }
 
-    /// Plays from where it is, from the beginning where it is at its end, or holds. `now` is a time in seconds. Where
-    /// it is then.
+    /// Plays from its place, or from the beginning if it's at its end, or pauses. `now` is a time in seconds. Returns
+    /// the new place.
     pub(in crate::gui) fn play_or_hold(&mut self, step: ShownStep, now: f64) -> ShownStep {
         if self.played.take().is_some() {
             return step;
@@ -58,15 +58,15 @@ impl Steps {
         ShownStep { at: step.at.or(Some(0.0)), ..step }
     }
 
-    /// Holds where it is.
+    /// Pauses at its place.
     pub(in crate::gui) fn hold(&mut self) {
         self.played = None;
     }
 
-    /// Goes on playing; at its end it stops. Where it is then.
+    /// Advances, and stops at the end. Returns the new place.
     pub(in crate::gui) fn advance(&mut self, step: ShownStep, now: f64, camera: &Camera) -> ShownStep {
         let Some(before) = self.played else { return step };
-        // A clock that goes back plays nothing.
+        // If the clock goes back, nothing plays.
         let passed = (now - before).max(0.0);
         let passed = if passed <= LONGEST_FRAME { passed / STEP_SECONDS } else { 0.0 };
         let next = step_at(step.way, time_of(step, camera) + passed, camera);

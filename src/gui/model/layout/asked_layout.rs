@@ -18,7 +18,8 @@ pub(in crate::gui) struct Placed {
 }
 
 impl Placed {
-    /// The layout `now`, with the user's own wherever it is still the one that a figure asked for.
+    /// The layout `now`, with the user's own values in place of those that a figure asked for and that haven't changed
+    /// since.
     fn given_back(self, own: &Self, asked: &Self) -> Self {
         fn back<T: PartialEq>(now: T, own: T, asked: &T) -> T {
             if now == *asked { own } else { now }
@@ -37,7 +38,7 @@ pub(in crate::gui) struct AskedLayout {
     /// The user's own, before.
     own: Placed,
     asked: Placed,
-    /// In a presentation, whose panels are not those of the window.
+    /// True in a presentation, whose panels aren't those of the window.
     presentation: bool,
 }
 
@@ -50,7 +51,7 @@ impl Model {
         }
     }
 
-    /// The layout that the user has chosen: what the figure asked for is not remembered.
+    /// The layout that the user has chosen. Layouts that figures ask for aren't remembered.
     pub(in crate::gui) fn preferred_layout(&self) -> Placed {
         let now = Placed { is_open: self.settings.panels.wanted[Side::Explain as usize], ..self.placed() };
         let Some(AskedLayout { own, asked, presentation }) = self.asked_layout else { return now };
@@ -59,7 +60,7 @@ impl Model {
         if presentation { Placed { is_open, ..given_back } } else { given_back }
     }
 
-    /// Gives back the layout that was there before a figure asked for its own. What the user has changed since stays.
+    /// Gives back the layout from before a figure asked for its own. The user's changes since then stay.
     pub(in crate::gui) fn give_back_layout(&mut self) {
         let Some(AskedLayout { own, asked, presentation }) = self.asked_layout.take() else { return };
         let Placed { arrangement, is_open, explanation } = self.placed().given_back(&own, &asked);
@@ -72,12 +73,12 @@ impl Model {
         }
     }
 
-    /// Puts the window into the layout that a figure asks for, else into that of the user.
+    /// Gives the window the layout that a figure asks for, or otherwise the user's.
     pub(in crate::gui) fn show_screen(&mut self, screen: Screen) {
         self.give_back_layout();
         let own = self.placed();
         let Screen { pictures, arrangement, panel, entry } = screen;
-        // Views are hidden in a figure, not in the window: the next figure begins with all of them.
+        // Views are hidden in a figure, not in the window, so the next figure begins with all of them.
         self.layout.shown = pictures.unwrap_or([true; View::COUNT]);
         if pictures.is_some() {
             self.layout.maximized = None;
@@ -108,7 +109,7 @@ impl Model {
     }
 }
 
-/// The matrices that a figure can name, as the explanation of matrices has them.
+/// The matrices that a figure can name, as in the explanation of matrices.
 const MATRICES: [(ScreenMatrix, Matrix); 5] = [
     (ScreenMatrix::Model, Matrix::Model),
     (ScreenMatrix::View, Matrix::View),
@@ -153,7 +154,7 @@ mod tests {
         model.show_screen(Screen { panel: Some(None), ..Screen::default() });
         assert_eq!(model.preferred_layout(), own);
         assert_eq!(model.layout.shown, [true; View::COUNT]);
-        // A change by the user is one of the user's layout.
+        // A change by the user becomes part of the user's layout.
         model.show_screen(asked);
         model.layout.arrangement = Some(Arrangement::Above);
         assert_eq!(model.preferred_layout(), Placed { arrangement: Some(Arrangement::Above), ..own });

@@ -1,11 +1,11 @@
-//! Earlier viewpoints of the pictures: going back to the one before a turn, a move or a zoom, which is no change of the
-//! figure and so no undo step.
+//! Earlier viewpoints of the pictures. The user can go back to the one before a turn, a move or a zoom, which isn't a
+//! change of the figure and so isn't an undo step.
 
 use crate::figure::Observers;
 
 /// Number of stored viewpoints.
 const MOST: usize = 100;
-/// A view counts once nothing has turned it for so long, in seconds. The turns of a wheel are one step.
+/// A view counts once it has been still this long, in seconds. The turns of a wheel are one step.
 const STILL: f64 = 0.4;
 
 /// The views before and after the present one.
@@ -20,12 +20,12 @@ pub struct ViewHistory {
 }
 
 impl ViewHistory {
-    /// Begins anew, with another figure.
+    /// Starts again, with another figure.
     pub fn reset(&mut self, observers: Observers) {
         *self = Self { now: observers, ..Self::default() };
     }
 
-    /// Notes from where the pictures are seen at a time (seconds). In how many seconds this wants to be called again.
+    /// Notes the viewpoints of the pictures at a time (seconds). Returns the seconds until it has to be called again.
     pub fn follow(&mut self, observers: Observers, time: f64) -> Option<f64> {
         if observers == self.now {
             self.turning = None;
@@ -47,7 +47,7 @@ impl ViewHistory {
         }
     }
 
-    /// The same viewpoints in pictures of another size: no step.
+    /// The same viewpoints in pictures of another size, which isn't a step.
     pub fn framed_again(&mut self, before: Observers, after: Observers) {
         if self.now == before {
             self.now = after;
@@ -98,7 +98,7 @@ mod tests {
         }
         assert!(history.follow(turned(9.0), 0.6).is_some());
         assert_eq!(history.follow(turned(9.0), 0.9), None);
-        // One that has not come to rest counts when one goes back from it.
+        // A view that hasn't come to rest counts when the user goes back from it.
         assert!(history.follow(turned(30.0), 1.0).is_some());
         assert_eq!(history.go(turned(30.0), true), Some(turned(9.0)));
         assert!(history.can_go(turned(9.0), true) && history.can_go(turned(9.0), false));

@@ -15,7 +15,7 @@ pub(in crate::gui) struct Motion {
     pub(in crate::gui) freedom: Freedom,
     pub(in crate::gui) amount: f64,
     pub(in crate::gui) convention: Convention,
-    /// When it began, in seconds; `None` means with the next frame.
+    /// When it began, in seconds. `None` for the next frame.
     pub(in crate::gui) began: Option<f64>,
 }
 
@@ -55,7 +55,7 @@ impl Model {
     }
 }
 
-/// The apparent motion of the camera. An arrow for its place, its look or its turn; `None` without a sideways motion.
+/// The apparent motion of the camera: an arrow for its place, its look or its turn. `None` without a sideways motion.
 pub(in crate::gui) fn arrow(before: &Camera, freedom: Freedom, forwards: bool, convention: Convention) -> Option<char> {
     let unit = match freedom.descriptor().amount {
         Amount::Angle => 1.0,
@@ -72,7 +72,7 @@ pub(in crate::gui) fn arrow(before: &Camera, freedom: Freedom, forwards: bool, c
     };
     let (x, y) = (way.dot(basis.u), way.dot(basis.v));
     if x.abs().max(y.abs()) < 1e-6 {
-        // n points to the viewer, who sees v lean to the left where it turns counter-clockwise.
+        // n points to the viewer, who sees v lean to the left if it turns counter-clockwise.
         let lean = after.basis().v.dot(basis.u);
         return (lean.abs() > 1e-6).then_some(if lean < 0.0 { '↺' } else { '↻' });
     }

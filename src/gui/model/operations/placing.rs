@@ -7,9 +7,9 @@ use crate::exercises::Ask;
 pub struct Placing {
     /// The question.
     pub(in crate::gui) of: Mark,
-    /// The point that is followed, where it is now.
+    /// The present place of the followed point.
     pub from: Option<[f64; 2]>,
-    /// The place that was chosen.
+    /// The chosen place.
     pub mark: Option<[f64; 2]>,
     /// The guess that can't be changed any more.
     pub guess: Option<[f64; 2]>,

@@ -1,4 +1,4 @@
-//! *Predict first*: what an operation is expected to do, and what it does.
+//! *Predict first*: the expected effect of an operation, and the real one.
 
 use glam::DVec3;
 
@@ -7,19 +7,19 @@ use crate::exercises::place_of;
 use crate::gui::model::history::Revision;
 use crate::scene::Scene;
 
-/// A change of size that nobody sees.
+/// An invisible change of size.
 const SAME: f64 = 0.01;
 /// A point has room for its name this share of a side away from the border.
 const BORDER: f64 = 0.15;
 /// A place is right within this share of the shorter side of the image.
 const NEAR: f64 = 0.05;
 
-/// The switch, and the operation that waits for what is expected of it.
+/// The switch, and the operation that waits for a prediction.
 #[derive(Clone, Debug, Default)]
 pub struct Predict {
     /// Operations ask first.
     pub on: bool,
-    /// The operation that asks, or was compared last.
+    /// The operation that asks, or whose prediction was compared last.
     pub asked: Option<Prediction>,
 }
 
@@ -32,7 +32,7 @@ impl Predict {
     }
 }
 
-/// An operation that asks what it will do.
+/// An operation that asks about its effect.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     /// The operation.
@@ -41,9 +41,9 @@ pub struct Prediction {
     pub amount: f64,
     /// Its question.
     pub about: About,
-    /// The document whose camera it moves: another one ends it.
+    /// The document with the camera that it moves. Another document ends it.
     pub(in crate::gui) document: Revision,
-    /// It was done: what was said is compared with what happened.
+    /// True once it's done. Then the prediction is compared with the outcome.
     pub is_done: bool,
 }
 
@@ -52,18 +52,18 @@ pub struct Prediction {
 pub enum About {
     /// A vertex of the scene, in the image before and after.
     Place {
-        /// Where it is before.
+        /// Its place before.
         from: [f64; 2],
-        /// Where it goes.
+        /// Its place afterwards.
         to: [f64; 2],
-        /// Where it is expected.
+        /// Its expected place.
         mark: Option<[f64; 2]>,
         /// The size of the image.
         image: ImageSize,
     },
     /// The objects in the image.
     Size {
-        /// How many times as large they become.
+        /// The factor of their size.
         times: f64,
         /// The expectation.
         said: Option<Change>,
@@ -82,7 +82,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::Larger, Self::Smaller, Self::Same];
 
     /// The change by a factor.
@@ -96,8 +96,8 @@ impl Change {
 }
 
 impl About {
-    /// The question of an operation, by what it does to the scene; `None` if the image shows nothing before and
-    /// after it that could be followed.
+    /// The question of an operation, by its effect on the scene. `None` if the image has no content before and after it
+    /// that can be followed.
     pub fn of(
         (camera, image, scene): (&Camera, ImageSize, &Scene),
         (freedom, amount): (Freedom, f64),
@@ -120,7 +120,7 @@ impl About {
         Some(Self::Place { from: highest[0], to: highest[1], mark: None, image })
     }
 
-    /// True once it is said what is expected.
+    /// True once the user has predicted it.
     pub fn is_said(&self) -> bool {
         match self {
             Self::Place { mark, .. } => mark.is_some(),
@@ -128,7 +128,7 @@ impl About {
         }
     }
 
-    /// How far a mark is from where the point goes, pixels to the right and down.
+    /// The distance of a mark from the point's destination, pixels to the right and down.
     pub fn off(&self) -> Option<[f64; 2]> {
         let Self::Place { to, mark, .. } = self else { return None };
         mark.map(|mark| [mark[0] - to[0], mark[1] - to[1]])
@@ -146,13 +146,13 @@ impl About {
     }
 }
 
-/// Whether a place is in the image, away from its border by this share of each side.
+/// True if a place is in the image, away from its border by this share of each side.
 fn is_in(at: [f64; 2], image: ImageSize, border: f64) -> bool {
     let sides = [image.width, image.height].map(f64::from);
     at.iter().zip(sides).all(|(at, side)| (border * side..=(1.0 - border) * side).contains(at))
 }
 
-/// How many times as far apart the points are afterwards: the first and the one farthest from it.
+/// The factor by which the distance of two points grows: the first and the one farthest from it.
 fn size(followed: &[[[f64; 2]; 2]]) -> Option<f64> {
     let first = followed.first()?;
     let apart = |of: &[[f64; 2]; 2], k: usize| (of[k][0] - first[k][0]).hypot(of[k][1] - first[k][1]);

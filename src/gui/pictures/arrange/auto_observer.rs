@@ -1,5 +1,5 @@
-//! The observer of a picture that nobody has turned. It stays where it is, so that a camera that moves is seen moving,
-//! and goes back, once, where something would leave the picture.
+//! The observer of a picture that the user hasn't turned. It stays in place, so that a moving camera is seen to move,
+//! and goes back, once, if something would leave the picture.
 
 use std::collections::VecDeque;
 
@@ -10,35 +10,35 @@ use crate::views::{Request, SharedScene, Size};
 
 /// Seconds in which an observer goes back.
 const GLIDE: f64 = 0.35;
-/// The distance that an observer goes back, in terms of the one from which everything just fits: what goes on in the
-/// same direction stays in the picture for a while.
+/// The distance that an observer goes back, relative to the one from which everything just fits, so that a motion in
+/// the same direction stays in the picture for a while.
 const SPARE: f64 = 1.15;
-/// The number of cameras that are remembered.
+/// The number of remembered cameras.
 const REMEMBERED: usize = 64;
 
-/// The moment in which an observer is asked for.
+/// The moment for which an observer is requested.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::gui::pictures) struct Moment {
     /// Time in seconds.
     pub(in crate::gui::pictures) now: f64,
-    /// Some button of the pointer is down. The camera is on its way. What is dragged stays below the pointer, and while
-    /// a value is dragged the scale stays, so that the window is seen growing and not the rest shrinking.
+    /// True while some button of the pointer is down, or the camera is moving. A dragged point stays below the pointer.
+    /// While a value is dragged the scale stays, so that the window is seen to grow and not the rest to shrink.
     pub(in crate::gui::pictures) on_the_way: bool,
-    /// Nothing glides.
+    /// True if there are no gliding motions.
     pub(in crate::gui::pictures) still: bool,
     /// Files of the scene are still being read.
     pub(in crate::gui::pictures) loading: bool,
 }
 
-/// Settings that make a picture larger or smaller besides the camera and the scene: the parts outside the volume that
-/// are shown, and the convention of NDC.
+/// Settings that make a picture larger or smaller besides the camera and the scene: the displayed parts outside the
+/// volume, and the convention of NDC.
 type Extent = (Outside, Ndc);
 
-/// The observer of a figure that says nothing about it.
+/// The observer of a figure that doesn't set one.
 #[derive(Debug, Default)]
 pub(in crate::gui::pictures) struct Auto {
     kept: Option<KeptObserver>,
-    /// Earlier subjects, and from where they were seen: a camera that comes back, as by undo, is seen as then.
+    /// Earlier subjects with their observers. If a camera comes back, as by undo, its observer does too.
     before: VecDeque<(Subject, Observer)>,
 }
 
@@ -47,8 +47,8 @@ pub(in crate::gui::pictures) struct Auto {
 struct Subject {
     camera: Camera,
     extent: Extent,
-    /// The camera, if it is another one, and the convention of the other side of a comparison, and whether there are
-    /// two halves.
+    /// The camera, if it's another one, the convention of the other side of a comparison, and true if there are two
+    /// halves.
     compared: Option<(Option<Camera>, Ndc, bool)>,
 }
 
@@ -67,9 +67,9 @@ impl Subject {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::gui::pictures) struct AutoObserver {
     pub(in crate::gui::pictures) observer: Observer,
-    /// It begins to go back: something would have left the picture.
+    /// True if it begins to go back, because something would have left the picture.
     pub(in crate::gui::pictures) goes_back: bool,
-    /// It is going back.
+    /// True while it's going back.
     pub(in crate::gui::pictures) glides: bool,
 }
 
@@ -79,18 +79,18 @@ struct KeptObserver {
     framed: Subject,
     scene: SharedScene,
     subject: u64,
-    /// It was framed before all files of the scene had been read.
+    /// True if it was framed before all files of the scene had been read.
     incomplete: bool,
     size: Size,
-    /// The camera was not on its way.
+    /// True if the camera wasn't moving.
     settled: bool,
-    /// From where it glides, since when.
+    /// The observer from which it glides, and the start time.
     glide: Option<(Observer, f64)>,
 }
 
 impl Auto {
-    /// The observer for a picture; `None` for the image. It looks in the same direction until there is another
-    /// `subject`: a scene that has nothing to do with the last one.
+    /// The observer for a picture. `None` for the image. It looks in the same direction until there is another
+    /// `subject`, a scene unrelated to the last one.
     pub(in crate::gui::pictures) fn observer(
         &mut self,
         request: &Request,
@@ -126,9 +126,9 @@ impl Auto {
         }
         let returns = (changed || !kept.settled) && !moment.on_the_way;
         let then = self.before.iter().find(|(before, _)| returns && *before == framed);
-        // What was in hand has changed when it is let go.
+        // A dragged value has changed when it's released.
         let is_new = resized || changed || kept.scene != request.scene;
-        // A button that is pressed sends nothing on its way before something changes.
+        // A pressed button starts no motion before something changes.
         kept.settled = !moment.on_the_way || kept.settled && !changed;
         let mut goes_back = false;
         if let Some((_, observer)) = then {
@@ -160,7 +160,7 @@ impl Auto {
 }
 
 impl KeptObserver {
-    /// From where it is seen at a time.
+    /// The observer at a time.
     fn seen(&mut self, now: f64) -> Observer {
         let Some((from, since)) = self.glide else { return self.observer };
         let share = (now - since) / GLIDE;
@@ -190,7 +190,7 @@ mod tests {
     use crate::views::View;
     use glam::DVec3;
 
-    /// A picture of a figure without a scene, and what is seen of it.
+    /// A picture of a figure without a scene, and its visible content.
     struct Seen {
         figure: Figure,
         scene: SharedScene,
@@ -257,7 +257,7 @@ mod tests {
         let mut seen = Seen::new();
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen.of(&at(near), 400, FREE).observer;
-        // Pressed, and nothing has moved yet.
+        // Pressed, but not moved yet.
         for factor in [1.0, 1.0, 4.0, 9.0, 8.0] {
             seen.of(&at(near * factor), 400, HELD);
         }

@@ -9,7 +9,7 @@ use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
 use crate::views::{Arrangement, best_arrangement, share_of_first, used_area};
 
-/// Room between two pictures, in points: the bar that is dragged.
+/// Room between two pictures, in points, for the bar that the user drags.
 pub(super) const GAP: f32 = 5.0;
 
 /// About the height of a title, in points.
@@ -76,13 +76,13 @@ impl Shares {
         }
     }
 
-    /// Puts a bar back where it was at first.
+    /// Puts a bar back to its original place.
     pub(super) fn reset(&mut self, bar: &Bar) {
         self.0[bar.index.0][bar.index.1] = Self::default().0[bar.index.0][bar.index.1];
     }
 }
 
-/// A picture to be laid out.
+/// A picture to lay out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Framed {
     /// Its place among the pictures of the shot.
@@ -91,12 +91,11 @@ pub(super) struct Framed {
     pub(super) aspect: f32,
 }
 
-/// The arrangement of `pictures` in a window of this size, in points: the one in which they use most of the room that
-/// as many panels leave as a window of this size has at first. It depends on nothing else. So a panel that opens, a
-/// bar or a strip below doesn't move the pictures to other places, and a window that is made small and large again
-/// looks as before.
+/// The arrangement of `pictures` in a window of this size, in points. In it they use most of the room, next to as many
+/// panels as a window of this size has at first. It depends on nothing else. So a panel that opens, a bar or a strip
+/// below doesn't move the pictures to other places, and a window that is made small and large again looks as before.
 pub(super) fn automatic(window: Vec2, panels: usize, pictures: &[Framed]) -> Arrangement {
-    /// The width of a panel, and the height of the lines above and below, as they are at first.
+    /// The initial width of a panel, and height of the lines above and below.
     const PANEL: f32 = 280.0;
     const LINES: f32 = 70.0;
     #[expect(clippy::cast_precision_loss, reason = "at most two")]
@@ -204,7 +203,7 @@ mod tests {
         assert_eq!(of(684.0, 555.0), Arrangement::Above);
         assert_eq!(of(1364.0, 330.0), Arrangement::Row);
         assert_eq!(of(240.0, 800.0), Arrangement::Column);
-        // Two pictures, and such as are not 4 by 3.
+        // Two pictures, and pictures that aren't 4 by 3.
         let two = |width, height, aspect| {
             let wide: Vec<Framed> = framed(2).into_iter().map(|picture| Framed { aspect, ..picture }).collect();
             best(room(width, height), &wide)

@@ -1,4 +1,4 @@
-//! The observers of the pictures in a frame: as requested by a button or a key, as in the figure, or fitted.
+//! The observers of the pictures in a frame, as requested by a button or a key, as in the figure, or fitted.
 
 use eframe::egui::Ui;
 
@@ -12,7 +12,7 @@ use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, observer_in};
 
 impl Canvas {
-    /// Decides from where the three-dimensional pictures are seen in this frame.
+    /// Decides the observers of the three-dimensional pictures in this frame.
     pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model: &mut Model, panes: &mut [Pane]) {
         let wanted = model.observer_change.take();
         let asked = self.asked.take();
@@ -44,7 +44,7 @@ impl Canvas {
         }
     }
 
-    /// From where a picture is seen.
+    /// The observer of a picture.
     pub(in crate::gui::pictures) fn seen(&self, picture: usize) -> Option<Observer> {
         self.shot.pictures.get(picture)?.observer
     }
@@ -55,14 +55,13 @@ impl Canvas {
         let observer = orbit::changed(request, change);
         picture.framed = observer.map(|observer| (observer, request.size));
         orbit::set(model.document.observers_mut(), view, observer);
-        // A section has a side of its own: from another one, the world is seen in space.
+        // A section has a side of its own. From another one, the world is shown in space.
         if view == View::World && matches!(change, ObserverChange::From(_)) && request.shot.look.world.section {
             model.document.edit(|figure| figure.world.section = false);
         }
     }
 
-    /// Repeats the framing by a button or a key when the picture changes its size. An observer that was turned by hand
-    /// stays.
+    /// Repeats the framing by a button or a key when the picture changes its size. An observer turned by hand stays.
     fn fit_again(&mut self, model: &mut Model, pane: &Pane) {
         let (view, request, picture) = (pane.view, &pane.request, &mut self.pictures[pane.picture]);
         let Some((framed, _)) = picture.framed.filter(|(_, size)| *size != request.size) else { return };

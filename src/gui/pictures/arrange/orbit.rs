@@ -11,8 +11,8 @@ use crate::views::{Request, Size, View};
 /// Degrees of orbit for one point of pointer motion.
 pub(in crate::gui::pictures) const DEGREES_PER_POINT: f64 = 0.5;
 
-/// The observer requested by a button of the toolbar or a key, from the present one. `None` means the figure has none
-/// any more, and [`Auto`](super::auto_observer::Auto) applies.
+/// The observer requested by a button of the toolbar or a key, from the present one. `None` if the figure doesn't set
+/// one any more, so that [`Auto`](super::auto_observer::Auto) applies.
 pub(in crate::gui::pictures) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
     match change {
         ObserverChange::From(Viewpoint::Iso) => None,
@@ -21,8 +21,8 @@ pub(in crate::gui::pictures) fn changed(request: &Request, change: ObserverChang
     }
 }
 
-/// The observer after the pointer went by `motion` points from where it turned `pressed`. The picture follows the
-/// pointer.
+/// The observer after the pointer moved by `motion` points from the one at the press, `pressed`. The picture follows
+/// the pointer.
 pub(in crate::gui::pictures) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
     pressed.orbit(f64::from(motion.x) * DEGREES_PER_POINT, f64::from(motion.y) * DEGREES_PER_POINT)
 }

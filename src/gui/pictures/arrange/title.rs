@@ -1,4 +1,4 @@
-//! The title of a picture: its name, and the buttons that change from where and how large it is seen.
+//! The title of a picture: its name, and the buttons that change its viewpoint and scale.
 
 use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
@@ -17,9 +17,9 @@ use crate::views::observer::Viewpoint;
 pub(in crate::gui::pictures) enum TitleAction {
     /// Look from somewhere else.
     Observe(ObserverChange),
-    /// Give the picture all the room, or give it back.
+    /// Give the picture all the room, or restore the others.
     ToggleMaximized,
-    /// Do not show the picture.
+    /// Hides the picture.
     Hide,
     /// Show the image as the eye would see it, or its m × n pixels again.
     ToggleUndistorted,
@@ -34,13 +34,13 @@ pub(in crate::gui::pictures) struct Title<'a> {
     pub(in crate::gui::pictures) texts: &'a CanvasTexts,
     pub(in crate::gui::pictures) linked: bool,
     pub(in crate::gui::pictures) maximized: bool,
-    /// Only the name is shown, until the pointer is over the title: in a presentation.
+    /// True in a presentation, in which only the name is shown until the pointer is over the title.
     pub(in crate::gui::pictures) quiet: bool,
-    /// False for the only picture that is left.
+    /// False for the only picture left.
     pub(in crate::gui::pictures) can_hide: bool,
-    /// The image is shown as the eye would see it; `None` if that makes no difference.
+    /// True if the image is shown as the eye would see it. `None` if that makes no difference.
     pub(in crate::gui::pictures) undistorted: Option<bool>,
-    /// The world is shown as a section; `None` for the other pictures.
+    /// True if the world is shown as a section. `None` for the other pictures.
     pub(in crate::gui::pictures) section: Option<bool>,
 }
 
@@ -55,11 +55,11 @@ const CHANGES: [ObserverChange; 8] = [
     ObserverChange::From(Viewpoint::AlongN),
 ];
 
-/// Of [`CHANGES`], those of a canonical volume, which has no u, v and n of its own.
+/// The number of [`CHANGES`] for a canonical volume, which has no u, v and n of its own.
 const OF_THE_CUBE: usize = 5;
 
 impl Title<'_> {
-    /// Draws the title in `rect`. The menu of viewpoints has its word where there is room.
+    /// Draws the title in `rect`. The menu of viewpoints has its word if there is room.
     pub(in crate::gui::pictures) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
         let font = TextStyle::Button.resolve(ui.style());
@@ -166,7 +166,7 @@ impl Title<'_> {
         }
         ui.separator();
         ui.scope(|ui| {
-            // Menus have no borders, without which an empty box is not seen.
+            // Menus have no borders, without which an empty box is invisible.
             ui.visuals_mut().widgets.inactive.bg_stroke = ui.ctx().global_style().visuals.widgets.inactive.bg_stroke;
             if let Some(mut on) = self.section
                 && ui.checkbox(&mut on, self.texts.section).changed()

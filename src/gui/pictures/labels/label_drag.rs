@@ -14,7 +14,7 @@ use crate::i18n::window::labels as words;
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
 
-/// A label that is held.
+/// A held label.
 pub(in crate::gui::pictures) struct LabelDrag {
     label: LabelPlace,
     view: View,
@@ -36,7 +36,7 @@ impl LabelDrag {
         Some(Self { label, view, grip, before: model.document.figure().labels.clone() })
     }
 
-    /// The label goes where the pointer is (pixels).
+    /// The label follows the pointer (pixels).
     pub(in crate::gui::pictures) fn follow(
         &self,
         model: &mut Model,
@@ -52,12 +52,12 @@ impl LabelDrag {
         }
     }
 
-    /// Puts it back where it was.
+    /// Puts it back in its former place.
     pub(in crate::gui::pictures) fn give_up(self, model: &mut Model) {
         model.document.edit_labels(|labels| *labels = self.before);
     }
 
-    /// Its text, and how far it is from its point.
+    /// Its text, and its distance from its point.
     pub(in crate::gui::pictures) fn line(&self, model: &Model) -> String {
         let mark = model.settings.lang.mark();
         let by = model.document.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
@@ -67,12 +67,12 @@ impl LabelDrag {
 }
 
 fn label_at(labels: &[LabelPlace], place: DVec2) -> Option<&LabelPlace> {
-    // What was laid out last is on top.
+    // The label laid out last is on top.
     labels.iter().rev().find(|label| label.holds(place))
 }
 
 impl Canvas {
-    /// Says what can be done with the label under the pointer.
+    /// Shows the possible actions for the label under the pointer.
     pub(in crate::gui::pictures) fn label_hover(
         &self,
         ui: &Ui,
@@ -109,7 +109,7 @@ impl Canvas {
         response.ctx.request_repaint();
     }
 
-    /// Lets the arrow keys move the chosen label, and Enter put a note. Returns whether this key did.
+    /// Lets the arrow keys move the chosen label, and Enter put a note. Returns true if this key did.
     pub(in crate::gui::pictures) fn label_by_key(
         &self,
         model: &mut Model,
@@ -170,7 +170,7 @@ fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: D
     if count >= MAX_LABELS {
         return;
     }
-    // Under the pointer may be the other side of a comparison.
+    // The other side of a comparison may be under the pointer.
     let (request, place) = pane.side_of(pixel);
     let at = note_place(&request, place, pane.rect.pixels(handle_drag::REACH));
     let view = matches!(at, NotePlace::Picture(_)).then_some(pane.view);
@@ -181,7 +181,7 @@ fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: D
     label_mode.is_new = true;
 }
 
-/// The direction of an arrow key: x right, y up; zero for any other.
+/// The direction of an arrow key, x right and y up. Zero for any other key.
 pub(in crate::gui::pictures) fn arrow_of(key: Key) -> DVec2 {
     match key {
         Key::ArrowRight => DVec2::X,

@@ -1,4 +1,4 @@
-//! The mode in which labels are the author's: the chosen label, and its text as it is typed.
+//! The mode for the author's labels: the chosen label, and its typed text.
 
 use crate::views::View;
 
@@ -11,9 +11,9 @@ pub struct LabelMode {
     pub chosen: Option<(View, String)>,
     /// The next click puts a note.
     pub adding: bool,
-    /// The text of the chosen label as it is typed; `None` means the figure's.
+    /// The typed text of the chosen label. `None` for the figure's.
     pub typed: Option<String>,
-    /// The text was put there just now. Its field gets the focus.
+    /// True if the text was put there just now. Its field gets the focus.
     pub is_new: bool,
     /// The field of the text has the focus.
     pub is_typing: bool,
@@ -32,7 +32,7 @@ impl LabelMode {
         }
     }
 
-    /// One thing after the other: no note, then out of the mode.
+    /// One thing after the other: stops adding a note, then leaves the mode.
     pub fn step_back(&mut self) {
         if self.adding {
             self.adding = false;

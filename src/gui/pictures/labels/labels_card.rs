@@ -26,7 +26,7 @@ use crate::views::{View, unknown_labels};
 const LARGER: f64 = 1.25;
 
 impl Canvas {
-    /// Shows the card while the mode is on. It can be moved.
+    /// Shows the card while the mode is on. The user can move it.
     pub(in crate::gui::pictures) fn labels_card(
         &self,
         ui: &Ui,
@@ -136,7 +136,7 @@ impl Canvas {
         });
     }
 
-    /// The field of its text, which becomes the figure's as far as it can be one.
+    /// The field of its text, which becomes the figure's as far as it's valid.
     fn text(&self, ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, (name, own): (&str, String), t: &Texts) {
         let lang = model.settings.lang;
         let mut typed = label_mode.typed.clone().unwrap_or_else(|| own.clone());
@@ -169,7 +169,7 @@ impl Canvas {
     }
 }
 
-/// A typed text whose letters of Unicode's mathematics, which no font of the window has, are those of other fonts.
+/// A typed text in which other fonts replace the letters of Unicode's mathematics, which no font of the window has.
 fn with_letters(ui: &Ui, typed: &str) -> Arc<Galley> {
     let (plain, color) = (FontSelection::Default.resolve(ui.style()), ui.visuals().text_color());
     let mut job = LayoutJob { keep_trailing_whitespace: true, ..LayoutJob::default() };
@@ -198,7 +198,7 @@ fn measures(ui: &mut Ui, model: &mut Model, t: &Texts) {
     });
 }
 
-/// The text of the chosen label, where it is that of one of these.
+/// The text of the chosen label, if that belongs to one of these.
 fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
     let shown = &model.document.figure().labels.measures;
     let measure = value(DIMENSIONS, name);

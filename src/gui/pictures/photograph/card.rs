@@ -1,4 +1,4 @@
-//! The card of the tool: what is drawn, and the camera that follows, step by step.
+//! The card of the tool: the mark to draw, and the resulting camera, step by step.
 
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
@@ -18,7 +18,7 @@ use crate::i18n::window::photograph::Texts;
 const WIDTH: f32 = 286.0;
 
 impl Canvas {
-    /// Shows the card while the tool is open. It can be moved.
+    /// Shows the card while the tool is open. The user can move it.
     pub(in crate::gui::pictures) fn photograph_card(
         ui: &Ui,
         model: &mut Model,
@@ -30,7 +30,7 @@ impl Canvas {
         let t = words::texts(model.settings.lang);
         let whole = ui.ctx().content_rect();
         let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(whole).resizable(false);
-        // Beside the pictures, over the panel there: all of the photograph is to be seen.
+        // Beside the pictures, over the panel there, because all of the photograph has to be visible.
         let card = card.default_width(WIDTH).default_pos(room.right_top() + vec2(8.0, 0.0));
         card.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH);
@@ -65,7 +65,7 @@ impl Canvas {
     }
 }
 
-/// The thing that the next drag draws, and the coordinate of the known length.
+/// The kind of mark that the next drag draws, and the coordinate of the known length.
 fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &Texts) {
     let lang = model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
@@ -119,7 +119,7 @@ fn length(ui: &mut Ui, model: &Model, photograph: &mut PhotographTool, t: &Texts
     }
 }
 
-/// The arithmetic, as the command line prints it, and what the photograph doesn't say.
+/// The arithmetic, as the command line prints it, and the values that the photograph doesn't give.
 fn account(ui: &mut Ui, model: &Model, found: &PhotographCamera) {
     let lang = model.settings.lang;
     for (number, step) in steps::steps(lang, found).iter().enumerate() {

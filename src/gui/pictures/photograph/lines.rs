@@ -1,4 +1,4 @@
-//! The lines on the photograph: drawn, dragged by their ends, and prolonged to the vanishing points.
+//! The lines on the photograph, which can be drawn, dragged by their ends, and prolonged to the vanishing points.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -68,7 +68,7 @@ fn draw(ui: &Ui, photograph: &mut PhotographTool, pane: &Pane, place: &ImagePlac
     }
 }
 
-/// Begins what is drawn when a drag of `response` starts, at `from`, and follows the pointer.
+/// Begins a mark when a drag of `response` starts, at `from`, and follows the pointer.
 fn new_line(tool: &mut PhotographTool, response: &Response, place: &ImagePlace, from: Option<DVec2>) {
     if let Some(from) = from.filter(|_| response.drag_started()) {
         tool.begin(from);
@@ -88,7 +88,7 @@ fn held_at(response: &Response) -> Option<Pos2> {
     response.interact_pointer_pos().filter(|_| response.dragged() || response.drag_stopped())
 }
 
-/// A grip follows the pointer and the arrow keys. Gives it back if its mark is to be removed.
+/// A grip follows the pointer and the arrow keys. Returns it if its mark is to be removed.
 fn drag(
     ui: &Ui,
     model: &Model,
@@ -97,7 +97,7 @@ fn drag(
     place: &ImagePlace,
     (grip, at): (Grip, DVec2),
 ) -> Option<Grip> {
-    // A line that was too short has gone in this frame.
+    // A line that was too short has disappeared in this frame.
     if matches!(grip, Grip::End(line, _) if line >= photograph.marks.lines.len()) {
         return None;
     }
@@ -111,7 +111,7 @@ fn drag(
         response.request_focus();
     }
     match (grip, photograph.drawn) {
-        // From a corner where another edge ends, a line along the chosen axis begins.
+        // At a corner that ends another edge, a line along the chosen axis begins.
         (Grip::End(line, _), Drawn::Line(axis)) if photograph.marks.lines[line].axis != axis => {
             new_line(photograph, &response, place, Some(at));
         }
@@ -161,7 +161,7 @@ fn axis_color(palette: Palette, axis: WorldAxis) -> Color32 {
     color_of(palette.axes[place])
 }
 
-/// A stroke that can be seen on any photograph.
+/// A stroke that is visible on any photograph.
 fn stroke(painter: &Painter, ends: [Pos2; 2], width: f32, [color, paper]: [Color32; 2]) {
     painter.line_segment(ends, Stroke::new(width + 2.0, paper.gamma_multiply(0.7)));
     painter.line_segment(ends, Stroke::new(width, color));

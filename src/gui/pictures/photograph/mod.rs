@@ -1,4 +1,4 @@
-//! The camera of the photograph, from lines that are drawn on it along the axes of the world.
+//! The camera of the photograph, from lines drawn on it along the axes of the world.
 
 mod card;
 mod lines;

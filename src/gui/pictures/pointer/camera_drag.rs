@@ -1,4 +1,4 @@
-//! The hand on the image: it moves the camera, as in Blender and `GeoGebra`.
+//! The hand on the image, which moves the camera, as in Blender and `GeoGebra`.
 
 use glam::{DQuat, DVec2, DVec3};
 
@@ -8,28 +8,28 @@ use crate::views::{Request, pick};
 
 /// Degrees for one point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;
-/// The camera stays so far from looking along VUP, in degrees.
+/// The camera stays this far from looking along VUP, in degrees.
 const POLE: f64 = 1.0;
 
-/// A camera that is moved by its image.
+/// A camera moved by dragging its image.
 #[derive(Clone, Debug)]
 pub(in crate::gui::pictures) struct CameraDrag {
     /// The camera that Esc restores.
     pub(super) start: Camera,
-    /// Units of the window for a pixel to the right and for one down, at PF: what is there stays below the pointer.
-    /// `None` means the camera turns about PF.
+    /// Units of the window for a pixel to the right and for one down, at PF, so that the content there stays below the
+    /// pointer. `None` if the camera turns about PF.
     pans: Option<DVec2>,
-    /// How far the pointer has gone, in points.
+    /// The motion of the pointer so far, in points.
     gone: DVec2,
 }
 
 impl CameraDrag {
-    /// Takes the camera at a pixel of its image; `None` outside of it.
+    /// Takes the camera at a pixel of its image. `None` outside.
     pub(in crate::gui::pictures) fn taken(request: &Request, camera: &Camera, at: DVec2, pans: bool) -> Option<Self> {
         let window = |p: DVec2| pick::window_point_in_image(request, p);
         let here = window(at)?;
         let pans = if pans {
-            // A pixel to either side of it is in the image.
+            // A pixel on one of its sides is in the image.
             let step = |by: DVec2| window(at + by).map(|p| p - here).or_else(|| window(at - by).map(|p| here - p));
             let magnified = match camera.projection() {
                 Projection::Perspective => camera.distance() / camera.near(),
@@ -42,7 +42,8 @@ impl CameraDrag {
         Some(Self { start: camera.clone(), pans, gone: DVec2::ZERO })
     }
 
-    /// Follows the pointer: `points` is its way on the screen, `pixels` that in the picture. True if it has moved on.
+    /// Follows the pointer, whose way is `points` on the screen and `pixels` in the picture. Returns true if it has
+    /// moved on.
     pub(in crate::gui::pictures) fn follow(&mut self, model: &mut Model, points: DVec2, pixels: DVec2) -> bool {
         if std::mem::replace(&mut self.gone, points) == points {
             return false;
@@ -59,7 +60,7 @@ impl CameraDrag {
         true
     }
 
-    /// Whether it pans.
+    /// True if it pans.
     pub(in crate::gui::pictures) fn is_pan(&self) -> bool {
         self.pans.is_some()
     }
@@ -103,7 +104,7 @@ mod tests {
             assert_eq!((turned.view_up, turned.focal_point), (camera.view_up(), camera.focal_point()));
             assert!(after.basis().u.y.abs() < 1e-12, "level");
         }
-        // To the right: what is before PF goes to the right, so the camera goes to the left.
+        // To the right: the content before PF goes to the right, so the camera goes to the left.
         let after = orbited(&camera, DVec2::new(30.0, 0.0)).position - camera.position();
         assert!(after.dot(camera.basis().u) < 0.0);
         // Down: the camera rises.

@@ -1,4 +1,4 @@
-//! Dragging a point that is followed, in the world and in the image.
+//! Drags a followed point, in the world and in the image.
 
 use eframe::egui::Context;
 use glam::{DVec2, DVec3};
@@ -10,7 +10,7 @@ use crate::i18n::why::explain_point;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
 
-/// A point that is held.
+/// A held point.
 pub(in crate::gui::pictures) struct PointDrag {
     index: usize,
     before: DVec3,
@@ -27,7 +27,7 @@ impl PointDrag {
         Some(Self { index, before, pressed, from })
     }
 
-    /// The point goes where the pointer is (pixels).
+    /// The point follows the pointer (pixels).
     pub(in crate::gui::pictures) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
         let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
         let Some(point) = model.document.figure().points.get(self.index) else { return };
@@ -50,12 +50,12 @@ impl PointDrag {
         });
     }
 
-    /// Puts it back where it was.
+    /// Puts it back in its former place.
     pub(in crate::gui::pictures) fn give_up(&self, model: &mut Model) {
         self.put(model, self.before);
     }
 
-    /// Its position, and how it is dragged.
+    /// Its position, and the way to drag it.
     pub(in crate::gui::pictures) fn lines(&self, model: &Model) -> Vec<String> {
         lines(self.index, model)
     }

@@ -13,18 +13,18 @@ use crate::views::{Handle, handles};
 /// Distance within which the pointer catches a handle, in points.
 pub(in crate::gui) const REACH: f32 = 10.0;
 
-/// A handle that is held.
+/// A held handle.
 #[derive(Clone, Debug)]
 pub(in crate::gui) struct HandleDrag {
     pub(super) handle: Handle,
-    /// The picture and the pointer (pixels) from which the motion is measured: those of the press, or, with the camera
-    /// of the moment, those in which the modifier changed.
+    /// The picture and the pointer (pixels) from which the motion is measured. They are those of the press, or, with
+    /// the camera of the moment, those in which the modifier changed.
     pressed: Request,
     from: DVec2,
     vertical: bool,
     /// The camera that Esc restores.
     pub(super) before: Camera,
-    /// Why the handle does not follow the pointer.
+    /// The reason why the handle doesn't follow the pointer.
     pub(super) stopped: Option<CameraError>,
 }
 
@@ -35,8 +35,8 @@ impl HandleDrag {
         Self { handle, pressed, from, vertical: vertical(modifiers), before, stopped: None }
     }
 
-    /// The parameters with the pointer at `to` (pixels); `None` if they are not a camera, so that the last one stays
-    /// and [`HandleDrag::stopped`] says why.
+    /// The parameters with the pointer at `to` (pixels). `None` if they aren't a camera. Then the last one stays and
+    /// [`HandleDrag::stopped`] gives the reason.
     pub(in crate::gui) fn moved(&mut self, now: &Request, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
         if self.vertical != vertical(modifiers) {
             self.vertical = !self.vertical;
@@ -48,7 +48,7 @@ impl HandleDrag {
             self.stopped = Some(error);
             return None;
         }
-        // The planes stop just before each other, and there they are still a camera.
+        // The planes stop just before each other, so that they are still a camera.
         let touching = matches!(self.handle, Handle::Near | Handle::Far) && parameters.far <= 1.011 * parameters.near;
         let (near, far) = (parameters.near, parameters.near);
         self.stopped = touching.then_some(CameraError::FarNotBeyondNear { near, far });
@@ -61,7 +61,7 @@ fn vertical(modifiers: Modifiers) -> bool {
     modifiers.shift || modifiers.command || modifiers.ctrl
 }
 
-/// The name of a handle and where it is, such as `C = (3, 4, 5)`.
+/// The name and place of a handle, such as `C = (3, 4, 5)`.
 pub(in crate::gui) fn readout(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
     let mark = texts.lang.mark();
     match handle {
@@ -85,12 +85,12 @@ pub(in crate::gui) fn hint(handle: Handle, camera: &Camera, digits: usize, texts
     }
 }
 
-/// The cursor over a handle, or while it is held.
+/// The cursor over a handle, or while it's held.
 pub(in crate::gui) fn cursor(held: bool) -> CursorIcon {
     if held { CursorIcon::Grabbing } else { CursorIcon::Grab }
 }
 
-/// A point as it is written everywhere in the window.
+/// A point in the notation of the whole window.
 pub(in crate::gui) fn point(p: DVec3, digits: usize, mark: DecimalMark) -> String {
     mark.tuple(&p.to_array(), digits)
 }

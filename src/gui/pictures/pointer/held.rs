@@ -30,15 +30,16 @@ pub(in crate::gui::pictures) const GIZMO_REACH: f32 = 7.0;
 
 /// A drag of the pointer in a picture.
 pub(in crate::gui::pictures) enum Drag {
-    /// The eye of a three-dimensional picture turns. As it was, and those that turn with it, by picture.
+    /// The eye of a three-dimensional picture turns. Holds the former observers, also of the pictures that turn with
+    /// it, by picture.
     Orbit(Vec<Option<Observer>>),
-    /// The eye of a three-dimensional picture moves. As it was.
+    /// The eye of a three-dimensional picture moves. Holds the former observer.
     Pan(Observer),
     /// Something in the world is moved.
     Handle(Box<HandleDrag>),
     /// The selection is moved, turned or scaled.
     Gizmo(Box<GizmoDrag>),
-    /// A point that is followed is moved.
+    /// The user moves a followed point.
     Point(Box<PointDrag>),
     /// A label is moved.
     Label(Box<LabelDrag>),
@@ -46,15 +47,15 @@ pub(in crate::gui::pictures) enum Drag {
     Camera(Box<CameraDrag>),
 }
 
-/// A part of the gizmo that is held.
+/// A held part of the gizmo.
 pub(in crate::gui::pictures) struct GizmoDrag {
-    /// As it was when it was taken, and the scene with it.
+    /// Its state when it was taken, and the scene with it.
     movable: Movable,
     before: SceneSpec,
     part: GizmoPart,
     observer: Option<Observer>,
     from: DVec2,
-    /// Some objects would be sheared and stay as they were.
+    /// True if some objects would be sheared and stay unchanged.
     is_sheared: bool,
 }
 
@@ -179,7 +180,7 @@ impl Canvas {
                     return;
                 };
                 let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(model));
-                // Where the scene cannot be built with it, the last possible one stays.
+                // If the scene can't be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
                 if model.document.figure().scene != scene {
@@ -190,14 +191,14 @@ impl Canvas {
         }
     }
 
-    /// The pictures whose observers turn with that of one.
+    /// The pictures whose observers turn together with this one.
     pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, model: &Model) -> Vec<usize> {
         let turns =
             |(i, other): &(usize, &Picture)| *i == picture || (model.layout.linked && other.kind != View::Image);
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
-    /// Turns a picture and those that turn with it, from how each was seen.
+    /// Turns a picture and those that turn with it, from their former observers.
     fn turn_with(
         &mut self,
         model: &mut Model,
@@ -290,7 +291,7 @@ impl Canvas {
     }
 }
 
-/// Says the lines beside the pointer and in the status line.
+/// Shows the lines beside the pointer and in the status line.
 pub(in crate::gui::pictures) fn tell(ui: &Ui, status: &mut Status, lines: &[String], cursor: CursorIcon) {
     status.message = lines.join(" · ");
     tooltip(ui, lines);
@@ -309,12 +310,12 @@ pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
     });
 }
 
-/// Length of one step of a move while the modifier is held: a tenth of D, as a power of ten.
+/// Length of one step of a move while the modifier is held: a tenth of D, rounded to a power of ten.
 fn snap_length(model: &Model) -> f64 {
     power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
-/// The transform of the selection that the gizmo changes, and how it is dragged.
+/// The transform of the selection that the gizmo changes, and the way to drag it.
 pub(in crate::gui::pictures) fn gizmo_lines(model: &Model, digits: usize) -> [String; 2] {
     let t = scenes::texts(model.settings.lang);
     let Some(movable) = Movable::selected(model) else { return Default::default() };

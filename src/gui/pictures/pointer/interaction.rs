@@ -54,7 +54,7 @@ impl Canvas {
         }
         let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
         if escape && label_mode.on {
-            // A field that is being typed in gives the key up first.
+            // A field that the user types in gives the key up first.
             if !label_mode.is_typing {
                 label_mode.step_back();
             }
@@ -136,7 +136,7 @@ impl Canvas {
             self.stop_probing();
             let unanswered = self.hover_pick.take().filter(|pick| hovered.is_none() && pick.is_heavy());
             match unanswered.filter(|pick| self.picker.found(&response.ctx, pick).is_none()) {
-                // It is pinned when it is found.
+                // It's pinned when it's found.
                 Some(pick) => self.clicked_pick = Some(pick),
                 None => model.pin(hovered),
             }
@@ -286,7 +286,7 @@ impl Canvas {
         }
     }
 
-    /// Lets the keys move the probe in probing mode. Returns whether this key did.
+    /// Lets the keys move the probe in probing mode. Returns true if this key did.
     fn probe_by_key(&mut self, model: &mut Model, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
         let step = |probing, arrow| ProbeStep { probing, from: None, arrow, fast: modifiers.shift };
         if let Some(asked) = Probing::asked(key, pane.view) {
@@ -333,8 +333,8 @@ impl Canvas {
     }
 
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule
-    /// a positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the
-    /// world, the observer turns instead.
+    /// a positive elevation lowers it, but by the signs of VTK it raises it. In the canonical volume, and with Shift in
+    /// the world, the observer turns instead.
     fn arrow(&mut self, model: &mut Model, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
         let view = pane.view;
         if view == View::Canonical || (view == View::World && modifiers.shift) {
@@ -361,7 +361,7 @@ impl Canvas {
     }
 }
 
-/// C and PF are points of the world, and so can be probed.
+/// C and PF are points of the world, so the user can probe them.
 fn probed(handle: Handle, model: &Model) -> Option<Probe> {
     let camera = model.document.camera();
     match handle {

@@ -38,8 +38,8 @@ impl Probing {
         }
     }
 
-    /// The target next to `now` in the direction of an arrow key (`arrow`: x right, y up); stays at the border, and
-    /// where there is no vertex beyond.
+    /// The target next to `now` in the direction of an arrow key (`arrow`, x right and y up). Stays at the border, and
+    /// if there is no vertex beyond.
     fn moved(self, request: &Request, now: Probe, arrow: DVec2, fast: bool) -> Option<Probe> {
         let down = DVec2::new(arrow.x, -arrow.y);
         match (self, now) {
@@ -62,7 +62,7 @@ impl Probing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::gui::pictures) struct ProbeStep {
     pub(in crate::gui::pictures) probing: Probing,
-    /// From where; `None` means it begins.
+    /// The start. `None` if it begins.
     pub(in crate::gui::pictures) from: Option<Probe>,
     /// x right, y up.
     pub(in crate::gui::pictures) arrow: DVec2,
@@ -71,7 +71,7 @@ pub(in crate::gui::pictures) struct ProbeStep {
 }
 
 impl ProbeStep {
-    /// Where the probe is then; `None` if there is nothing to probe.
+    /// The new place of the probe. `None` if there is nothing to probe.
     pub(in crate::gui::pictures) fn taken(self, request: &Request) -> Option<Probe> {
         match self.from {
             Some(now) => self.probing.moved(request, now, self.arrow, self.fast).or(Some(now)),

@@ -1,4 +1,4 @@
-//! Another camera of the figure under the pointer: a click looks through it.
+//! Another camera of the figure under the pointer. A click looks through it.
 
 use glam::DVec2;
 
@@ -22,7 +22,7 @@ pub(in crate::gui::pictures) fn lines(index: usize, model: &Model) -> [String; 2
     [escaped(name), cameras::texts(model.settings.lang).click.to_owned()]
 }
 
-/// Looks through the camera that was clicked. False if there is none.
+/// Looks through the clicked camera. Returns false if there is none.
 pub(in crate::gui::pictures) fn is_clicked(model: &mut Model, pane: &Pane) -> bool {
     let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
     let (request, pointer) = pane.under(place);

@@ -23,13 +23,13 @@ pub(in crate::gui::pictures) enum PickQuery {
     Under { pointer: DVec2, reach: f64 },
     /// The point of a probe: for a pixel the first point of the scene behind it, with its depth in the buffer.
     At(Probe),
-    /// Where a key moves the probe.
+    /// The new place of the probe after a key.
     Step(ProbeStep),
-    /// The object, and the triangle of the image, at a place (pixels), where they are wanted.
+    /// The object, and the triangle of the image, at a place (pixels), if they are wanted.
     Click { pointer: DVec2, object: bool, triangle: bool },
 }
 
-/// A pick, with all that its answer depends on.
+/// A pick, with every input of its answer.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::gui::pictures) struct PickRequest {
     pub(in crate::gui::pictures) request: Request,
@@ -37,7 +37,7 @@ pub(in crate::gui::pictures) struct PickRequest {
 }
 
 impl PickRequest {
-    /// Whether the result of the other query is better than none. The pointer has moved a little.
+    /// True if the result of the other query is better than none, because the pointer has moved only a little.
     fn is_near(&self, other: &Self) -> bool {
         match (self.what, other.what) {
             (PickQuery::Under { pointer, reach }, PickQuery::Under { pointer: there, .. }) => {
@@ -98,14 +98,14 @@ fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
         let point = pick::window_point_in_image(request, pointer).filter(|_| request.view == View::Image)?;
         let pixel = pixel_of(request.shot.look.image, &request.camera, point);
         let window = center_of(request.shot.look.image, &request.camera, pixel);
-        // A pixel of another camera is none of the figure's own, but both see the point that it shows.
+        // A pixel of another camera isn't one of the figure's own, but both see the point that it shows.
         let beside = request.projector.is_some();
         let hit = || pick::hit_of(request, window);
         if beside { hit().map(Probe::Point) } else { Some(Probe::Window(window)) }
     })
 }
 
-/// The content of the depth buffer under the probe; `None` if the image does not show depths.
+/// The content of the depth buffer under the probe. `None` if the image doesn't show depths.
 fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     match probe {
         Probe::Window(w) if request.shot.look.reveal.depth != Depth::Off => Some(depth::reading(request, w)),
@@ -113,7 +113,7 @@ fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     }
 }
 
-/// Answers one pick after the other. One that has not been begun is forgotten when the next comes.
+/// Answers one pick after the other. One that hasn't been started is dropped when the next comes.
 pub(in crate::gui::pictures) struct Picker {
     found: Latest<PickRequest, PickResult>,
 }
@@ -125,8 +125,7 @@ impl Default for Picker {
 }
 
 impl Picker {
-    /// The result. During the search the last one nearby. A frame is requested of `ctx` when
-    /// it is found.
+    /// The result. During the search, the last one nearby. Requests a frame of `ctx` when it's found.
     pub(in crate::gui::pictures) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
         if let Some(found) = self.found(ctx, &pick) {
             return found;
@@ -140,7 +139,7 @@ impl Picker {
         self.found.waiting().is_some()
     }
 
-    /// The result; `None` during the search.
+    /// The result. `None` during the search.
     pub(in crate::gui::pictures) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
         if !pick.is_heavy() {
             return Some(at_once(pick.find()));
@@ -193,7 +192,7 @@ mod tests {
         while picker.ask(&ctx, heavy.clone()) != wanted {
             assert!(clock::now() - start < Duration::from_secs(60));
         }
-        // Until the next result, the last one nearby is shown; none of another camera.
+        // Until the next result, the last one nearby is shown, but not one of another camera.
         let what = PickQuery::Under { pointer: DVec2::new(201.0, 150.0), reach: 7.0 };
         let beside = PickRequest { what, ..heavy.clone() };
         assert!(picker.ask(&ctx, beside).probe.is_some());

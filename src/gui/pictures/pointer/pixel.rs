@@ -4,8 +4,8 @@ use glam::DVec2;
 
 use crate::camera::{Camera, ImageSize};
 
-/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower
-/// border the last one.
+/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22). On the right and the lower
+/// border, the last one.
 pub(in crate::gui::pictures) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
     let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
     image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))

@@ -1,5 +1,5 @@
 //! A question for a place in the image: a cross that a click, a drag or the arrow keys put there, and beside it the
-//! guess and the right place, once they may be seen.
+//! guess and the right place, once they may be shown.
 
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
@@ -25,7 +25,7 @@ fn put(model: &mut Model, placing: &mut Placing, place: DVec2) {
 }
 
 impl Canvas {
-    /// Puts the cross under the pointer, where a place is asked for. False if none is.
+    /// Puts the cross under the pointer, if a question asks for a place. Returns false if none does.
     pub(in crate::gui::pictures) fn place(
         ui: &Ui,
         model: &mut Model,
@@ -49,7 +49,7 @@ impl Canvas {
         true
     }
 
-    /// Moves the cross by an arrow key. Returns whether it was one.
+    /// Moves the cross by an arrow key. Returns true if it was one.
     pub(in crate::gui::pictures) fn place_by_key(
         model: &mut Model,
         placing: Option<&mut Placing>,

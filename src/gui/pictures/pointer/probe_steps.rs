@@ -1,5 +1,5 @@
-//! Searches that take a while in a heavy scene, and what is done with their results: steps of the keys are pinned, and
-//! so are clicks, which also select an object or choose a triangle.
+//! Searches that take a while in a heavy scene, and the use of their results. Steps of the keys are pinned, and so are
+//! clicks, which also select an object or choose a triangle.
 
 use eframe::egui::Context;
 use glam::DVec2;
@@ -17,17 +17,17 @@ use crate::views::{Hover, Request, View};
 pub(in crate::gui::pictures) struct Click {
     pick: PickRequest,
     pointer: DVec2,
-    /// The object is selected in addition to those that are.
+    /// True if the object is added to the selection.
     beside: bool,
 }
 
-/// Whether clicks select: the tree of the scene is open.
+/// True if clicks select, because the tree of the scene is open.
 fn selects(model: &Model) -> bool {
     model.settings.tab == Tab::Scene && model.settings.panels().is_shown(Side::Left)
 }
 
 impl Click {
-    /// The click that a picture has got, where it selects or chooses anything: objects while the tree of the scene is
+    /// The click that a picture has received, if it selects or chooses anything: objects while the tree of the scene is
     /// open, triangles of the image while one is explained.
     pub(in crate::gui::pictures) fn in_picture(model: &Model, pane: &Pane) -> Option<Self> {
         let object = selects(model) && (pane.view != View::Canonical || !model.is_on_the_way());
@@ -41,7 +41,7 @@ impl Click {
 }
 
 impl Canvas {
-    /// True while the keys move the probe, or it is on its way.
+    /// True while the keys move the probe, or it's on its way.
     pub(in crate::gui::pictures) fn is_probing(&self) -> bool {
         self.probing.is_some() || !self.probe_steps.is_empty() || self.clicked_pick.is_some() || self.clicked.is_some()
     }
@@ -56,7 +56,7 @@ impl Canvas {
     /// Selects the object and chooses the triangle of a click, once they have been found.
     pub(in crate::gui::pictures) fn take_click(&mut self, ctx: &Context, model: &mut Model, inputs: &mut Inputs<'_>) {
         let Some(click) = self.clicked.take() else { return };
-        // A pixel of the triangle that is followed, or another triangle?
+        // A pixel of the followed triangle, or another triangle?
         let waits = model.shows_explanation(Explanation::Triangle) && inputs.triangle_waits;
         let Some(found) = self.click_picker.found(ctx, &click.pick).filter(|_| !waits) else {
             self.clicked = Some(click).filter(|_| waits || self.click_picker.is_waiting());
@@ -71,14 +71,14 @@ impl Canvas {
         }
         let is_of_image = request.view == View::Image && model.shows_explanation(Explanation::Triangle);
         if is_of_image && (inputs.on_triangle)(ctx, model, &request, pointer, found.triangle) {
-            // It is what was meant.
+            // It's the intended one.
             self.clicked_pick = None;
             model.pin(None);
             ctx.request_repaint();
         }
     }
 
-    /// Pins the result of a click in a heavy scene, once it has been found.
+    /// Pins the result of a click in a heavy scene, once it's found.
     pub(in crate::gui::pictures) fn pin_clicked(&mut self, ctx: &Context, model: &mut Model) {
         let Some(pick) = self.clicked_pick.take() else { return };
         match self.picker.found(ctx, &pick) {
@@ -91,7 +91,7 @@ impl Canvas {
         }
     }
 
-    /// Takes the steps that keys have asked for, one from where the other has led. In a heavy scene they take a while,
+    /// Takes the steps requested by keys, each from the result of the one before. In a heavy scene they take a while,
     /// beside the window's thread.
     pub(in crate::gui::pictures) fn take_probe_steps(&mut self, ctx: &Context, model: &mut Model, panes: &[Pane]) {
         while let Some((picture, step)) = self.probe_steps.front().copied() {
@@ -99,7 +99,7 @@ impl Canvas {
                 |pane: &&Pane| pane.picture == picture && !(pane.view == View::Canonical && model.is_on_the_way());
             if let Some(pane) = panes.iter().find(is_there) {
                 let step = ProbeStep { from: model.pinned().filter(|_| step.arrow != DVec2::ZERO), ..step };
-                // The step does not depend on what is pinned but for `from`: a pin does not ask anew.
+                // Except for `from`, the step doesn't depend on the pinned probe, so a pin doesn't start a new request.
                 let request = pane.request.clone().with_shot(|shot| shot.show.probe = None);
                 let request = Request { hover: Hover::default(), ..request };
                 let pick = PickRequest { request, what: PickQuery::Step(step) };
@@ -111,7 +111,7 @@ impl Canvas {
                         ctx.request_repaint();
                     }
                     None if self.key_picker.is_waiting() => return,
-                    // The search has panicked: there is no answer to wait for.
+                    // The search has panicked, so there is no answer to wait for.
                     None => {}
                 }
             }

@@ -19,7 +19,7 @@ const SNAP_TURN: f64 = 15.0;
 /// The step of scales while the modifier is held.
 const SNAP_SCALE: f64 = 0.1;
 
-/// The selection, as far as it can be moved, turned or scaled.
+/// The selection, if it can be moved, turned or scaled.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::gui) struct Movable {
     what: MovedThing,
@@ -27,7 +27,7 @@ pub(in crate::gui) struct Movable {
     pub(in crate::gui) gizmo: TransformGizmo,
     /// The length in the world of a unit along each of its parent's axes.
     units: [f64; 3],
-    /// Its place as the figure has it; of a parallel light, its direction.
+    /// Its place in the figure. For a parallel light, its direction.
     pub(in crate::gui) place: DVec3,
     /// Its angles in degrees.
     pub(in crate::gui) rotate: DVec3,
@@ -43,7 +43,7 @@ enum MovedThing {
 }
 
 impl Movable {
-    /// The selection, where it can be changed.
+    /// The selection, if it can be changed.
     pub(in crate::gui) fn selected(model: &Model) -> Option<Self> {
         let scene = &model.document.figure().scene;
         match model.tree.selected(scene)? {
@@ -78,7 +78,7 @@ impl Movable {
         })
     }
 
-    /// A lamp is moved, parallel light turned about `middle`.
+    /// Moves a lamp, or turns parallel light about `middle`.
     fn light(index: usize, light: Light, middle: DVec3) -> Self {
         let (does, origin) = match light.kind {
             LightKind::Point => (Transforming::Move, light.vector),
@@ -105,13 +105,13 @@ impl Movable {
     }
 
     /// The scene after a part of the gizmo has been pulled, beginning with `before`, the scene when it was taken, and
-    /// whether all could do so. Digits that are smaller than a pixel are rounded away; with `snap` moves are multiples
-    /// of it, turns of 15°, scales of 0.1.
+    /// true if all objects could follow. Rounds away digits smaller than a pixel. With `snap`, moves are multiples of
+    /// it, turns of 15°, scales of 0.1.
     ///
     /// `None` if there is nothing to change.
     ///
     /// # Errors
-    /// [`SceneError`] where the scene cannot be built with it.
+    /// [`SceneError`] if the scene can't be built with it.
     pub(in crate::gui) fn pulled(
         &self,
         before: &SceneSpec,
@@ -161,7 +161,7 @@ impl Movable {
                 let before = self.scale[axis];
                 let finest = if snap.is_some() { SNAP_SCALE } else { pixel * before.abs() };
                 let wanted = round_to(before * factor, finest);
-                // Nothing is scaled to zero.
+                // Avoids scaling to zero.
                 let factor = wanted / before;
                 let factor = Some(factor).filter(|factor| factor.is_finite() && *factor > 0.0)?;
                 Some(Transform::Scale(match part {

@@ -1,4 +1,4 @@
-//! Two fingers on a picture: it moves with them, and grows with their distance. One finger is a pointer.
+//! Two fingers on a picture. It moves with them, and grows with their distance. One finger is a pointer.
 
 use eframe::egui::Ui;
 
@@ -8,8 +8,8 @@ use crate::gui::pictures::{Canvas, Pane};
 use crate::views::View;
 
 impl Canvas {
-    /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. What the first of them
-    /// had begun before the second came is taken back. It was not meant.
+    /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. Takes back the action
+    /// that the first finger had begun before the second came, because it wasn't meant.
     pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) -> bool {
         let touch = ui.input(|input| input.multi_touch());
         let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };

@@ -52,8 +52,8 @@ struct OfMesh {
 }
 
 impl VertexNames {
-    /// The vertex at a point of the world, if one is exactly there. In a heavy scene it is found beside the window's
-    /// thread. A frame is requested of `ctx` then.
+    /// The vertex at a point of the world, if one is exactly there. In a heavy scene it's found beside the window's
+    /// thread, which then requests a frame of `ctx`.
     pub(in crate::gui::pictures) fn at(
         &mut self,
         ctx: &egui::Context,
@@ -88,7 +88,7 @@ impl OfMesh {
     }
 }
 
-/// Points and segments are no objects of the built scene.
+/// Points and segments aren't objects of the built scene.
 fn of_list(p: DVec3, spec: &SceneSpec) -> Option<VertexName> {
     let own: Vec<&str> = spec.objects.iter().map(|object| object.name.as_str()).collect();
     let mut all = spec.clone();

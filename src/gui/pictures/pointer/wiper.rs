@@ -1,4 +1,4 @@
-//! The wiper between the two sides of a picture that is compared, and what is under the pointer on either side.
+//! The wiper between the two sides of a compared picture, and the content under the pointer on either side.
 
 use eframe::egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
@@ -15,17 +15,17 @@ const RADIUS: f32 = 9.0;
 const STEPS: [f64; 2] = [0.02, 0.1];
 
 impl Pane {
-    /// The side of a compared picture at a place; `None` if nothing is compared.
+    /// The side of a compared picture at a place. `None` if there is no comparison.
     pub(in crate::gui::pictures) fn side(&self, pointer: Pos2) -> Option<Side> {
         self.request.side_at(self.rect.pixel(pointer).x)
     }
 
-    /// The picture at a place, and the place in its pixels: of one that is compared, the side that is there.
+    /// The picture at a place, and the place in its pixels. For a compared one, the side at that place.
     pub(in crate::gui::pictures) fn under(&self, pointer: Pos2) -> (Request, DVec2) {
         self.side_of(self.rect.pixel(pointer))
     }
 
-    /// As [`under`](Self::under), at a place in the pixels of the whole picture.
+    /// As [`under`](Self::under), for a place in the pixels of the whole picture.
     pub(in crate::gui::pictures) fn side_of(&self, pixel: DVec2) -> (Request, DVec2) {
         match self.request.side_at(pixel.x) {
             Some(side) => (side.request, pixel - DVec2::X * f64::from(side.left)),
@@ -61,7 +61,7 @@ impl Canvas {
     }
 }
 
-/// Shows a wiper. Gives its new place where it has been moved.
+/// Shows a wiper. Returns its new place if it has been moved.
 fn wiper(ui: &Ui, model: &Model, pane: &Pane, share: f64) -> Option<f64> {
     let words = words::texts(model.settings.lang);
     let Rect { min, max } = pane.rect.rect;

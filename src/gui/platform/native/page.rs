@@ -1,4 +1,4 @@
-//! The browser's dialog for files, and how files that the user gives to a page are read.
+//! The browser's dialog for files, and the reading of files that the user gives to a page.
 
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
@@ -13,8 +13,8 @@ use super::{FileAnswer, FileQuestion};
 use crate::files::disk::page;
 use crate::limits::MAX_FILE_BYTES;
 
-/// Reads a file, gives it to the page, and says under which path. One that cannot be read, or is larger than any, is
-/// not given: opening it says so.
+/// Reads a file, gives it to the page, and returns its path there. A file that is unreadable, or larger than any, isn't
+/// given. Opening it reports that.
 pub(in crate::gui) fn read(ctx: &egui::Context, file: File, then: impl FnOnce(PathBuf) + 'static) {
     let ctx = ctx.clone();
     wasm_bindgen_futures::spawn_local(async move {
@@ -32,14 +32,14 @@ pub(in crate::gui) fn read(ctx: &egui::Context, file: File, then: impl FnOnce(Pa
 /// The answer, for the window and for the callbacks of the browser.
 type Answer = Rc<RefCell<Option<FileAnswer>>>;
 
-/// The browser's dialog, which is open.
+/// The browser's dialog while it's open.
 #[derive(Debug)]
 pub(in crate::gui) struct OpenFileDialog {
     answer: Answer,
 }
 
 impl OpenFileDialog {
-    /// Opens the dialog. Browsers allow that only soon after a key or button was pressed.
+    /// Opens the dialog. Browsers allow that only soon after a key or button press.
     pub(in crate::gui) fn start(ctx: &egui::Context, question: FileQuestion, _: &eframe::Frame) -> Self {
         let answer = Answer::default();
         if open(ctx, question, &answer).is_none() {
@@ -58,7 +58,7 @@ fn open(ctx: &egui::Context, question: FileQuestion, answer: &Answer) -> Option<
     let document = web_sys::window()?.document()?;
     let input: HtmlInputElement = document.create_element("input").ok()?.dyn_into().ok()?;
     input.set_type("file");
-    // A figure comes with its meshes, and a mesh with the files it names: all kinds of files can be chosen together.
+    // A figure comes with its meshes, and a mesh with the files it names, so all kinds of files can be chosen together.
     input.set_multiple(true);
     let endings: Vec<&str> = question.filters.iter().flat_map(|(_, endings)| endings.iter().copied()).collect();
     let (chosen, dialog, wake) = (Rc::clone(answer), input.clone(), ctx.clone());
@@ -98,8 +98,8 @@ fn first_of(paths: Vec<PathBuf>, endings: &[&str]) -> Option<PathBuf> {
     paths.iter().find(|path| is_asked_for(path)).or(paths.first()).cloned()
 }
 
-/// Calls `then` at each event of this name, as long as the page is there. A dialog does not say when nobody needs it
-/// any more.
+/// Calls `then` at each event of this name, as long as the page exists, because a dialog doesn't report when it's no
+/// longer needed.
 fn listen(input: &HtmlInputElement, event: &str, mut then: impl FnMut() + 'static) -> Option<()> {
     let closure = Closure::<dyn FnMut(Event)>::new(move |_| then());
     input.add_event_listener_with_callback(event, closure.as_ref().unchecked_ref()).ok()?;

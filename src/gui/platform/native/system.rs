@@ -12,21 +12,20 @@ use crate::clock;
 use crate::gui::background::worker::{Done, Worker};
 use crate::progress::Progress;
 
-/// A dialog cannot be drawn, read and closed this fast. There was none.
+/// A user can't read and close a dialog this fast, so there was none.
 const IMPOSSIBLE: Duration = Duration::from_millis(100);
 
 /// The choice in a dialog, once it has been closed.
 type Chosen = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
-/// A dialog that is open. Each has a thread of its own: one that never answers does not keep the next from being
-/// opened.
+/// An open dialog. Each has a thread of its own, so that one that never answers doesn't keep the next from opening.
 #[derive(Debug)]
 pub(in crate::gui) struct OpenFileDialog {
     worker: Worker<Chosen, Option<PathBuf>>,
 }
 
 impl OpenFileDialog {
-    /// Opens the dialog in front of the window of `frame`; `ctx` is woken when it is closed.
+    /// Opens the dialog in front of the window of `frame`. Wakes `ctx` when it's closed.
     pub(in crate::gui) fn start(ctx: &egui::Context, question: FileQuestion, frame: &eframe::Frame) -> Self {
         let dialog = rfd::AsyncFileDialog::new().set_title(question.title).set_file_name(question.name);
         let mut dialog = dialog.set_parent(frame);
@@ -36,7 +35,7 @@ impl OpenFileDialog {
         if let Some(folder) = question.folder {
             dialog = dialog.set_directory(folder);
         }
-        // The future is made here: some systems insist on the main thread for that.
+        // The future is created here, because some systems insist on the main thread for that.
         let chosen: Chosen = match question.wanted {
             Wanted::File => Box::pin(dialog.pick_file()),
             Wanted::NewFile => Box::pin(dialog.save_file()),
@@ -60,19 +59,19 @@ impl OpenFileDialog {
     }
 }
 
-/// Whether the system has file dialogs. rfd gives the same answer for a dialog that was closed and for one that never
-/// was there: it asks the desktop's portal, then zenity, and reports their lack in a log alone.
+/// True if the system has file dialogs. rfd gives the same answer for a closed dialog and for one that never existed.
+/// It asks the desktop's portal, then zenity, and reports their lack only in a log.
 fn has_dialogs() -> bool {
     let is_unix_desktop = cfg!(all(unix, not(target_os = "macos")));
     !is_unix_desktop || has_program("zenity", std::env::var_os("PATH")) || has_portal()
 }
 
-/// Whether a folder of this `PATH` has the program.
+/// True if a folder of this `PATH` has the program.
 fn has_program(name: &str, path: Option<impl AsRef<OsStr>>) -> bool {
     path.is_some_and(|path| std::env::split_paths(&path).any(|folder| folder.join(name).is_file()))
 }
 
-/// Whether the bus of the session knows the portal, by the folders in which services are looked for.
+/// True if the bus of the session knows the portal, judged by the folders for services.
 fn has_portal() -> bool {
     const SERVICE: &str = "dbus-1/services/org.freedesktop.portal.Desktop.service";
     const USUAL: &str = "/usr/local/share:/usr/share";

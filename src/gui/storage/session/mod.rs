@@ -1,9 +1,9 @@
-//! The session of a window that did not close. The figure is saved after every change, and restored at the next start,
+//! The session of a window that didn't close. The figure is saved after every change, and restored at the next start,
 //! or offered in a list.
 //!
 //! Each window has a slot of its own, marked by a lock on a file, which the system releases when the program ends,
-//! however it ends. A restore is recorded before it begins: a session that did not survive it is not restored again by
-//! itself. An unreadable session is set aside, not deleted.
+//! however it ends. A restore is recorded before it begins, so a session that didn't survive it isn't restored
+//! automatically again. An unreadable session is set aside, not deleted.
 
 mod news;
 mod session_file;
@@ -27,7 +27,7 @@ use session_file::SessionFile;
 pub use writer::Kept;
 use writer::Writer;
 
-/// A figure that the window has shown for so long does not keep the program from starting.
+/// If the window has shown a figure for this long, the figure doesn't keep the program from starting.
 const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
     // A page is often reloaded, and it ends without notice.
     Duration::from_secs(2)
@@ -47,7 +47,7 @@ pub struct LeftOver {
     pub path: Option<PathBuf>,
     /// The time of its last write.
     pub written: Option<SystemTime>,
-    /// The program ended while, or soon after, it was being restored.
+    /// True if the program ended during the restore, or soon after.
     pub did_not_survive: bool,
 }
 
@@ -58,20 +58,20 @@ pub struct Sessions {
     own: Option<Writer>,
     /// The document in `own`.
     shown: Option<Revision>,
-    /// The documents that the window holds without showing them.
+    /// The hidden documents that the window holds.
     others: Vec<(Revision, Writer)>,
     left: Vec<LeftOver>,
     news: Vec<News>,
-    /// When the figure of this window was restored, while it is not known to be survived.
+    /// When the figure of this window was restored, until it has proved harmless.
     restored_at: Option<Duration>,
     /// When writing failed last.
     failed_at: Option<Duration>,
-    /// The lack of a slot, or the failure of writing, has been reported.
+    /// True if the lack of a slot, or the failure of writing, has been reported.
     told: bool,
 }
 
 impl Sessions {
-    /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
+    /// Looks for sessions in `folder`. With `restore`, returns the latest that can be restored without a question.
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Restored>) {
         let mut sessions = Self { folder: folder.to_owned(), ..Self::default() };
         files::remove_left_over(folder);
@@ -112,9 +112,9 @@ impl Sessions {
         }
     }
 
-    /// Saves what the window holds: the document that it shows, as far as something would be lost with it, and each
-    /// of the `others`, which all have changes. The stored session of a document that the window no longer holds is
-    /// deleted. Call it when no pointer or key is held.
+    /// Saves the window's documents: the displayed one, if closing it would lose something, and each of the `others`,
+    /// which all have changes. Deletes the stored session of a document that the window no longer holds. Call it when
+    /// no pointer or key is held.
     pub fn keep(&mut self, ctx: &egui::Context, shown: Kept<'_>, others: &[&Document]) {
         let now = clock::now();
         self.follow(shown.document.id(), others);
@@ -126,7 +126,7 @@ impl Sessions {
             Some(Ok(())) | None => {}
         }
         let due = self.failed_at.is_none_or(|failed| now.saturating_sub(failed) >= RETRY);
-        // Once for each time that it is due: what fails now waits again.
+        // Once for each time that it's due. If it fails now, it waits again.
         let retries = due && self.failed_at.take_if(|_| due).is_some();
         if self.own.is_none() && due && shown.is_worth_keeping() {
             self.own = self.free_slot();
@@ -141,7 +141,7 @@ impl Sessions {
         {
             own.ask(ctx, shown, restoring);
         }
-        // Nothing else may request the frame in which it is time.
+        // Nothing else may request the frame when the time comes.
         for (since, length) in [(self.restored_at, SURVIVED), (self.failed_at, RETRY)] {
             if let Some(since) = since.filter(|_| shown.is_worth_keeping()) {
                 ctx.request_repaint_after(length.saturating_sub(now.saturating_sub(since)));
@@ -149,7 +149,7 @@ impl Sessions {
         }
     }
 
-    /// Gives each document that the window holds its own slot back. Those of all others are free.
+    /// Assigns each document that the window holds its own slot again. The slots of all others become free.
     fn follow(&mut self, shown: Revision, others: &[&Document]) {
         let is_held = |id: Revision| others.iter().any(|document| document.id() == id);
         if self.shown.is_some_and(|before| before != shown && is_held(before)) {
@@ -163,7 +163,7 @@ impl Sessions {
         self.others.extract_if(.., |(id, _)| !is_held(*id)).for_each(|(_, writer)| writer.forget());
     }
 
-    /// Saves the documents that are not shown, each once for each change.
+    /// Saves the hidden documents, each once for each change.
     fn keep_others(&mut self, ctx: &egui::Context, others: &[&Document], due: bool) {
         for document in others {
             let index = self.others.iter().position(|(id, _)| *id == document.id());
@@ -188,7 +188,7 @@ impl Sessions {
         }
     }
 
-    /// Deletes the stored session of this window. It has been saved, or discarded.
+    /// Deletes the stored session of this window, because it has been saved, or discarded.
     pub fn forget(&mut self) {
         self.shown = None;
         let others = self.others.drain(..).map(|(_, writer)| writer);
@@ -207,11 +207,11 @@ impl Sessions {
     fn look(&mut self) {
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
-            // Without a file the slot is not even touched.
+            // Without a file the slot isn't even touched.
             if !disk::exists(&file) {
                 continue;
             }
-            // Held while it is read: no window that starts in between takes it for its own.
+            // Held during the reading, so that no window that starts in between takes it for its own.
             let Ok(Some(_lock)) = self.lock(slot) else { continue };
             let written = disk::written(&file);
             let kept = match files::read_at_most(&file, MAX_SESSION_BYTES) {
@@ -232,7 +232,7 @@ impl Sessions {
         }
     }
 
-    /// The first slot in which nothing is left; without one, that is reported.
+    /// The first empty slot. If there is none, a message says so.
     fn free_slot(&mut self) -> Option<Writer> {
         if let Err(error) = disk::create_folder(&self.folder) {
             self.fail(FileError::Write(error));
@@ -267,12 +267,12 @@ impl Sessions {
         }
     }
 
-    /// Whether the session of this window cannot be stored.
+    /// True if the session of this window can't be stored.
     pub fn is_failing(&self) -> bool {
         self.told
     }
 
-    /// Makes the session of a slot that of this window. Unless `asked` for by the user, only where the restore can be
+    /// Makes the session of a slot that of this window. Unless the user has `asked` for it, only if the restore can be
     /// recorded first.
     fn take_up(&mut self, slot: usize, asked: bool) -> Option<Restored> {
         let file = self.file(slot);
@@ -328,7 +328,7 @@ impl Sessions {
     }
 }
 
-/// The name under which a file is put aside: one that no file has.
+/// The name under which a file is set aside, which no other file has.
 pub(in crate::gui) fn aside(file: &Path) -> PathBuf {
     let first = file.with_extension("damaged");
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -1,4 +1,4 @@
-//! Messages about the storage of windows. Each one once, until the user has closed it or it no longer holds.
+//! Messages about the storage of windows. Each one appears once, until the user has closed it or it no longer holds.
 
 use std::io::ErrorKind;
 use std::mem::{Discriminant, discriminant};
@@ -12,23 +12,23 @@ use crate::scene::system_kind;
 pub enum News {
     /// The session was restored.
     Restored,
-    /// The session was restored without these keys of the figure, which are not known here. The whole is in this file.
+    /// The session was restored without these keys of the figure, which are unknown here. The whole is in this file.
     RestoredInPart(Vec<String>, PathBuf),
-    /// The session cannot be read, and is in this file.
+    /// The session can't be read, and is in this file.
     Damaged(PathBuf),
-    /// This session file cannot be opened or written.
+    /// This session file can't be opened or written.
     Unusable(PathBuf, FileError),
     /// Another window has taken it up, or removed it.
     Taken,
-    /// Too many windows have left something. This one has no slot.
+    /// Too many windows have left sessions, so this one has no slot.
     NoSlot,
-    /// The preferences cannot be read, and are in this file.
+    /// The preferences can't be read, and are in this file.
     PreferencesSetAside(PathBuf),
-    /// The progress in exercises cannot be read, and is in this file.
+    /// The progress in exercises can't be read, and is in this file.
     ProgressSetAside(PathBuf),
-    /// Something cannot be stored.
+    /// Some data can't be stored.
     NotKept(NotKept),
-    /// Nothing can be stored: the system names no folder for it.
+    /// Nothing can be stored, because the system names no folder for it.
     NoHome,
 }
 
@@ -43,13 +43,13 @@ pub enum Keeping {
     Progress,
 }
 
-/// The kinds of data that cannot be stored, all for one cause.
+/// The kinds of data that can't be stored, all for one cause.
 #[derive(Debug)]
 pub struct NotKept {
     what: Vec<Keeping>,
-    /// The first file or folder that cannot be used.
+    /// The first unusable file or folder.
     pub path: PathBuf,
-    /// Why it cannot.
+    /// The reason why it's unusable.
     pub error: FileError,
 }
 
@@ -70,7 +70,7 @@ impl NotKept {
         }
     }
 
-    /// Whether this kind cannot be stored.
+    /// True if this kind can't be stored.
     pub fn is_about(&self, what: Keeping) -> bool {
         self.what.contains(&what)
     }
@@ -87,7 +87,7 @@ impl News {
 #[derive(Debug, Default)]
 pub struct NewsList {
     shown: Vec<News>,
-    /// Causes that the user has closed, and whether the message named the session, whose loss is the gravest.
+    /// Causes that the user has closed, and true if the message named the session, whose loss is the gravest.
     closed: Vec<(Cause, bool)>,
 }
 
@@ -97,12 +97,12 @@ impl NewsList {
         self.shown.iter()
     }
 
-    /// True if nothing is.
+    /// True if there are no messages.
     pub fn is_empty(&self) -> bool {
         self.shown.is_empty()
     }
 
-    /// Adds a message. A failure with a cause already shown joins that message. A closed one does not come back.
+    /// Adds a message. A failure with a cause already shown joins that message. A closed one doesn't come back.
     pub fn tell(&mut self, news: News) {
         let News::NotKept(not_kept) = news else { return self.shown.push(news) };
         let cause = not_kept.cause();
@@ -120,7 +120,7 @@ impl NewsList {
         }
     }
 
-    /// Does not say this any more. The user has read it.
+    /// Closes a message for good, because the user has read it.
     pub fn close(&mut self, index: usize) {
         if index < self.shown.len()
             && let News::NotKept(closed) = self.shown.remove(index)
@@ -178,7 +178,7 @@ mod tests {
             list.tell(not_kept(what, ErrorKind::PermissionDenied));
         }
         assert_eq!(told(&list), [[Preferences]]);
-        // A possible loss of work is shown, whatever was closed before.
+        // A possible loss of work is shown, even if other messages were closed before.
         list.close(0);
         list.tell(not_kept(Session, ErrorKind::StorageFull));
         assert_eq!(told(&list), [[Session]]);

@@ -11,12 +11,12 @@ use crate::gui::model::document::Document;
 use crate::gui::model::unsaved_text::UnsavedText;
 use crate::lessons::{TaskKind, TaskText, text_of_step};
 
-/// A path that comes back as it was: as a text where it is one.
+/// A path that comes back unchanged, as text if it's text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum KeptPath {
     Text(String),
-    // A browser knows no other names than texts.
+    // A browser knows only names that are text.
     #[cfg(not(target_arch = "wasm32"))]
     Other(std::ffi::OsString),
 }
@@ -32,7 +32,7 @@ impl From<&Path> for KeptPath {
 }
 
 impl KeptPath {
-    /// The path. A relative one says nothing: nobody knows of which folder.
+    /// The path. A relative one has no meaning, because its folder is unknown.
     fn whole(&self) -> Option<PathBuf> {
         let path = match self {
             Self::Text(text) => PathBuf::from(text),
@@ -48,21 +48,21 @@ impl KeptPath {
 pub(super) struct SessionFile {
     /// The figure's file, if it has one.
     path: Option<KeptPath>,
-    /// Of a figure without a file of its own: the folder of the picture that it came from.
+    /// For a figure without a file of its own, the folder of the picture that it came from.
     folder: Option<KeptPath>,
     /// The text that was read or saved last.
     source: String,
     /// The figure with its changes.
     figure: String,
-    /// The figure is being restored, and the window has not lived long with it yet.
+    /// True while the figure is being restored, and the window hasn't lived long with it yet.
     #[serde(default)]
     pub(super) restoring: bool,
-    /// The text of a lesson that is not in its file.
+    /// The text of a lesson that isn't in its file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     lesson: Option<KeptText>,
 }
 
-/// The text of a lesson that is not in its file. See [`UnsavedText`].
+/// The text of a lesson that isn't in its file. See [`UnsavedText`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 struct KeptText {
     path: KeptPath,
@@ -70,7 +70,7 @@ struct KeptText {
     text: String,
     /// Each in English and in Portuguese.
     typed: Vec<[String; 2]>,
-    /// The task as a lesson file has it; `None` from an earlier version, which couldn't change it.
+    /// The task in the form of a lesson file. `None` from an earlier version, which couldn't change it.
     #[serde(default)]
     task: Option<String>,
 }
@@ -78,13 +78,13 @@ struct KeptText {
 /// The key of [`SessionFile::restoring`].
 const RESTORING: &str = "restoring";
 
-/// A window that has come back.
+/// A restored window.
 pub struct Restored {
     /// The document.
     pub document: Document,
-    /// Keys of the figure that are not known here, and were passed over.
+    /// Keys of the figure that are unknown here, and were skipped.
     pub unknown: Vec<String>,
-    /// The text of a lesson that was not in its file.
+    /// The text of a lesson that wasn't in its file.
     pub text: Option<UnsavedText>,
 }
 
@@ -108,7 +108,7 @@ impl SessionFile {
         Self { lesson, ..self }
     }
 
-    /// The text of a lesson; `None` if it lacks something that an [`UnsavedText`] has.
+    /// The text of a lesson. `None` if it lacks a part of an [`UnsavedText`].
     fn text(&self) -> Option<UnsavedText> {
         let KeptText { path, step, text, typed, task } = self.lesson.as_ref()?;
         let words: Vec<Bilingual> =
@@ -118,7 +118,7 @@ impl SessionFile {
         Some(UnsavedText { path, step: *step, text, words, task })
     }
 
-    /// Reads these bytes; `None` if they are unreadable.
+    /// Reads these bytes. `None` if they are unreadable.
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         serde_json::from_slice(bytes).ok()
     }
@@ -135,14 +135,14 @@ impl SessionFile {
         self.path.as_ref()?.whole()
     }
 
-    /// The file that a list names: that of the figure, or of the lesson with the text.
+    /// The file named in a list: that of the figure, or of the lesson with the text.
     pub(super) fn named(&self) -> Option<PathBuf> {
         let of_lesson = || self.lesson.as_ref()?.path.whole();
         self.path().or_else(of_lesson)
     }
 
-    /// The window as it was. Where the figure has keys that are not known here, saving asks for another file. The old
-    /// one may have been written by a later version too.
+    /// The former window. If the figure has keys that are unknown here, saving asks for another file, because a later
+    /// version may have written the old one too.
     pub(super) fn restore(&self) -> Option<Restored> {
         let (changed, unknown) = read::parse_known(&self.figure).ok()?;
         let (path, folder) = (self.path(), self.folder.as_ref().and_then(KeptPath::whole));
@@ -154,7 +154,7 @@ impl SessionFile {
         let text = self.source.clone();
         let file = match (path, folder) {
             (Some(path), _) => Some(SourceFile { path, text, is_picture: false }),
-            // Only the folder of the picture counts: nothing is written there.
+            // Only the folder of the picture counts, because nothing is written there.
             (None, Some(folder)) => Some(SourceFile { path: folder.join("picture.png"), text, is_picture: true }),
             (None, None) if text.is_empty() => None,
             // An empty path has no folder either.
@@ -165,7 +165,7 @@ impl SessionFile {
             document.forget_file();
         }
         document.replace(changed).ok()?;
-        // A text that cannot be shown must not be thrown away with the file.
+        // A text that can't be shown must not be thrown away with the file.
         let text = self.text();
         if self.lesson.is_some() && text.as_ref().is_none_or(|text| crate::lessons::parse(&text.text).is_err()) {
             return None;

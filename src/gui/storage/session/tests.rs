@@ -5,7 +5,7 @@ use std::fs;
 use super::*;
 use crate::files::SourceFile;
 
-/// A folder that is there for one test.
+/// A folder that exists for one test.
 struct TempFolder(PathBuf);
 
 impl TempFolder {
@@ -28,7 +28,7 @@ impl TempFolder {
         names
     }
 
-    /// Something that a window leaves which does not close.
+    /// Leaves the session of a window that doesn't close.
     fn crash(&self, document: &Document) {
         let (mut sessions, _) = self.begin(false);
         sessions.write(document);
@@ -49,12 +49,12 @@ impl Drop for TempFolder {
 }
 
 impl Sessions {
-    /// Writes the document down and waits for it.
+    /// Stores the document and waits for it.
     fn write(&mut self, document: &Document) {
         self.write_all(document, &[]);
     }
 
-    /// Writes documents down, the shown one and others, and waits for them.
+    /// Stores documents, the displayed one and others, and waits for them.
     fn write_all(&mut self, document: &Document, others: &[&Document]) {
         let (ctx, seen) = (egui::Context::default(), Seen::of(document.figure()));
         let kept = Kept { document, seen: &seen, is_work: document.is_changed(), text: None };
@@ -93,7 +93,7 @@ fn a_crash_loses_nothing() {
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none());
     sessions.write(&changed());
-    // The lock goes with the program; the file stays.
+    // The lock goes with the program, and the file stays.
     drop(sessions);
     let (mut sessions, left) = place.begin(true);
     let left = left.unwrap();
@@ -130,7 +130,7 @@ fn what_is_left_stays_until_the_user_has_decided() {
     sessions.write(&changed());
     sessions.discard(1);
     assert_eq!(place.names(), ["session-0.json", "session-2.json", "session-3.json"]);
-    // Another window takes one; this one is informed.
+    // Another window takes one, and this one gets a message.
     let (other, taken) = place.begin(true);
     assert!(taken.is_some());
     assert_eq!(other.left().len(), 1);
@@ -162,7 +162,7 @@ fn what_cannot_be_understood_is_put_aside() {
         assert!(matches!(&sessions.news()[..], [News::Damaged(path)] if *path == aside));
         assert_eq!(fs::read(aside).unwrap(), b"{\"path\":");
     }
-    // A figure that is none.
+    // An invalid figure.
     place.crash(&changed());
     place.edit("session-0.json", |kept| kept["figure"] = "[camera]\nnear = \"?\"\n".into());
     let (mut sessions, left) = place.begin(true);
@@ -191,7 +191,7 @@ fn keys_of_a_later_version_lose_nothing() {
     let (mut sessions, left) = place.begin(true);
     let left = left.unwrap();
     assert_eq!((left.figure().camera.near, left.figure().camera.far), (0.5, 42.0));
-    // The file may have been written by the later version too: it is left alone.
+    // The later version may have written the file too, so it's left alone.
     assert_eq!(left.path(), None);
     assert_eq!(left.folder(), path.parent());
     assert!(left.source().starts_with("# Mine."));
@@ -218,14 +218,14 @@ fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
         assert_eq!(place.names(), ["session-0.json", "session-1.json"]);
         sessions.forget();
     }
-    // Asked for, it comes back; it dies again, also after an edit.
+    // On request it comes back. It dies again, also after an edit.
     let (mut sessions, _) = place.begin(true);
     let left = sessions.restored(0).unwrap();
     sessions.write(&change(left, 43.0));
     drop(sessions);
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none() && sessions.left()[0].did_not_survive);
-    // With time it is trusted.
+    // With time we trust it.
     let left = sessions.restored(0).unwrap();
     assert_eq!(left.figure().camera.far, 43.0);
     sessions.restored_at = clock::now().checked_sub(SURVIVED).or(Some(Duration::ZERO));
@@ -240,7 +240,7 @@ fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
 #[test]
 fn what_cannot_be_written_is_said_once_and_tried_again() {
     let place = TempFolder::new("full");
-    // In the folder's place there is a file.
+    // A file takes the folder's place.
     fs::write(&place.0, "").unwrap();
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none());
@@ -263,7 +263,7 @@ fn what_cannot_be_written_is_said_once_and_tried_again() {
     assert!(matches!(sessions.news()[..], [News::NotKept(_)]));
     fs::remove_file(&place.0).unwrap();
     fs::create_dir_all(&place.0).unwrap();
-    // Nothing has changed since: after some seconds the write is repeated.
+    // Nothing has changed since, so the write is repeated after some seconds.
     sessions.failed_at = Some(Duration::ZERO);
     sessions.write(&change(changed(), 45.0));
     assert_eq!(place.names(), ["session-0.json"]);

@@ -1,4 +1,4 @@
-//! Writes a window's figure down, beside the window's thread.
+//! Stores a window's figure, beside the window's thread.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -36,16 +36,16 @@ struct Note {
 pub struct Kept<'a> {
     /// The document.
     pub document: &'a Document,
-    /// How the pictures show it.
+    /// Its display in the pictures.
     pub seen: &'a Seen,
-    /// The document has changes that closing the window asks about.
+    /// True if the document has changes that closing the window asks about.
     pub is_work: bool,
-    /// The text of a lesson that is not in its file.
+    /// The text of a lesson that isn't in its file.
     pub text: Option<&'a Arc<UnsavedText>>,
 }
 
 impl Kept<'_> {
-    /// Whether something would be lost: work, and in a browser, which reads no file again by itself, also an opened
+    /// True if something would be lost: work, and in a browser, which can't reopen files by itself, also an opened
     /// figure.
     pub(super) fn is_worth_keeping(&self) -> bool {
         let document = self.document;
@@ -70,18 +70,18 @@ impl Note {
             && self.figure.scene == figure.scene
     }
 
-    /// Whether it has these observers, and what is shown.
+    /// True if it has these observers and explanations.
     fn is_seen_as(&self, seen: &Seen) -> bool {
         let Figure { observers, show, screen, .. } = &self.figure;
         (*observers, show, *screen) == (seen.observers, &seen.show, seen.screen)
     }
 }
 
-/// The new content of the slot; `None` means nothing.
+/// The new content of the slot. `None` empties it.
 struct WriteJob {
     file: PathBuf,
     note: Option<Arc<Note>>,
-    /// The slot belongs to this window until the job is done, also where the window is gone before.
+    /// The slot belongs to this window until the job is done, even if the window is gone before.
     _lock: Arc<Lock>,
 }
 
@@ -103,7 +103,7 @@ pub(super) struct Writer {
     file: PathBuf,
     lock: Arc<Lock>,
     worker: Worker<WriteJob, Result<(), FileError>>,
-    /// The last request; `None` before there was any.
+    /// The last request. `None` before the first.
     asked: Option<Option<Arc<Note>>>,
     /// The number of that document.
     version: Option<Revision>,
@@ -137,17 +137,17 @@ impl Writer {
         }
     }
 
-    /// True if the last request was made for this document as it is, from wherever it was seen then.
+    /// True if the last request was made for this document in its present state, regardless of its observers then.
     pub(super) fn has(&self, document: &Document) -> bool {
         self.version == Some(document.version()) && matches!(self.asked, Some(Some(_)))
     }
 
-    /// Has the next look find that the document is not stored.
+    /// Makes the next check find that the document isn't stored.
     pub(super) fn ask_again(&mut self) {
         (self.asked, self.version) = (None, None);
     }
 
-    /// Saves the document; where nothing would be lost with it, deletes the stored one.
+    /// Saves the document. If nothing would be lost with it, deletes the stored one.
     pub(super) fn ask(&mut self, ctx: &egui::Context, kept: Kept<'_>, restoring: bool) {
         let Kept { document, seen, text, .. } = kept;
         let note = kept.is_worth_keeping().then(|| {
@@ -170,7 +170,7 @@ impl Writer {
         Some(done?.outcome.unwrap_or_else(|| Err(FileError::Write(std::io::Error::other("a bug in this program")))))
     }
 
-    /// Waits until nothing is being written any more.
+    /// Waits until the last write is done.
     #[cfg(test)]
     pub(super) fn wait(&self) {
         while self.worker.is_pending(0) {
@@ -178,10 +178,10 @@ impl Writer {
         }
     }
 
-    /// Waits for a running write, and deletes the session. It has been saved, or discarded.
+    /// Waits for a running write, and deletes the session, because it has been saved, or discarded.
     pub(super) fn forget(mut self) {
         self.worker.take(MAX_WAIT);
-        // The window closes, or goes on with another slot: nothing more can be done.
+        // The window closes, or goes on with another slot, so there is nothing left to do.
         let _ = disk::remove(&self.file);
     }
 }

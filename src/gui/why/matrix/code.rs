@@ -25,14 +25,14 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
     });
     ui.add_space(4.0);
     let font = FontId::monospace(TextStyle::Small.resolve(ui.style()).size);
-    // Read, selected and copied, but not edited: the camera is edited in the other tabs.
+    // It can be read, selected and copied, but not edited, because the other tabs edit the camera.
     let mut shown = text.as_str();
     let field = TextField::fixed_lines(&mut shown);
     let field = field.with(|edit| edit.font(font).desired_width(f32::INFINITY).code_editor());
     field.show(ui, lang).accessible_name(t.code);
 }
 
-/// The code for the camera as it is, in the language of the window.
+/// The code for the present camera, in the language of the window.
 fn written(model: &Model, explain: &Explain) -> String {
     let camera = model.document.camera();
     let figure = model.document.figure();

@@ -1,4 +1,4 @@
-//! Whose NDC, compared with whose, and how matrices are written.
+//! The choice of NDC, of one to compare with, and of the notation of matrices.
 
 use eframe::egui;
 
@@ -35,7 +35,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &m
     ui.separator();
 }
 
-/// A library, reversed, without a far plane; with `or_none` also none.
+/// A library, reversed, without a far plane. With `or_none` also none.
 fn one(ui: &mut egui::Ui, t: &Texts, (name, hint): (&str, &str), value: &mut Option<Ndc>, or_none: bool) {
     let mut options: Vec<(Option<Api>, &str)> = Api::ALL.map(|api| (Some(api), api.title())).to_vec();
     if or_none {

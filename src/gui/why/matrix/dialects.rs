@@ -111,7 +111,7 @@ fn to_perspective(ui: &mut egui::Ui, model: &mut Model, camera: &Camera) {
     if ui.button(t.to_perspective).explained(t.to_perspective_hint).clicked() {
         match camera.with_projection(Projection::Perspective) {
             Ok(camera) => model.document.set_camera(camera),
-            // What is impossible stays in the draft, with the reason beside its fields.
+            // Impossible parameters stay in the draft, with the reason beside its fields.
             Err(_) => take(model, Parameters { projection: Projection::Perspective, ..*camera.parameters() }),
         }
     }
@@ -122,7 +122,7 @@ const SYMBOL: f32 = 56.0;
 /// Numbers in a row: those of a vector, or of a row of a matrix.
 const IN_A_ROW: usize = 3;
 
-/// A line with a field for each number. Returns the one that was set.
+/// A line with a field for each number. Returns the changed one.
 fn numbers(
     ui: &mut egui::Ui,
     model: &mut Model,
@@ -154,7 +154,7 @@ fn numbers(
                 let rect = shown.response.rect;
                 help_topic_row(ui, rect, note_on(argument.quantity, vocabulary));
                 let (value, output) = shown.inner;
-                // Another window can change the lines above, so a field that is dragged may leave the pointer.
+                // Another window can change the lines above, so a dragged field may leave the pointer.
                 if ui.rect_contains_pointer(rect) || has_focus(ui, rect) || output.held {
                     light(model, argument.quantity);
                 }
@@ -169,7 +169,7 @@ fn numbers(
     set
 }
 
-/// Lights up what a number moves: lengths and axes in the world, and entries of matrices that depend on them.
+/// Highlights the effects of a number: lengths and axes in the world, and entries of matrices that depend on them.
 fn light(model: &mut Model, quantity: CameraNumber) {
     let symbols: &[Symbol] = match quantity {
         CameraNumber::Position(c) => &[Symbol::Position(c)],
@@ -198,7 +198,7 @@ fn light(model: &mut Model, quantity: CameraNumber) {
     model.hover.pointed.extend_from_slice(symbols);
 }
 
-/// A number: a field, or a label where it cannot be set.
+/// A number: a field, or a label if it can't be set.
 fn number(
     ui: &mut egui::Ui,
     model: &Model,
@@ -210,7 +210,7 @@ fn number(
 ) -> (Option<f64>, FieldOutput) {
     let lang = model.settings.lang;
     let t = dialects::texts(lang);
-    // A name before the line is not repeated.
+    // A name before the line isn't repeated.
     let prefix = if line.name == argument.name { "" } else { argument.name };
     let greatest = line.arguments.iter().fold(0.0_f64, |greatest, a| greatest.max(a.value.abs()));
     if argument.quantity == CameraNumber::Fixed {

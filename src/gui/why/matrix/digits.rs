@@ -1,4 +1,4 @@
-//! Numbers of which the digits that have just changed glow.
+//! Numbers in which recently changed digits glow.
 
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -11,7 +11,7 @@ const SECONDS: f64 = 1.0;
 /// Interval between repaints of the fading glow, in seconds.
 const FRAME: f32 = 0.1;
 
-/// A text as it was shown last, and which of its characters have changed when.
+/// A text as last shown, and the times when its characters changed.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Shown {
     text: String,
@@ -29,8 +29,8 @@ impl Shown {
     }
 }
 
-/// For each character of the new text, whether it differs from the old one. Numbers are compared digit by digit,
-/// aligned at their decimal points. The text between them, and texts with another count of numbers, between their
+/// For each character of the new text, true if it differs from the old one. Compares numbers digit by digit, aligned at
+/// their decimal points. The text between them, and texts with another count of numbers, are compared between their
 /// common beginning and their common end.
 fn difference(old: &str, new: &str) -> Vec<bool> {
     let (before, after) = (parts(old), parts(new));
@@ -41,7 +41,7 @@ fn difference(old: &str, new: &str) -> Vec<bool> {
     pairs.flat_map(|(i, (a, b))| if i % 2 == 0 { between(a, b) } else { digits(a, b) }).collect()
 }
 
-/// The text before the first number, the first number, the text before the second one …: numbers at the odd places.
+/// The text before the first number, the first number, the text before the second one … Numbers are at the odd places.
 fn parts(text: &str) -> Vec<Vec<char>> {
     let text: Vec<char> = text.chars().collect();
     let mut parts = vec![Vec::new()];
@@ -68,7 +68,7 @@ const fn is_mark(c: char) -> bool {
     matches!(c, '.' | ',')
 }
 
-/// The digits of a number that the old one has not at the same distance from the decimal point.
+/// The digits of a number that the old one lacks at the same distance from the decimal point.
 fn digits(old: &[char], new: &[char]) -> Vec<bool> {
     let whole = |number: &[char]| number.iter().position(|c| is_mark(*c)).unwrap_or(number.len());
     let (before, after) = (whole(old), whole(new));
@@ -89,8 +89,8 @@ fn strength(now: f64, since: f64) -> f64 {
     (1.0 - (now - since) / SECONDS).clamp(0.0, 1.0)
 }
 
-/// Adds a text to a job. What has changed since the last frame in which the text with this key was shown glows for a
-/// second; then nothing is painted anew any more.
+/// Adds a text to a job. Changes since the last frame that showed the text with this key glow for a second. After that,
+/// no more repaints are needed.
 pub(in crate::gui::why) fn push(
     ui: &Ui,
     job: &mut LayoutJob,
@@ -102,7 +102,7 @@ pub(in crate::gui::why) fn push(
     let id = Id::unique("digits").with(key);
     let now = ui.input(|input| input.time);
     let before = ui.data(|data| data.get_temp::<Shown>(id));
-    // A text shown for the first time has not changed.
+    // A text shown for the first time hasn't changed.
     let first = || Shown { text: text.to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
     let shown = before.map_or_else(first, |shown| shown.follow(text, now));
     let strength = strength(now, shown.since);

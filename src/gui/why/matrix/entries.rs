@@ -9,7 +9,7 @@ use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::Formula;
 use crate::gui::kit::mathematics::brackets;
 
-/// An entry as it is written.
+/// A written entry.
 #[derive(Clone, Debug)]
 pub(in crate::gui::why) struct Cell {
     /// The formula to set.
@@ -29,7 +29,7 @@ pub(in crate::gui::why) struct Cell {
 pub(in crate::gui::why) struct Pointed {
     /// The one under the pointer.
     pub(in crate::gui::why) hovered: Option<[usize; 2]>,
-    /// The one that was clicked, or has the keyboard.
+    /// The entry that was clicked, or has the keyboard.
     pub(in crate::gui::why) chosen: Option<[usize; 2]>,
 }
 
@@ -89,8 +89,8 @@ fn gaps(before: usize) -> f32 {
     before as f32
 }
 
-/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard where `wants_focus` says so. `note`
-/// is the one on the matrix.
+/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard if `wants_focus` is set. `note` is
+/// the one on the matrix.
 pub(in crate::gui::why) fn show(
     ui: &mut Ui,
     cells: &[[Cell; 4]; 4],
@@ -121,7 +121,7 @@ pub(in crate::gui::why) fn show(
                 if response.hovered() {
                     pointed.hovered = Some([i, j]);
                 }
-                // Arrow keys move the focus after the frame: no frame reports its arrival.
+                // Arrow keys move the focus after the frame, so no frame reports its arrival.
                 if response.clicked() || (response.has_focus() && !wants_focus) {
                     pointed.chosen = Some([i, j]);
                 }
@@ -139,7 +139,7 @@ pub(in crate::gui::why) fn show(
 fn arrows(ui: &Ui, [i, j]: [usize; 2]) {
     let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(entry_id(ui, i, j), filter));
-    // Taken, so that the entry that gets the keyboard does not go on with the same key.
+    // Consumed, so that the entry that gets the keyboard doesn't go on with the same key.
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     let step = |at: usize, back: Key, on: Key| match (pressed(back), pressed(on)) {
         (true, false) => at.saturating_sub(1),

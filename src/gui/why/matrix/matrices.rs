@@ -81,7 +81,7 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Exp
     model.hover.measured.extend(lights);
 }
 
-/// The note on the equation in force; where there is none, on the matrix.
+/// The note on the equation in force. If there is none, on the matrix.
 fn note_on(formulas: &MatrixFormula) -> &'static str {
     notes::of_equation(formulas.equation).unwrap_or(notes::of_matrix(formulas.matrix))
 }
@@ -174,7 +174,7 @@ fn heading(ui: &mut Ui, model: &Model, setting: &Setting<'_>, formulas: &MatrixF
     }
 }
 
-/// The program's own numbers; of matrices whose rows are of one size, without rounding errors of zero.
+/// The program's own numbers. For matrices whose rows each have one scale, without rounding errors of zero.
 fn values(setting: &Setting<'_>, matrix: Matrix, digits: usize) -> [[f64; 4]; 4] {
     let rows = setting.matrix(matrix).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
     let of_axes = matches!(matrix, Matrix::View | Matrix::InverseView | Matrix::Model | Matrix::InverseModel);
@@ -187,7 +187,7 @@ fn values(setting: &Setting<'_>, matrix: Matrix, digits: usize) -> [[f64; 4]; 4]
     })
 }
 
-/// p₁₁ of M_p; of an inverse, which has no letters of its own, the matrix with the place.
+/// p₁₁ of M_p. For an inverse, which has no letters of its own, the matrix with the place.
 fn entry_name(matrix: Matrix, row: usize, column: usize) -> Both {
     let place = format!("{}{}", row + 1, column + 1);
     let (latex, text) = (matrix.latex(), matrix.text());
@@ -199,7 +199,7 @@ fn entry_name(matrix: Matrix, row: usize, column: usize) -> Both {
     }
 }
 
-/// The entries of the matrix called `name` as they are written; `glow` is the strength of an entry's glow, 0 … 1.
+/// The written entries of the matrix called `name`. `glow` is the strength of an entry's glow, 0 … 1.
 pub(in crate::gui::why) fn cells(
     model: &Model,
     writing: Writing<'_>,
@@ -228,7 +228,7 @@ pub(in crate::gui::why) fn cells(
     })
 }
 
-/// Copies the matrix as it is shown, as LaTeX and as text.
+/// Copies the displayed matrix, as LaTeX and as text.
 fn copy(ui: &mut Ui, t: &'static Texts, matrix: Matrix, cells: &[[Cell; 4]; 4]) {
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.copy_latex).explained(t.copy_latex_hint).clicked() {

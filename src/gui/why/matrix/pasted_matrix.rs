@@ -1,4 +1,4 @@
-//! A matrix of another program → its camera: what it is, in whose axes, recognised or chosen.
+//! A matrix of another program → its camera: its kind and its axes, recognised or chosen.
 
 use eframe::egui::{self, RichText};
 
@@ -34,7 +34,7 @@ pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'s
     }
 }
 
-/// Takes parameters over. Where they have an aspect of their own, it no longer follows the image.
+/// Takes parameters over. If they have an aspect of their own, it no longer follows the image.
 pub(in crate::gui::why) fn take(model: &mut Model, parameters: Parameters) {
     let own = parameters.window.is_none() && parameters.aspect.to_bits() != model.document.draft().aspect.to_bits();
     model.settings.aspect_follows_image &= !own;
@@ -53,7 +53,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
         let edit = edit.desired_rows(4).desired_width(f32::INFINITY);
         edit.hint_text(hint).font(egui::TextStyle::Monospace)
     });
-    // A file may have hundreds of lines, and the camera below is what one wants to see.
+    // A file may have hundreds of lines, but the camera below is what the user wants to see.
     let most = 10.0 * ui.text_style_height(&egui::TextStyle::Monospace);
     let scroll = egui::ScrollArea::vertical().id_salt(t.pasted).max_height(most);
     let field = scroll.show(ui, |ui| field.show(ui, lang)).inner.accessible_name(t.pasted);
@@ -105,7 +105,7 @@ fn which_camera(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts, names: &[St
     choice_row(ui, t.camera, t.camera_hint, chosen, &options);
 }
 
-/// The part of the reading that is chosen.
+/// The chosen part of the reading.
 fn stated(model: &Model, explain: &Explain) -> Stated {
     let pasted = &explain.pasted;
     let ndc = model.settings.conventions.ndc;
@@ -119,7 +119,7 @@ fn stated(model: &Model, explain: &Explain) -> Stated {
     }
 }
 
-/// Its kind, its axes, and how it is written.
+/// Its kind, its axes, and its notation.
 fn choices(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts) {
     let pasted = &mut explain.pasted;
     let mut kinds = vec![(None, t.recognise)];
@@ -134,7 +134,7 @@ fn choices(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts) {
     ui.checkbox(&mut pasted.transposed, t.transposed).explained(t.transposed_hint);
 }
 
-/// Why it is not the matrix of a camera, and as what it would be.
+/// The reason why it isn't the matrix of a camera, and the kinds of which it would be one.
 fn refused(
     ui: &mut egui::Ui,
     model: &Model,
@@ -160,7 +160,7 @@ fn refused(
     }
 }
 
-/// How it was read, what it leaves open, and its camera.
+/// The way it was read, the values that it leaves open, and its camera.
 fn recognised(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, t: &Texts, found: &Recognised) {
     let (lang, best) = (t.lang, found.best());
     let reading = best.reading;
@@ -194,14 +194,14 @@ fn recognised(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, t: &T
     }
 }
 
-/// A small sentence whose symbols have subscripts. Screen readers say it as it is written.
+/// A small sentence whose symbols have subscripts. Screen readers read it as written.
 fn note(ui: &mut egui::Ui, text: &str) {
     let job = theme::sentence(ui, text, &egui::TextStyle::Small, ui.visuals().text_color());
     let response = ui.add(egui::Label::new(job).wrap());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, text));
 }
 
-/// A button for each other kind as which it gives a camera.
+/// A button for each other kind in which it gives a camera.
 fn read_as(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, others: &[MatrixKind]) {
     let t = dialects::texts(model.settings.lang);
     if others.is_empty() {
@@ -238,7 +238,7 @@ fn image(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, t: &Texts) {
     }
 }
 
-/// C, DOP and, for K, its numbers: to be compared with those of the program.
+/// C, DOP and, for K, its numbers, to compare with those of the program.
 fn camera_found(ui: &mut egui::Ui, model: &Model, camera: &Camera, reading: &Reading) {
     let (mark, digits) = (model.settings.lang.mark(), model.settings.digits);
     let mut lines = Vec::new();

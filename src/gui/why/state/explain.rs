@@ -20,34 +20,34 @@ pub struct Explain {
     pub notes: Notes,
     /// The position of a point along a segment whose image is shown, 0 … 1.
     pub share: f64,
-    /// The gap between two surfaces, in scene units, for the test whether they can be told apart.
+    /// The gap between two surfaces, in scene units, for the test if they can be told apart.
     pub gap: f64,
-    /// The numbers of the triangle that is followed step by step.
+    /// The numbers of the triangle followed step by step.
     pub triangle: TriangleNumbers,
     /// The target of the code.
     pub code: CodeTarget,
-    /// A number of another vocabulary that would not give a camera, and why.
+    /// A number of another vocabulary that wouldn't give a camera, and the reason.
     pub refused: Option<(Vocabulary, CameraNumber, f64, CameraError)>,
     /// A pasted matrix.
     pub pasted: Pasted,
-    /// Whether dividing before clipping does no harm to a scene.
+    /// True if dividing before clipping does no harm to a scene.
     pub(in crate::gui) divides_right: Memo<(SharedScene, Parameters), bool>,
 }
 
-/// A matrix as text, and how it is read.
+/// A matrix as text, and the way to read it.
 #[derive(Clone, Debug, Default)]
 pub struct Pasted {
-    /// As it was typed.
+    /// The typed text.
     pub text: String,
     /// The camera of a text with several, from 0.
     pub camera: usize,
-    /// Its kind; `None` means it is recognised.
+    /// Its kind. `None` to recognise it.
     pub kind: Option<MatrixKind>,
-    /// Whose axes it is written in; `None` means they are recognised.
+    /// The owner of its axes. `None` to recognise them.
     pub axes: Option<Axes>,
     /// It acts on row vectors.
     pub transposed: bool,
-    /// The image of the pixels of K; `None` means that of the figure.
+    /// The image of the pixels of K. `None` for that of the figure.
     pub image: Option<ImageSize>,
 }
 

@@ -1,15 +1,15 @@
 //! The notes in the window.
 
-/// The search text, and the note that is read.
+/// The search text, and the displayed note.
 #[derive(Clone, Debug, Default)]
 pub struct Notes {
     /// The search text.
     pub wanted: String,
-    /// The identifier of the note that is read. Empty means the first one.
+    /// The identifier of the displayed note. Empty for the first one.
     pub chosen: &'static str,
-    /// Those that were read before it, the last one at the end.
+    /// The notes displayed before it, the last one at the end.
     pub(in crate::gui) before: Vec<&'static str>,
-    /// The note that is read takes the keyboard in its list, and is brought into sight there.
+    /// True if the displayed note takes the keyboard in its list, and is scrolled into sight there.
     pub(in crate::gui) wants_focus: bool,
 }
 

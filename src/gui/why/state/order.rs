@@ -1,11 +1,11 @@
-//! The explanation of order. The list of transforms, and how it is read.
+//! The explanation of order: the list of transforms, and the way to read it.
 
 use glam::DVec3;
 
 use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
 use crate::scene::transform::Trs;
 
-/// A call of the list, known by a number that it keeps wherever it goes.
+/// A call of the list, identified by a number that it keeps when it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ListedCall {
     pub(in crate::gui) key: usize,
@@ -16,7 +16,7 @@ pub struct ListedCall {
 /// The owner of a list.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Own {
-    /// The name of the object; `None` means it is an example.
+    /// The name of the object. `None` for an example.
     pub object: Option<String>,
     /// Its own transform, as the figure has it.
     pub trs: Trs,
@@ -29,9 +29,9 @@ pub struct Order {
     pub list: Vec<ListedCall>,
     /// The reading of the list.
     pub reading: Reading,
-    /// Number of calls applied; `None` means all.
+    /// Number of calls applied. `None` for all.
     pub done: Option<usize>,
-    /// The places of the two that are exchanged in the other order.
+    /// The places of the two calls exchanged in the other order.
     pub exchange: [usize; 2],
     /// The call that has the keyboard, by its number.
     pub(in crate::gui) focused: Option<usize>,
@@ -41,8 +41,8 @@ pub struct Order {
 }
 
 impl Order {
-    /// Starts with the calls of the object, or with an example, where it is another one, or has moved, since the start
-    /// of the list.
+    /// Starts with the calls of the object, or with an example, if it's another one, or has moved, since the start of
+    /// the list.
     pub(in crate::gui) fn follow(&mut self, own: Own) {
         if self.own.as_ref() != Some(&own) {
             self.own = Some(own);
@@ -78,7 +78,7 @@ impl Order {
         self.next_key += 1;
     }
 
-    /// Moves a call before the one that is at `to` now; at the end where none is.
+    /// Moves a call before the one now at `to`, or to the end if there is none.
     pub(in crate::gui) fn put(&mut self, from: usize, to: usize) {
         if from < self.list.len() {
             let listed = self.list.remove(from);
@@ -97,7 +97,7 @@ impl Order {
     }
 }
 
-/// The first two calls of a list that cannot be exchanged without another result, else its first two.
+/// The first two calls of a list whose exchange changes the result, else its first two.
 fn telling(calls: &[Call]) -> [usize; 2] {
     let other = |pair: [usize; 2]| match (product(calls), product(&exchanged(calls, pair))) {
         (Ok(a), Ok(b)) => !same(&a, &b),

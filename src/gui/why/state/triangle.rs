@@ -1,4 +1,4 @@
-//! The triangle that is followed step by step. Its pixels are found beside the window's thread in heavy scenes.
+//! The triangle followed step by step. Its pixels are found beside the window's thread in heavy scenes.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::pipeline::one_triangle::TriangleSteps;
 use crate::progress::{Progress, at_once};
 use crate::views::Request;
 
-/// The numbers of the triangle that is followed step by step.
+/// The numbers of the triangle followed step by step.
 #[derive(Debug)]
 pub struct TriangleNumbers {
     followed: FollowedTriangle,
@@ -32,15 +32,16 @@ impl Default for TriangleNumbers {
 /// The pixels that a triangle covers.
 #[derive(Clone, Debug)]
 pub(in crate::gui) enum Covered {
-    /// There are none to be shown where `None`.
+    /// `None` if there are no pixels to show.
     Found(Option<Arc<TrianglePixels>>),
     /// They are being found.
     Searched,
 }
 
 impl TriangleNumbers {
-    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` if none is
-    /// shown, or there is no such triangle. A frame is requested of `ctx` when pixels that are being found are there.
+    /// The steps of the triangle that a request shows, and its pixels in the steps that need them. `None` if the
+    /// request shows none, or there is no such triangle. If pixels are still being found, requests a frame of `ctx`
+    /// when they are there.
     pub(in crate::gui) fn found(&mut self, ctx: &egui::Context, request: &Request) -> Option<(TriangleSteps, Covered)> {
         let Some(triangle) = &request.shot.show.triangle else {
             self.search.give_up();
