@@ -31,13 +31,13 @@ pub(in crate::cli) struct MatrixArgs {
     /// glTF, `matrixWorld` of three.js; pinhole: K [R | t]; intrinsics: K alone; look-at: C, PF and VUP
     #[arg(long = "as", value_parser = one_of(MatrixKind::ALL, MatrixKind::name), value_name = "KIND")]
     pub(in crate::cli) kind: Option<MatrixKind>,
-    /// Whose axes; without it, the program recognises them
+    /// Program or convention whose axes the matrix has; without it, the program recognises them
     #[arg(long, value_parser = one_of(Axes::ALL, |axes: Axes| axes.name), value_name = "NAME", long_help = axes_help())]
     pub(in crate::cli) axes: Option<Axes>,
     /// The numbers go down the columns first, or the matrix is for row vectors
     #[arg(long)]
     pub(in crate::cli) columns: bool,
-    /// Whose normalised device coordinates a projection leads to; without it, the program recognises them
+    /// Convention of the normalised device coordinates of a projection; without it, the program recognises it
     #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME")]
     pub(in crate::cli) ndc: Option<Ndc>,
     /// The size in pixels of the image that K belongs to; without it, the figure's image size
@@ -51,5 +51,5 @@ pub(in crate::cli) struct MatrixArgs {
 /// The table of axes.
 fn axes_help() -> String {
     let table = conventions::axes_table(Lang::En, |axes| axes.name);
-    format!("Whose axes; without it, the program recognises them\n{table}")
+    format!("Program or convention whose axes the matrix has; without it, the program recognises them\n{table}")
 }

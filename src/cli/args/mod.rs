@@ -62,7 +62,7 @@ pub(super) enum Command {
     Explain(ExplainArgs),
     /// Redraw an image many times from scratch and report how long it takes
     Bench(BenchArgs),
-    /// Measure error and run time of several ways to compute what a camera does
+    /// Measure error and run time of several ways to compute a camera's numbers
     Accuracy(AccuracyArgs),
     /// Report how close a camera is to numerical trouble, why an image is empty, and what would fix it
     Diagnose(DiagnoseArgs),
@@ -119,9 +119,9 @@ pub(super) struct InspectArgs {
     /// A pixel with a depth Z of (5.25), to follow from its centre back to the world, step by step
     #[arg(long = "depth-pixel", value_name = "I,J,Z", allow_hyphen_values = true)]
     depth_pixels: Vec<String>,
-    /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with
-    /// zero to one), -infinite moves the back plane to infinity (in perspective). Vulkan's y points down. Pixels,
-    /// window and viewport are the same in all
+    /// Convention of the normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too:
+    /// glClipControl with zero to one), -infinite moves the back plane to infinity (in perspective). Vulkan's y points
+    /// down. Pixels, window and viewport are the same in all
     #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME", default_value = Ndc::default().name())]
     pub(super) ndc: Ndc,
     /// Output format
@@ -196,7 +196,7 @@ pub(super) struct AccuracyArgs {
     /// Study to run, may be repeated; without it, all
     #[arg(long = "study", value_parser = one_of(Study::ALL, Study::name), value_name = "NAME")]
     studies: Vec<Study>,
-    /// Seconds to spend on measuring times, over all studies, 0 to 3600. Errors do not depend on it
+    /// Seconds to spend on measuring times, over all studies, 0 to 3600. Errors don't depend on it
     #[arg(long, value_name = "S", default_value = "20", allow_hyphen_values = true)]
     seconds: String,
     /// A whole number. The same seed gives the same inputs, and so the same errors
@@ -239,13 +239,13 @@ pub(super) struct AnimateArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// Whose steps: `notes` [0] T, R, M_p, division; `box` [2] S T P; `scale` [1] M_xyscale M_pers; `normalised` [3]
-    /// N_persp M_P, N_ort
+    /// Source of the steps: `notes` [0] T, R, M_p, division; `box` [2] S T P; `scale` [1] M_xyscale M_pers;
+    /// `normalised` [3] N_persp M_P, N_ort
     #[arg(long, value_parser = one_of(Decomposition::ALL, Decomposition::name), default_value = Decomposition::default().name())]
     pub(super) steps: Decomposition,
     #[command(flatten)]
     pub(super) family: FamilyArgs,
-    /// In place of the steps. The way to the camera of another figure, on arcs about what stays
+    /// Show the way to the camera of another figure instead of the steps, on arcs about the points that stay
     #[arg(long, value_name = "FIGURE", conflicts_with_all = ["vary", "steps"])]
     pub(super) to: Option<PathBuf>,
     /// Number of images of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip

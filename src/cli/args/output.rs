@@ -38,11 +38,11 @@ pub(in crate::cli) struct OutputArgs {
     /// slide of 16 by 9 (18 pt) or a square
     #[arg(long, value_parser = one_of(PaperPreset::ALL, PaperPreset::name), conflicts_with_all = ["size", "scale", "width_cm", "height_cm"])]
     paper: Option<PaperPreset>,
-    /// Pixels per inch on paper, 300 by default. Written into a PNG or JPEG where it or --width-cm is
+    /// Pixels per inch on paper, 300 by default. Written into a PNG or JPEG if it or --width-cm is
     /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
-    /// Height of the letters of names in points on paper, 9 where --width-cm is given. Strokes are in proportion. A
+    /// Height of the letters of names in points on paper, 9 if --width-cm is given. Strokes are in proportion. A
     /// sheet of all three leaves names out if an image has no room for them
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
@@ -56,15 +56,15 @@ pub(in crate::cli) struct OutputArgs {
     /// Crop the empty background around each image
     #[arg(long)]
     crop: bool,
-    /// Faces of an SVG or PDF: as areas (`vector`), as one image under the lines (`picture`), or as areas where these
-    /// say what the pixels do
+    /// Faces of an SVG or PDF: as areas (`vector`), as one image under the lines (`picture`), or as areas if they
+    /// show the same as the pixels
     #[arg(long, value_parser = one_of(Faces::ALL, Faces::name), default_value = Faces::default().name())]
     faces: Faces,
     /// Letters of an SVG or PDF as outlines. No program needs the font, and none can search or edit them
     #[arg(long)]
     outlines: bool,
-    /// Figure file whose observers see the world and the canonical volume, as they are seen in its own views: what
-    /// differs in a series of images has moved, and not who looks
+    /// Figure file whose observers see the world and the canonical volume. In a series of images the observer then
+    /// stays, so every difference is a change of the figure
     #[arg(long, value_name = "FIGURE")]
     pub(in crate::cli) observer_of: Option<PathBuf>,
     /// Theme; without it, that of the figure
