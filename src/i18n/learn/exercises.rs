@@ -249,7 +249,7 @@ pub fn hints_without_diagnosis(
         });
     }
     if hints.is_empty() {
-        hints.push(both!(lang; "No known mistake gives this answer. Read once more what is asked for.",
+        hints.push(both!(lang; "No known mistake gives this answer. Read the question once more.",
             "Nenhum erro conhecido dá esta resposta. Releia o que se pede."));
     }
     hints

@@ -6,7 +6,7 @@ use crate::i18n::{Lang, pictures};
 texts! {
     title: "Conventions", "Convenções";
     ndc: "NDC of", "NDC de";
-    ndc_hint: "Whose normalised device coordinates M_p, the probe and the canonical volume use. Pixels and depths of the image stay the same", "De quem são as coordenadas de dispositivo normalizadas que M_p, a sonda e o volume canônico usam. Pixels e profundidades da imagem não mudam";
+    ndc_hint: "The convention of the normalised device coordinates in M_p, the probe and the canonical volume. Pixels and depths of the image stay the same", "A convenção das coordenadas de dispositivo normalizadas em M_p, na sonda e no volume canônico. Pixels e profundidades da imagem não mudam";
     compared: "compared with", "comparar com";
     compared_hint: "The same matrices in another convention, below. Entries that differ are marked", "As mesmas matrizes em outra convenção, embaixo. Os elementos que diferem ficam marcados";
     nobody: "nothing", "nada";

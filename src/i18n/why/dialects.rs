@@ -19,7 +19,7 @@ texts! {
     kind_hint: "What the matrix does. Camera → world is the inverse of M_v, such as matrix_world of Blender, a node of glTF or matrixWorld of three.js. K [R | t] leads to pixels.",
         "O que a matriz faz. Câmera → mundo é a inversa de M_v, como matrix_world do Blender, um nó de glTF ou matrixWorld de three.js. K [R | t] leva a pixels.";
     axes: "Axes", "Eixos";
-    axes_hint: "Whose axes", "Os eixos de quem";
+    axes_hint: "The program or convention that has these axes", "O programa ou a convenção que tem estes eixos";
     why: "Why", "Por quê";
     instead: "Read it as", "Ler como";
     instead_hint: "Read this way, it gives another camera", "Assim ela dá outra câmera";
