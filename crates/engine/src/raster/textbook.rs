@@ -221,7 +221,7 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
     Some(from_fn(|k| color[k] * tint[k]))
 }
 
-/// What a bias of 1 tolerates: half a texel's length, and 1/32 of the change of depth within a texel.
+/// The tolerance of a bias of 1: half a texel's length, and 1/32 of the change of depth within a texel.
 const BIAS: [f32; 2] = [0.5, 1.0 / 32.0];
 
 /// **Shadow**: finds the share of a lamp's light that arrives at a point. A texel of the shadow map hides the point if
