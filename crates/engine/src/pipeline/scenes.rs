@@ -48,12 +48,12 @@ impl<'a> Scenes<'a> {
         self.occluders.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// True if a light casts a shadow of anything.
+    /// True if any light casts a shadow.
     pub(crate) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.occluders().next().is_some()
     }
 
-    /// Switches all lights off: everything shows its own colours.
+    /// Switches all lights off, so that everything shows its own colours.
     #[must_use]
     pub fn without_lights(self) -> Self {
         Self { lights: &[], ..self }
@@ -73,7 +73,7 @@ impl<'a> Scenes<'a> {
         self.scene.lines.iter().chain(&self.gear.lines)
     }
 
-    /// Number of [`Self::lines`] that are of the scene. They come first.
+    /// Number of [`Self::lines`] that belong to the scene. They come first.
     pub(crate) fn own_line_count(self) -> usize {
         self.scene.lines.len()
     }
@@ -86,12 +86,12 @@ impl<'a> Scenes<'a> {
         self.scene.texts.iter().chain(&self.gear.texts)
     }
 
-    /// How many objects there are.
+    /// The number of objects.
     pub(crate) fn object_count(self) -> usize {
         self.scene.objects.len() + self.gear.objects.len()
     }
 
-    /// How many lines, marks and texts there are.
+    /// The number of lines, marks and texts.
     pub(crate) fn line_count(self) -> usize {
         let count = |scene: &Scene| scene.lines.len() + scene.marks.len() + scene.texts.len();
         count(self.scene) + count(self.gear)
