@@ -142,7 +142,7 @@ fn pictured(old: &Pictured, origins: &[VertexOrigin], inverse_w: &[f32]) -> Pict
         if inverse_w.is_empty() {
             return origin.of(at);
         }
-        // What is affine between the vertices is divided by w.
+        // Values that are affine between the vertices are divided by w.
         let divided = |i: u32| {
             let ([u, v], q) = (at(i), inverse_w.get(i as usize).copied().unwrap_or(1.0));
             [u * q, v * q, q]
