@@ -3,7 +3,7 @@
 //! It paints the surfaces of a [`Drawing`] in the steps of `[3]` §1.1, each a function under the name of its
 //! [stage](crate::stage::Stage): `fill` finds the samples of a triangle, `hidden_surfaces` is the z-buffer of `[2]`,
 //! `interpolate` finds the share of each vertex in a pixel, `texture` and `shadow` add the effects, `blend` lays a
-//! translucent colour over what is there, `antialias` averages the samples of a pixel, and `write` stores the result.
+//! translucent colour over the pixel, `antialias` averages the samples of a pixel, and `write` stores the result.
 //! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next. One
 //! step comes early: hidden surfaces (8) before the colour (7), so that hidden pixels cost no colour. `triangle` holds
 //! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
@@ -99,7 +99,7 @@ pub fn paint(drawing: &Drawing) -> Option<Painted> {
     Some(Painted { image, depths, slopes })
 }
 
-/// Paints what each light sees, unless that has been done: a drawing of its own, of which only the depths stay.
+/// Paints each light's view, unless that has been done. It's a drawing of its own, of which only the depths stay.
 fn paint_shadow_maps(drawing: &Drawing) {
     for shadow in drawing.surfaces.iter().flat_map(|surface| &surface.shadows) {
         if let Some(views) = shadow.map.unpainted() {
@@ -221,7 +221,7 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
     Some(from_fn(|k| color[k] * tint[k]))
 }
 
-/// What a bias of 1 tolerates: half a texel's length, and 1/32 of the change of depth within a texel.
+/// The tolerance of a bias of 1: half a texel's length, and 1/32 of the change of depth within a texel.
 const BIAS: [f32; 2] = [0.5, 1.0 / 32.0];
 
 /// **Shadow**: finds the share of a lamp's light that arrives at a point. A texel of the shadow map hides the point if
