@@ -273,7 +273,7 @@ pub struct PointMark {
 /// A text in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// The name by which an author changes it: the same in every language, even if the text says another number.
+    /// The name by which an author changes it. It's the same in every language, even if the text says another number.
     pub name: String,
     /// World.
     pub position: DVec3,

@@ -138,7 +138,7 @@ fn evenly(a: f64, b: f64, t: f64) -> f64 {
     if a == b { a } else { between(a.ln(), b.ln(), t).exp().clamp(a.min(b), a.max(b)) }
 }
 
-/// The length of a vector, even if its square overflows or underflows.
+/// The unit vector along one of any length, even if its square overflows or underflows.
 fn unit(v: DVec3) -> DVec3 {
     (v / v.abs().max_element()).normalize()
 }
