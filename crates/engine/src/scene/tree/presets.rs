@@ -208,7 +208,7 @@ fn pyramid() -> Vec<ObjectSpec> {
     ]
 }
 
-/// In the cube: a ball before, a cone behind, and the letter of [`letter_f`].
+/// The contents of the cube: a ball before, a cone behind, and the letter of [`letter_f`].
 fn ndc_cube() -> Vec<ObjectSpec> {
     vec![
         ObjectSpec::new("cube", Shape::Box),
