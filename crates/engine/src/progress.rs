@@ -55,7 +55,7 @@ impl Progress {
         Self { cancelled: Arc::clone(&self.cancelled), steps: Arc::default() }
     }
 
-    /// Whether the work is to end soon. Its result is discarded.
+    /// True if the work is to end soon. Its result is discarded.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }

@@ -82,7 +82,7 @@ impl Piece {
     }
 }
 
-/// Whether a character is a control character, a line end, invisible, or reverses the writing direction.
+/// True if a character is a control character, a line end, invisible, or reverses the writing direction.
 pub fn is_obeyed(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200b}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}')
