@@ -102,7 +102,7 @@ impl<'a> ObjectPass<'a> {
         object_lines(strokes, self.object, &self.vertices(), self.context.style)
     }
 
-    /// How its back faces were treated.
+    /// The treatment of its back faces.
     pub(crate) fn back_faces(&self, faces: &Faces) -> FacesDone {
         match self.culls_back(faces) {
             true => FacesDone::BackDropped,

@@ -30,7 +30,7 @@ impl<'a> Scenes<'a> {
     }
 
     /// Draws edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their styles say,
-    /// so that a scene that is small in the picture is not lost in its own strokes.
+    /// so that a scene that is small in the picture isn't lost in its own strokes.
     #[must_use]
     pub fn with_fineness(self, fineness: f32) -> Self {
         Self { fineness, ..self }

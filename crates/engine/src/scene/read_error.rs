@@ -85,7 +85,7 @@ impl ReadProblem {
     }
 }
 
-/// The kind of file that names another one, which is not read because it lies elsewhere.
+/// The kind of file that names another one, which isn't read because it lies elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NamedBy {
     /// A mesh.

@@ -118,7 +118,7 @@ impl Lens {
 /// perspective, z → −z₁ and d → (z₀ − z₁) F.
 ///
 /// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only if they
-/// are not `f64`s themselves.
+/// aren't `f64`s themselves.
 pub(crate) fn lens(projection: Projection, window: &WideWindow, near: f64, far: f64, ndc: Ndc) -> Lens {
     let (width, height) = (window.width(), window.height());
     let (sum_x, sum_y) = (window.right + window.left, window.top + window.bottom);

@@ -92,7 +92,7 @@ impl Weight {
         self.reasons.push(reason);
     }
 
-    /// How level and how upright the camera is, and whether it looks at the origin.
+    /// How level and upright the camera is, and if it looks at the origin.
     fn pose(&mut self, axes: Axes, camera: &Camera) {
         // The world is turned or mirrored by now.
         let ups: &[(DVec3, f64)] = match axes.up {

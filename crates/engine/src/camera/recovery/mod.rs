@@ -39,7 +39,7 @@ pub struct Recovered {
 
 /// The tolerance beside 1, which a matrix copied with three digits still passes.
 pub(crate) const SLACK: f64 = 2e-3;
-/// Errors below this are not reported. All digits of an `f64` are there.
+/// Errors below this aren't reported. All digits of an `f64` are there.
 pub(crate) const EXACT: f64 = 1e-9;
 
 /// The camera of a matrix that acts on column vectors, as read by a reading. Quantities that the matrix doesn't hold

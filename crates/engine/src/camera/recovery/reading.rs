@@ -1,4 +1,4 @@
-//! How a matrix of another program is read: its task, its axes and its normalised device coordinates.
+//! The reading of a matrix of another program: its task, its axes and its normalised device coordinates.
 
 use crate::camera::{Axes, ImageSize, NdcRange};
 

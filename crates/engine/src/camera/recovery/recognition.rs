@@ -44,7 +44,7 @@ crate::worded! {
 /// A reading that the numbers allow, with its camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
-    /// How it is read.
+    /// The reading.
     pub reading: Reading,
     /// The order of its numbers.
     pub order: Order,

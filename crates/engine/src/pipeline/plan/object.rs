@@ -110,7 +110,7 @@ pub enum FacesDone {
     CutOpen,
 }
 
-/// The plan of an object that is not drawn.
+/// The plan of an object that isn't drawn.
 impl From<Containment> for ObjectPlan {
     fn from(containment: Containment) -> Self {
         Self { containment, ..Self::default() }

@@ -14,7 +14,7 @@ pub enum Output {
     Vectors,
 }
 
-/// Why a stage runs or is left out. Counts are of objects unless they say otherwise.
+/// The reason why a stage runs or is left out. Counts are of objects unless they say otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// Runs: every picture needs it.
@@ -82,7 +82,7 @@ pub enum Reason {
 
     /// Runs: on closed or one-sided objects, back faces can't be seen.
     BackFaces {
-        /// Whose back faces are dropped.
+        /// Objects whose back faces are dropped.
         objects: usize,
         /// In view, with faces.
         of: usize,
@@ -120,7 +120,7 @@ pub enum Reason {
 
     /// Left out: l = −r and b = −t, so these terms are 0.
     SymmetricWindow,
-    /// Runs: the axis does not go through the middle of the window.
+    /// Runs: the axis doesn't go through the middle of the window.
     ObliqueWindow,
     /// Left out: w is 1 everywhere.
     ParallelProjection,
@@ -143,7 +143,7 @@ pub enum Reason {
         /// In view, with faces.
         objects: usize,
     },
-    /// Runs: an object that is not convex, or open, may hide itself.
+    /// Runs: an object that isn't convex, or is open, may hide itself.
     HidesItself,
     /// Runs: the hidden parts of lines, marks or texts are drawn otherwise than the visible ones.
     LinesAskForDepth,

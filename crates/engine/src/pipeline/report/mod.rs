@@ -91,7 +91,7 @@ pub struct StageReport {
     pub counts: Option<(usize, usize)>,
     /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
-    /// Its operations by the textbook, as soon as the picture is painted. None if they are not counted
+    /// Its operations by the textbook, as soon as the picture is painted. None if they aren't counted
     /// ([`Stage::is_counted`]).
     pub operations: Operations,
 }

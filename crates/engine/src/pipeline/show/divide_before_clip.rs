@@ -198,7 +198,7 @@ impl Wrong {
     }
 }
 
-/// The part of a convex polygon, or of a segment, where `distance` is not negative.
+/// The part of a convex polygon, or of a segment, where `distance` isn't negative.
 fn half(polygon: &[Corner], distance: impl Fn(DVec3) -> f64) -> Vec<Corner> {
     let mut kept = Vec::new();
     let keep = |origin| {

@@ -28,7 +28,7 @@ pub struct TriangleSteps {
     pub corners: [CornerSteps; 3],
     /// The normal times the way to the eye, in view space: positive if it's seen from its front.
     pub facing: f64,
-    /// All corners are outside of one plane, or one is not a number. Nothing of it is left.
+    /// All corners are outside one plane, or one isn't a number. Nothing of it is left.
     pub is_outside: bool,
     /// The planes that it crosses, in the order in which they cut.
     pub cuts: Vec<PlaneCut>,

@@ -8,8 +8,8 @@ use crate::drawing::single;
 /// is more than this share of the depths in view, the depths are spread over those alone.
 const ENOUGH: f64 = 0.01;
 
-/// Relative thickness below which a scene is not resolved further. It would be rounding of the numbers from which it is
-/// computed.
+/// Relative thickness below which a scene isn't resolved further. Anything thinner would be rounding of the numbers
+/// from which it is computed.
 const THINNEST: f64 = 1e-13;
 
 /// The unit of depth in perspective is no smaller than this share of the farthest distance in view: small differences

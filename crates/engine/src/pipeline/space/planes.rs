@@ -31,8 +31,8 @@ pub(crate) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
     [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
 }
 
-/// Bit `i` is set if the point is outside plane `i`; [`NOT_A_NUMBER`] if a coordinate is not a number, or too
-/// large to be cut.
+/// Bit `i` is set if the point is outside plane `i`; [`NOT_A_NUMBER`] if a coordinate isn't a number, or is too large
+/// to be cut.
 #[inline(always)]
 pub(crate) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     let size = p.x.abs() + p.y.abs() + p.depth.abs();

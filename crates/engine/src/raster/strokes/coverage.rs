@@ -457,7 +457,7 @@ mod tests {
         assert_eq!(pixels[MIDDLE], [0, 0, 255, 255]);
         // Beside its middle line the near stroke covers half a pixel; the rest is the far one's.
         assert_eq!(pixels[MIDDLE + 1], [127, 0, 128, 255]);
-        // Where they don't meet, each is the same as alone.
+        // Each is the same as alone where they don't meet.
         assert_eq!(pixels[5 * 20 + 10], painted(&[near])[5 * 20 + 10]);
         assert_eq!(pixels[10 * 20 + 5], painted(&[far])[10 * 20 + 5]);
     }

@@ -27,7 +27,7 @@ const MOST: usize = (FEW_COSTLY * FEW_COSTLY) as usize;
 /// find them.
 #[derive(Clone, Debug)]
 pub(super) struct TinyBatch {
-    /// How many pixels each triangle owns.
+    /// The number of pixels that each triangle owns.
     owned: [usize; BATCH],
     /// The pixels of its box that it owns, row by row.
     places: [[u32; BATCH]; MOST],

@@ -134,7 +134,7 @@ struct ObjFile {
     points_ahead: Ahead,
     normals_ahead: Ahead,
     texture_coordinates_ahead: Ahead,
-    /// The first corner whose normal or texture coordinate cannot be there: line, corner.
+    /// The first corner whose normal or texture coordinate can't exist: line, corner.
     impossible: Option<(usize, String)>,
     /// The first face with fewer than three corners (its line and their number), and how many such faces there are.
     skipped: Option<(usize, usize)>,
