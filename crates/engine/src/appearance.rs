@@ -1,6 +1,6 @@
 //! The words of appearance that scenes, drawings and figures share: colour, line style, and the `[style]` of a figure.
 //!
-//! A leaf module: it imports nothing of the crate.
+//! A leaf module, which imports nothing of the crate.
 
 mod level;
 mod level_pairs;
@@ -74,13 +74,13 @@ impl Rgba {
         (0..16).map(mixed).find(|c| c.contrast(ground) >= ENOUGH).unwrap_or_else(|| mixed(16))
     }
 
-    /// True when nothing shows through.
+    /// True if nothing shows through.
     pub const fn is_opaque(self) -> bool {
         self.a == 255
     }
 }
 
-/// Why a text is not a colour.
+/// The reason why a text isn't a colour.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a colour is written \"#rrggbb\" or \"#rrggbbaa\" in hexadecimal digits")]
 pub struct ColorError;
@@ -105,7 +105,7 @@ impl FromStr for Rgba {
 }
 
 impl fmt::Display for Rgba {
-    /// `#rrggbb` when opaque, `#rrggbbaa` otherwise.
+    /// `#rrggbb` if opaque, `#rrggbbaa` otherwise.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "#{:02x}{:02x}{:02x}", self.r, self.g, self.b)?;
         if !self.is_opaque() {
@@ -135,7 +135,7 @@ pub enum Visibility {
     /// A depth per pixel. The nearest wins.
     #[default]
     DepthBuffer,
-    /// Faces sorted by the depth of their centroid: fails if faces interlock, and is there to show it.
+    /// Faces sorted by the depth of their centroid. It fails if faces interlock, and is there to show this.
     Painter,
     /// Exact order by splitting faces at each other's planes.
     Bsp,
@@ -168,7 +168,7 @@ pub enum DepthFormat {
 }
 
 impl DepthFormat {
-    /// The greatest stored number, which stands for the depth 1; `None` means depths are stored as they are.
+    /// The greatest stored number, which stands for the depth 1. `None` means depths are stored as they are.
     pub const fn greatest(self) -> Option<f32> {
         match self {
             Self::Fixed16 => Some(65_535.0),
@@ -274,7 +274,7 @@ pub struct LineStyle {
 pub enum Occlusion {
     /// An opaque one.
     Opaque,
-    /// None that is opaque, but one of a tint.
+    /// No opaque one, but one of a tint.
     Translucent,
     /// None.
     None,
@@ -286,14 +286,14 @@ impl LineStyle {
         Self { color, width, dash: Dash::Solid, hidden, arrow: false }
     }
 
-    /// The line as a picture in this style draws it: it decides about hidden parts that are left to it.
+    /// The line as a picture in this style draws it. The style decides about hidden parts that are left to it.
     #[must_use]
     pub fn in_style(self, style: &Style) -> Self {
         let hidden = if self.hidden == HiddenLines::OfStyle { style.hidden_lines } else { self.hidden };
         Self { hidden, ..self }
     }
 
-    /// The style of the part behind such faces; `None` means it is not drawn.
+    /// The style of the part behind such faces. `None` means it isn't drawn.
     #[must_use]
     pub fn behind(self, faces: Occlusion) -> Option<Self> {
         #[expect(clippy::cast_possible_truncation, reason = "less than the alpha it comes from")]
@@ -308,9 +308,9 @@ impl LineStyle {
         }
     }
 
-    /// The lengths of dashes and of the gaps between them, in turn, for a painter that adds round ends to each: those
-    /// of [`pattern`](Dash::pattern) without them; empty: no gaps. And the length of one period, which begins with
-    /// half a width of gap.
+    /// The lengths of dashes and of the gaps between them, in turn, for a painter that adds round ends to each. They
+    /// are those of [`pattern`](Dash::pattern) without the ends, and empty if there are no gaps. The second value is
+    /// the length of one period, which begins with half a width of gap.
     pub fn dash_lengths(self) -> (Vec<f32>, f32) {
         let pattern = self.dash.pattern();
         let period = pattern.iter().sum::<f32>() * self.width;
@@ -322,8 +322,8 @@ impl LineStyle {
         (pattern.iter().enumerate().map(length).collect(), period)
     }
 
-    /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none
-    /// below a few pixels. A head is 0.76 as wide as it is long. The stroke goes on for a fifth of it inside.
+    /// The length of the arrow head on a stroke of this length, both in pixels. Short strokes get small heads, and none
+    /// below a few pixels. A head is 0.76 times as wide as long. The stroke goes on for a fifth of it inside.
     pub fn head_length(self, stroke_length: f32) -> f32 {
         let length = (4.0 * self.width + 4.0).min(0.6 * stroke_length);
         if !self.arrow || length < 2.0 { 0.0 } else { length }

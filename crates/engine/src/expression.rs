@@ -14,7 +14,7 @@
 //!
 //! A word may have a backslash before it, as in LaTeX: `\sqrt{3}`, `\pi`, `\cdot`.
 //!
-//! A comma is a decimal point. An angle is a quantity of its own: degrees do not add to lengths, and `sin(30°)` is
+//! A comma is a decimal point. An angle is a quantity of its own. Degrees don't add to lengths, and `sin(30°)` is
 //! exactly ½. Where an angle is expected, `pi` is 180° and a plain number is in degrees.
 
 use std::ops::Range;
@@ -32,7 +32,7 @@ pub enum Dimension {
     Angle,
 }
 
-/// Why a text is not a number, and where in the text that shows.
+/// The reason why a text isn't a number, and the place of the fault.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{problem}")]
 pub struct ExpressionError {
@@ -45,7 +45,7 @@ pub struct ExpressionError {
 /// A problem in an expression.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ExpressionProblem {
-    /// Nothing was typed.
+    /// The text is empty.
     #[error("a number is missing")]
     Empty,
     /// A character that has no meaning there.
@@ -79,7 +79,7 @@ const DEGREES: [&str; 3] = ["deg", "degrees", "graus"];
 const MAX_LENGTH: usize = MAX_EXPRESSION.0;
 const MAX_DEPTH: u32 = MAX_EXPRESSION.1;
 
-/// The value of `text`; of an angle, its degrees.
+/// The value of `text`, in degrees for an angle.
 ///
 /// ```
 /// # use camera_lab_engine::expression::{Dimension, evaluate};
@@ -94,7 +94,7 @@ pub fn evaluate(text: &str, dimension: Dimension) -> Result<f64, ExpressionError
     evaluate_with(text, dimension, &[])
 }
 
-/// As [`evaluate`], with numbers that have names: the F of an exercise in `2F/3`. Capitals do not matter.
+/// Like [`evaluate`], with numbers that have names, such as the F of an exercise in `2F/3`. Capitals don't matter.
 ///
 /// ```
 /// # use camera_lab_engine::expression::{Dimension, evaluate_with};
@@ -124,8 +124,8 @@ pub fn evaluate_with(text: &str, dimension: Dimension, names: &[(&str, f64)]) ->
     if value.value.is_finite() { Ok(value.value) } else { Err(parser.error(0, ExpressionProblem::NotFinite)) }
 }
 
-/// The parts of a list of expressions: between semicolons, if there are any, so that a comma can be a decimal point;
-/// otherwise between the commas outside of parentheses.
+/// The parts of a list of expressions, between semicolons if there are any, so that a comma can be a decimal point.
+/// Otherwise between the commas outside parentheses.
 ///
 /// ```
 /// # use camera_lab_engine::expression::parts;
@@ -300,7 +300,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// True if a product goes on without a sign: `2pi`, `2(1 + 1)`; but `rad` ends an expression.
+    /// True if a product goes on without a sign, as in `2pi` or `2(1 + 1)`. But `rad` ends an expression.
     fn starts_factor(&mut self) -> bool {
         matches!(self.peek(), Some(c) if c.is_alphabetic() || matches!(c, '(' | '√' | '\\'))
             && !self.word().eq_ignore_ascii_case("rad")
@@ -345,7 +345,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Takes the word that comes next as a unit, unless it is a name of the exercise.
+    /// Takes the word that comes next as a unit, unless it's a name of the exercise.
     fn is_unit(&mut self) -> bool {
         let word = self.word();
         if self.names.iter().any(|(name, _)| name.eq_ignore_ascii_case(word)) {
@@ -447,7 +447,7 @@ impl<'a> Parser<'a> {
         let start = self.at();
         let (text, rest) = self.rest.split_at(end);
         self.rest = rest;
-        // A point alone: digits are missing.
+        // A point alone lacks digits.
         let value: Result<f64, _> = text.replace(',', ".").parse();
         let value = value.map_err(|_| self.error(start, ExpressionProblem::Unfinished))?;
         if let Some(c @ ('.' | ',' | '0'..='9')) = self.peek() {

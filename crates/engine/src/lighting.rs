@@ -11,9 +11,9 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 /// The colour that the viewer gets from a point of a surface: the one formula for faces, vertices and pixels.
 ///
 /// `color · (ambient + diffuse Σ max(0, n·l)) + white · specular Σ max(0, n·h)^shininess`, with **h** halfway between
-/// the directions to the light and to the viewer, and no specular term if the light is behind the surface. `normal`
-/// and `position` are in view space. The normal may have any length, and without one only the ambient share is left.
-/// With `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
+/// the directions to the light and to the viewer, and no specular term if the light is behind the surface. `normal` and
+/// `position` are in view space. The normal may have any length, and without one only the ambient share is left. With
+/// `two_sided`, a normal that points away from the viewer is turned round. Alpha stays. `[2]`, `[3]` §1.8
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
     let lit = with_vectors!(simd => {
         let color = u32x8::splat(simd, packed(color));
@@ -22,7 +22,7 @@ pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: R
     unpacked(lit)
 }
 
-/// [`shade`] for eight points at once. Colours are [`packed`]; `most` is the greatest value of their channels: 255, or
+/// [`shade`] for eight points at once. Colours are [`packed`]. `most` is the greatest value of their channels: 255, or
 /// the alpha of each if they're premultiplied by it.
 #[inline(always)]
 pub(crate) fn shade_eight<S: Simd>(
@@ -38,8 +38,8 @@ pub(crate) fn shade_eight<S: Simd>(
 }
 
 /// The light on eight points, whatever their colours: the share of its own colour that a point sends back, `ambient +
-/// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1. `arrives`: the share of the light of a lamp that
-/// no shadow takes away, at the points that it lights; `None` means all of it.
+/// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1. `arrives` is the share of the light of a lamp that
+/// no shadow takes away, at the points that it lights. `None` means all of it.
 #[inline(always)]
 pub(crate) fn light_eight<S: Simd>(
     simd: S,
@@ -157,7 +157,7 @@ fn power<S: Simd>(simd: S, mut base: f32x8<S>, exponent: f32) -> f32x8<S> {
     result
 }
 
-/// The low bytes of `colors` under light, rounded to the nearest of 0 … `most`; 0 for NaN.
+/// The low bytes of `colors` under light, rounded to the nearest of 0 … `most`. 0 for NaN.
 #[inline(always)]
 fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>, most: f32x8<S>) -> u32x8<S> {
     let value = at_least_zero(simd, (colors & 255).to_float::<f32x8<S>>() * share + white);

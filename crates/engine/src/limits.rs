@@ -18,7 +18,7 @@ pub const PAPER_CM: RangeInclusive<f64> = 0.1..=1000.0;
 /// Pixels per inch of paper: from the wall of a lecture hall to the films that printers expose, with a little room.
 pub const PAPER_DPI: RangeInclusive<f64> = 1.0..=10_000.0;
 
-/// The height of letters on paper, in points: smaller ones are no ink any more, larger ones (35 cm) no names in a
+/// The height of letters on paper, in points. Smaller ones leave no ink, and larger ones (35 cm) aren't names in a
 /// picture.
 pub const PAPER_LETTERS: RangeInclusive<f64> = 0.5..=1000.0;
 
@@ -34,11 +34,11 @@ pub const MAX_FAMILY: usize = 64;
 /// The most pictures of an animation of a family: a minute of them.
 pub const MAX_FRAMES: usize = 1200;
 
-/// The duration of a step of an animation, in seconds: shorter ones cannot be followed, longer ones take more pictures
-/// than a file has use for.
+/// The duration of a step of an animation, in seconds. Shorter ones can't be followed, and longer ones take more
+/// pictures than a file has use for.
 pub const STEP_SECONDS: RangeInclusive<f64> = 0.1..=60.0;
 
-/// The time that `accuracy` spends on measuring, in seconds: an hour; 0 leaves the times out.
+/// The time that `accuracy` spends on measuring, in seconds: an hour. 0 leaves the times out.
 pub const MEASURED_SECONDS: RangeInclusive<f64> = 0.0..=3600.0;
 
 /// The greatest distance of the corner of a viewport outside the image, in pixels: twice the longest side.
@@ -80,21 +80,21 @@ pub const MAX_NAMED_POINTS: usize = 32;
 /// The most cameras of a figure besides its own. More volumes can hardly be distinguished in a picture.
 pub const MAX_CAMERAS: usize = 32;
 
-/// The longest name of a camera in characters. It is a label in the world.
+/// The longest name of a camera in characters. It's a label in the world.
 pub const MAX_CAMERA_NAME: usize = 60;
 
 /// The most notes of a figure, and the most labels that it hides, renames, moves or styles. A picture has no room for
 /// more.
 pub const MAX_LABELS: usize = 256;
 
-/// The longest text of a label and the longest name that one is called by, in characters: a line across a picture.
+/// The longest text of a label and the longest name of one, in characters: a line across a picture.
 pub const MAX_LABEL_TEXT: usize = 120;
 
 /// The greatest distance of a label from its point, to the side and upwards, in heights of its type: from one end of a
 /// large picture to the other.
 pub const MAX_LABEL_MOVE: f64 = 1000.0;
 
-/// The factor of a label's size: from what can hardly be read to a title.
+/// The factor of a label's size: from hardly legible to a title.
 pub const LABEL_SIZE: RangeInclusive<f64> = 0.25..=8.0;
 
 /// The longest title of a figure in characters: a line of a slide.
@@ -140,26 +140,26 @@ pub const MAX_TEXELS: u64 = 1 << 24;
 /// some megabytes.
 pub const MAX_TEXTURE_METADATA: u64 = 16 << 20;
 
-/// The most repetitions of a texture on a surface: beyond these nothing is left of it.
+/// The most repetitions of a texture on a surface. Beyond these nothing is left of it.
 pub const MAX_TEXTURE_SCALE: f64 = 10_000.0;
 
 /// The most items of sparse accessors that are 0 because no bytes are behind them. A line of JSON can ask for billions.
 pub const MAX_ZEROS: usize = 1 << 20;
 
 /// The most pieces into which faces are split to be sorted: crossing faces make pieces by the cube of their number.
-/// This number takes more than a second and 260 MiB; 400 plates that all cross would take eight million, half a minute
+/// This number takes more than a second and 260 MiB. 400 plates that all cross would take eight million, half a minute
 /// and 5 GiB.
 pub const MAX_PIECES: usize = 1 << 19;
 
-/// The most bytes that the corners of these pieces take. There is no bound to how many corners a piece can have.
+/// The most bytes that the corners of these pieces take. The corners of a piece have no bound.
 pub const MAX_PIECE_BYTES: usize = 256 << 20;
 
 /// The most steps in which strokes are compared with faces and one another, for outputs without a depth buffer. They
 /// take some seconds. A stored result counts as several steps, so that memory stays below some hundred MiB.
 pub const MAX_STROKE_STEPS: usize = 1 << 28;
 
-/// The longest expression in characters, and how deep its parentheses may be nested: more than people type; deeper
-/// ones would need more of the stack.
+/// The longest expression in characters, and how deep its parentheses may be nested: more than people type. Deeper ones
+/// would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 
 /// The most characters of a name, a colour or words to look for that you can type: more than a picture or a list has
@@ -179,20 +179,20 @@ pub const MAX_ANSWER: usize = 10_000;
 /// The longest file of an exercise of one's own in bytes. A figure with a scene takes some kilobytes.
 pub const MAX_EXERCISE_BYTES: usize = 1 << 20;
 
-/// The most exercises in a folder. All are read when the folder is; a lecture has a few dozen.
+/// The most exercises in a folder. All are read when the folder is. A lecture has a few dozen.
 pub const MAX_OWN_EXERCISES: usize = 256;
 
 /// The most questions of one exercise. They are lettered from a to z.
 pub const MAX_ASKS: usize = 26;
 
-/// The longest identifier of an exercise or of a question, in characters. It is part of a command line.
+/// The longest identifier of an exercise or of a question, in characters. It's part of a command line.
 pub const MAX_EXERCISE_NAME: usize = 64;
 
 /// The most undo steps, more than people go back.
 pub const MAX_UNDO_STEPS: usize = 500;
 
-/// The most bytes of scenes that undo stores besides the one that is shown: several steps of the largest figures, all
-/// steps of usual ones. One step is stored however large it is.
+/// The most bytes of scenes that undo stores besides the current one: several steps of the largest figures, all steps
+/// of usual ones. One step is stored however large it is.
 pub const MAX_UNDO_BYTES: usize = 64 << 20;
 
 /// The longest list of points that the panel shows as fields. Longer ones are edited in the file.
@@ -204,10 +204,10 @@ pub const MAX_COMPARED_LINES: usize = 2000;
 /// The most stored sessions of windows, including those that didn't close. More than people open at once.
 pub const MAX_SESSIONS: usize = 16;
 
-/// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.
+/// In larger images the pixels of a single triangle aren't looked at, because that's done while the window waits.
 pub const MAX_STEPPED_PIXELS: u64 = 1 << 22;
 
-/// In scenes of more triangles shadow maps are not compared with rays. The tree over them takes some 250 MB.
+/// In scenes of more triangles shadow maps aren't compared with rays. The tree over them takes some 250 MB.
 pub const MAX_RAY_TRIANGLES: usize = 1 << 21;
 
 /// Steps of a lesson: more than fit into an hour.

@@ -47,7 +47,7 @@ pub enum DecimalMark {
 }
 
 impl DecimalMark {
-    /// As [`significant`], as in print: with this mark and a true minus.
+    /// Like [`significant`], as in print, with this mark and a true minus.
     pub fn number(self, value: f64, digits: usize) -> String {
         self.printed(&significant(value, digits))
     }
@@ -57,7 +57,7 @@ impl DecimalMark {
         self.typed(number).replace('-', "−")
     }
 
-    /// As you type a number, with this mark.
+    /// The number as you type it, with this mark.
     pub fn typed(self, number: &str) -> String {
         match self {
             Self::Point => number.to_owned(),
@@ -80,7 +80,7 @@ impl DecimalMark {
         }
     }
 
-    /// A point or a vector: `(1, 2.5, 3)` or `(1; 2,5; 3)`; as [`list`](Self::list).
+    /// A point or a vector, such as `(1, 2.5, 3)` or `(1; 2,5; 3)`, like [`list`](Self::list).
     pub fn tuple(self, values: &[f64], digits: usize) -> String {
         format!("({})", self.list(values, digits))
     }
@@ -110,12 +110,12 @@ pub fn without_rests(values: &[f64], digits: usize) -> Vec<f64> {
     values.iter().map(|v| if digits < EXACT_DIGITS && is_rest(*v, greatest) { 0.0 } else { *v }).collect()
 }
 
-/// Whether a value can be zero but for a few roundings of numbers as large as `greatest`.
+/// True if a value can be zero but for a few roundings of numbers as large as `greatest`.
 pub fn is_rest(value: f64, greatest: f64) -> bool {
     value.abs() <= 4.0 * f64::EPSILON * greatest
 }
 
-/// `p/q` for a value that equals it to the last digit, with small p and q; `None` for whole numbers too.
+/// `p/q` for a value that equals it to the last digit, with small p and q. `None` for whole numbers too.
 pub fn fraction(value: f64) -> Option<String> {
     (2..=32).find_map(|q| {
         let p = (value * f64::from(q)).round();
@@ -167,45 +167,44 @@ pub fn in_threes(n: usize) -> String {
     out
 }
 
-/// The multiple of a power of ten, not above `unit`, that is nearest to `value`. Never −0. Where `unit` is so small or
-/// so large that there is no such power, `value` itself.
+/// The multiple of a power of ten, not above `unit`, that is nearest to `value`. Never −0. If `unit` is so small or so
+/// large that there is no such power, `value` itself.
 pub fn round_to(value: f64, unit: f64) -> f64 {
     let power = unit.abs().log10().floor();
     if !(-300.0..300.0).contains(&power) {
         return value;
     }
-    // Dividing by a power of ten that is a whole number rounds once; multiplying by 0.001 rounds twice.
+    // Dividing by a power of ten that is a whole number rounds once, but multiplying by 0.001 rounds twice.
     let scale = 10f64.powf(power.abs());
     let rounded = if power < 0.0 { (value * scale).round() / scale } else { (value / scale).round() * scale };
     // Adding 0 turns −0 into 0.
     if rounded.is_finite() { rounded + 0.0 } else { value }
 }
 
-/// The power of ten at or below `x`; `None` if `x` is not a positive number that has one.
+/// The power of ten at or below `x`. `None` if `x` isn't a positive number that has one.
 pub fn power_of_ten(x: f64) -> Option<f64> {
     let power = 10f64.powf(x.log10().floor());
     (power.is_finite() && power > 0.0).then_some(power)
 }
 
-/// The greatest of 1, 2 and 5 times a power of ten that is at or below `x`; `None` as for [`power_of_ten`].
+/// The greatest of 1, 2 and 5 times a power of ten that is at or below `x`. `None` as for [`power_of_ten`].
 pub fn nice_below(x: f64) -> Option<f64> {
     let power = power_of_ten(x)?;
     [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|step| *step <= x).or(Some(power))
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is at or above `x`; `None` as for [`power_of_ten`].
+/// The least of 1, 2 and 5 times a power of ten that is at or above `x`. `None` as for [`power_of_ten`].
 pub fn nice_above(x: f64) -> Option<f64> {
     let power = power_of_ten(x)?;
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|step| *step >= x && step.is_finite())
 }
 
-/// Drops zeros that say nothing.
+/// Drops meaningless zeros.
 fn trim(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// The order of names in which people expect them: numbers in them count as numbers (2 before 10), and capitals do not
-/// count.
+/// The order of names that people expect. Numbers in them count as numbers (2 before 10), and capitals don't count.
 pub fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut rest_a, mut rest_b) = (a, b);
     while !rest_a.is_empty() && !rest_b.is_empty() {

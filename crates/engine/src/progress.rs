@@ -1,6 +1,6 @@
-//! Progress and cancellation of long work: shared by the code that does it and the code that waits for it.
+//! Progress and cancellation of long work, shared by the code that does it and the code that waits for it.
 //!
-//! Without threads, long work is done in slices, with other work between them. It is written as a future, which pauses
+//! Without threads, long work is done in slices, with other work between them. It's written as a future, which pauses
 //! after each step. Nothing wakes it: its worker [polls](Future::poll) it when there is time, or does it [all at
 //! once](at_once).
 
@@ -34,7 +34,7 @@ pub struct Progress {
     steps: Arc<Steps>,
 }
 
-/// Each value says something by itself. No order between them is needed.
+/// Each value has a meaning by itself, so no order between them is needed.
 #[derive(Debug, Default)]
 struct Steps {
     /// The index of the present activity, from 1. 0 if there's nothing to report.
@@ -44,7 +44,7 @@ struct Steps {
 }
 
 impl Progress {
-    /// The work is not wanted any more.
+    /// The work was cancelled.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
     }
@@ -55,18 +55,18 @@ impl Progress {
         Self { cancelled: Arc::clone(&self.cancelled), steps: Arc::default() }
     }
 
-    /// Whether the work is to end soon. Its result is discarded.
+    /// True if the work is to end soon. Its result is discarded.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
 
-    /// Other work begins, and is wanted.
+    /// Other work begins, and isn't cancelled.
     pub fn begin_anew(&self) {
         self.steps.doing.store(0, Ordering::Relaxed);
         self.cancelled.store(false, Ordering::Relaxed);
     }
 
-    /// Starts an activity of this number of steps; 0: unknown.
+    /// Starts an activity of this number of steps. 0 means unknown.
     pub fn begin(&self, doing: Activity, steps: usize) {
         self.steps.of.store(0, Ordering::Relaxed);
         self.steps.done.store(0, Ordering::Relaxed);
@@ -102,13 +102,13 @@ impl Progress {
     }
 }
 
-/// Is pending once: a slice of work ends here.
+/// Is pending once, to end a slice of work.
 pub async fn pause() {
     let mut paused = false;
     poll_fn(|_| if std::mem::replace(&mut paused, true) { Poll::Ready(()) } else { Poll::Pending }).await;
 }
 
-/// Does work that pauses, without the pauses. What waits for anything else than [`pause`] would keep a processor busy.
+/// Does work that pauses, without the pauses. Work that waits for anything but [`pause`] would keep a processor busy.
 pub fn at_once<T>(work: impl Future<Output = T>) -> T {
     let mut work = pin!(work);
     loop {

@@ -14,7 +14,7 @@ pub fn escaped(text: &str) -> String {
     within(text, LONGEST)
 }
 
-/// As [`escaped`], of at most `longest` characters.
+/// Like [`escaped`], with at most `longest` characters.
 pub fn within(text: &str, longest: usize) -> String {
     let mut shown = String::new();
     let mut room = longest;
@@ -32,12 +32,12 @@ pub fn within(text: &str, longest: usize) -> String {
     shown
 }
 
-/// A path as a part of a message: as [`escaped`], but longer, and of one that is too long the end.
+/// A path as a part of a message. Like [`escaped`], but longer, and only the end of a path that is too long.
 pub fn path(path: &Path) -> String {
     path_text(&path.to_string_lossy())
 }
 
-/// As [`path`], of a path that is a text.
+/// Like [`path`], for a path that is a text.
 pub fn path_text(path: &str) -> String {
     let mut room = LONGEST_PATH;
     let mut start = path.len();
@@ -82,7 +82,7 @@ impl Piece {
     }
 }
 
-/// Whether a character is a control character, a line end, invisible, or reverses the writing direction.
+/// True if a character is a control character, a line end, invisible, or reverses the writing direction.
 pub fn is_obeyed(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200b}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}')

@@ -1,6 +1,6 @@
 //! Wide vectors: the one door to the library that has them, which is young and may change.
 //!
-//! Whatever is computed in vectors has the same bits on every machine. No operation is fused with another, and none is
+//! Results computed in vectors have the same bits on every machine. No operation is fused with another, and none is
 //! left to an instruction that only approximates.
 
 use std::sync::LazyLock;
@@ -25,7 +25,7 @@ pub(crate) fn level() -> Level {
 ///
 /// Each set is a copy of all code in the expression, so sets have to pay. On x86 there are three: AVX2 (Intel since
 /// 2013, AMD since 2015), SSE 4.2 (Celeron and Pentium until 2020), and plain numbers (Intel before 2008, AMD before
-/// 2011). The compiler takes 12 times as long for eight plain numbers as for a vector of eight: all kernels in plain
+/// 2011). The compiler takes 12 times as long for eight plain numbers as for a vector of eight. All kernels in plain
 /// numbers took 207 of the 256 seconds of this crate. So large kernels have an `else`.
 macro_rules! with_vectors {
     ($simd:ident => $run:expr) => {
@@ -69,16 +69,16 @@ pub(crate) fn has_vectors() -> bool {
 
 // Rounding without an instruction for it, on every machine alike: a float has so many bits that next to a large enough
 // number there are none left for fractions. Adding such a number rounds (ties go to the even neighbour), and the low
-// bits of the sum **are** the integer; the high bits are those of the number that was added, as long as the sum does
-// not leave the range in which floats have this spacing. Between 2²³ and 2²⁴ the spacing of an `f32` is 1, between 2⁵²
-// and 2⁵³ that of an `f64`.
+// bits of the sum **are** the integer. The high bits are those of the added number, as long as the sum doesn't leave
+// the range in which floats have this spacing. Between 2²³ and 2²⁴ the spacing of an `f32` is 1, between 2⁵² and 2⁵³
+// that of an `f64`.
 
 /// For numbers of −2²² … 2²²: in the middle of the range, so that either sign has room.
 pub(crate) const ROUND_F32: f32 = 1.5 * 8_388_608.0;
 /// For numbers of −2⁵¹ … 2⁵¹.
 pub(crate) const ROUND_F64: f64 = 1.5 * 4_503_599_627_370_496.0;
 
-/// The nearest whole numbers, in the low bits. `zero`: the number added, such as [`ROUND_F32`].
+/// The nearest whole numbers, in the low bits. `zero` is the added number, such as [`ROUND_F32`].
 #[inline(always)]
 pub(crate) fn round_bits<K: Simd>(v: f32x8<K>, zero: f32) -> u32x8<K> {
     (v + zero).bitcast()

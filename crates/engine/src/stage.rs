@@ -87,7 +87,7 @@ impl Stage {
         format!("crates/engine/src/pipeline/stage/{file}.rs")
     }
 
-    /// False if its operations are not counted: work on whole objects; lines, marks and texts.
+    /// False if its operations aren't counted, as for work on whole objects and for lines, marks and texts.
     pub const fn is_counted(self) -> bool {
         !matches!(self, Self::Traverse | Self::CullObjects | Self::Lines)
     }
@@ -132,14 +132,13 @@ pub enum WorksOn {
 /// Operations of arithmetic and accesses to memory: those of the textbook's algorithm for one element, times the number
 /// of elements that a stage had.
 ///
-/// *Guarantees*: neither the machine nor its vectors or threads change them. What is done once for an object or a
-/// picture (its matrices, its lamps), the arithmetic of loops and addresses, and choices between two values are not in
-/// them.
+/// *Guarantees*: neither the machine nor its vectors or threads change them. Work done once for an object or a picture
+/// (its matrices, its lamps), the arithmetic of loops and addresses, and choices between two values aren't in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions, subtractions, multiplications, divisions, roots and comparisons of floating-point numbers.
     pub float: u64,
-    /// The same of whole numbers.
+    /// The same for whole numbers.
     pub integer: u64,
     /// Accesses: numbers (a coordinate, an index, a depth, a colour, a texel) read from the arrays of scene, picture
     /// and texture, or written to them.
@@ -150,7 +149,7 @@ impl Operations {
     /// None at all.
     pub const NONE: Self = Self::new(0, 0, 0);
 
-    /// So many of each kind.
+    /// This number of each kind.
     pub const fn new(float: u64, integer: u64, memory: u64) -> Self {
         Self { float, integer, memory }
     }
@@ -161,7 +160,7 @@ impl Operations {
         Self::new(self.float + other.float, self.integer + other.integer, self.memory + other.memory)
     }
 
-    /// So many times.
+    /// Multiplied by a number.
     #[must_use]
     pub const fn times(self, n: u64) -> Self {
         Self::new(self.float * n, self.integer * n, self.memory * n)

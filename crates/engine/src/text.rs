@@ -1,4 +1,4 @@
-//! Labels in the bundled font: how much room they take, and their outlines as points and curves. Pixels and vector
+//! Labels in the bundled font: the room that they take, and their outlines as points and curves. Pixels and vector
 //! output are fed by the same functions, so both agree.
 
 use std::sync::LazyLock;
@@ -70,8 +70,8 @@ impl Face {
 }
 
 /// The font of a character, and the character that it has there. The bold and italic letters of Unicode's mathematics
-/// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, if these
-/// have it.
+/// are letters of other fonts. `mathematical` means that the rest of the text too is in the letters of mathematics, if
+/// these have it.
 pub fn face(c: char, mathematical: bool) -> (Face, char) {
     let letter = |from: u32, to: char| char::from_u32(u32::from(to) + (u32::from(c) - from)).unwrap_or(c);
     let italic = |letter| (if mathematical { Face::Italic } else { Face::Plain }, letter);
@@ -107,7 +107,7 @@ struct Font {
     x_height: f32,
 }
 
-/// `None` only if the bundled bytes were not a font. A test holds them to be one.
+/// `None` only if the bundled bytes aren't a font. A test checks that they are.
 static FONTS: LazyLock<[Option<Font>; 4]> = LazyLock::new(|| Face::ALL.map(|face| Font::of(face.bytes())));
 
 impl Font {
@@ -117,7 +117,7 @@ impl Font {
         let glyph_metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());
         let charmap = font.charmap();
         let em = f32::from(metrics.units_per_em);
-        // The font's table is too old to hold the height of x: the letter itself tells it.
+        // The font's table is too old to hold the height of x, so the letter itself tells it.
         let x_height = charmap.map('x').and_then(|x| glyph_metrics.bounds(x)).map_or(0.5 * em, |b| b.y_max);
         Some(Self {
             charmap,
@@ -136,7 +136,7 @@ pub struct Extent {
     pub width: f32,
     /// Height of its letters above the baseline.
     pub above: f32,
-    /// Depth of its letters below the baseline; 0 if they stand on it.
+    /// Depth of its letters below the baseline. 0 if they stand on it.
     pub below: f32,
 }
 
@@ -191,9 +191,9 @@ pub fn x_height(size: f32) -> f32 {
     Face::Plain.font().map_or(0.0, |font| font.x_height * size)
 }
 
-/// The outline of `text` at `size` (height of the em in pixels): filled by the non-zero rule it is the text. The origin
+/// The outline of `text` at `size` (height of the em in pixels). Filled by the non-zero rule it's the text. The origin
 /// is the left end of the baseline, y points down. `_c` and `_{abc}` are set as subscripts. A character that the font
-/// lacks becomes the font's box. Empty if there is nothing to fill (no text, blanks only, or a size that is not
+/// lacks becomes the font's box. Empty if there is nothing to fill (no text, blanks only, or a size that isn't
 /// positive).
 pub fn outline(text: &str, size: f32, mathematical: bool) -> Vec<Element> {
     let mut elements = Vec::new();
@@ -206,7 +206,7 @@ pub fn outline(text: &str, size: f32, mathematical: bool) -> Vec<Element> {
         let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
         let scale = placed.scale * size / font.units_per_em;
         let mut pen = Pen { elements: &mut elements, scale, x: placed.x * size, y: placed.y * size };
-        // A glyph that cannot be read leaves its place empty.
+        // A glyph that can't be read leaves its place empty.
         let _ = glyph.draw(settings, &mut pen);
     }
     elements
@@ -229,7 +229,7 @@ fn set(text: &str, mathematical: bool) -> (Vec<Placed>, f32) {
     (placed, x)
 }
 
-/// A text whose every `_` stands for itself: a name that a user gave, a key of a file.
+/// A text whose every `_` stands for itself, such as a user's name for an object or a key of a file.
 pub fn literal(text: &str) -> String {
     text.replace('_', "\\_")
 }
@@ -281,7 +281,7 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
     runs
 }
 
-/// An outline moved by so many pixels.
+/// An outline moved by some pixels.
 pub fn moved(outline: &[Element], by: [f32; 2]) -> Vec<Element> {
     let at = |p: [f32; 2]| [p[0] + by[0], p[1] + by[1]];
     let element = |element: &Element| match *element {
@@ -328,7 +328,7 @@ pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
     set
 }
 
-/// The number of a character's glyph in a font; 0 if the font lacks it.
+/// The number of a character's glyph in a font. 0 if the font lacks it.
 pub fn glyph(face: Face, c: char) -> u16 {
     let found = face.font().and_then(|font| font.charmap.map(c)).unwrap_or(GlyphId::NOTDEF);
     u16::try_from(found.to_u32()).unwrap_or_default()
@@ -416,8 +416,7 @@ mod tests {
             }
         }
         let read = |name: &str| std::fs::read(root.join("assets/fonts").join(name)).unwrap();
-        // Code and columns of numbers are written with few characters; those missing there are taken from the other
-        // font.
+        // Code and columns of numbers use few characters. Missing ones are taken from the other font.
         for (name, least) in [("DejaVuSans.ttf", 1200), ("DejaVuSansMono.ttf", 400)] {
             let (whole, page) = (read(name), read(&format!("page/{name}")));
             let page_font = FontRef::new(&page).unwrap();

@@ -14,7 +14,7 @@ pub struct Level {
 }
 
 impl Level {
-    /// The level that is half as wide and high; `None` if it is one texel.
+    /// The level that is half as wide and high. `None` if this one is one texel.
     pub(super) fn half(&self) -> Option<Self> {
         if self.width <= 1 && self.height <= 1 {
             return None;
@@ -113,7 +113,7 @@ fn encoded([r, g, b, alpha]: [f32; 4]) -> [u8; 4] {
     [channel(r), channel(g), channel(b), byte(alpha)]
 }
 
-/// sRGB → linear light, both 0 … 1 (IEC 61966-2-1); in double precision, so that every machine rounds to the same byte.
+/// sRGB → linear light, both 0 … 1 (IEC 61966-2-1), in double precision, so that every machine rounds to the same byte.
 fn decoded(v: f32) -> f32 {
     let v = f64::from(v);
     let light = if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };

@@ -1,15 +1,15 @@
 //! The levels of detail of a picture in one array, laid out for a filter that mixes four texels of two levels.
 //!
 //! Each texel stands beside the one below it, and behind the last of a row comes the first once more. The four texels
-//! around a point are sixteen bytes in a row of memory, wherever it lies. That is twice the memory of the picture, for
-//! a quarter of the places that are read.
+//! around a point are sixteen bytes in a row of memory, wherever it lies. That's twice the memory of the picture, for a
+//! quarter of the places that are read.
 
 use super::level::Level;
 
 /// The levels of detail of a picture, from the largest on.
 #[derive(Clone, Debug)]
 pub(crate) struct LevelPairs {
-    /// Of each level the place of its first pair, its width and its height in texels. The last stands here twice, so
+    /// For each level the place of its first pair, its width and its height in texels. The last stands here twice, so
     /// that each has one behind it.
     sizes: Vec<[i32; 4]>,
     /// A texel, as its bytes lie in memory, and the one below. Below the last row is the first.
@@ -40,7 +40,7 @@ impl LevelPairs {
         i32::try_from(self.sizes.len()).map_or(0, |n| n - 2)
     }
 
-    /// A level and the next smaller one: of each the place of its first pair, its width, its height, and nothing.
+    /// A level and the next smaller one. For each the place of its first pair, its width, its height, and nothing.
     #[inline(always)]
     pub(crate) fn sizes(&self, level: i32) -> &[[i32; 4]] {
         // A negative number becomes one that is far too large.

@@ -29,12 +29,12 @@ crate::worded! {
     /// The continuation of a picture beyond its border.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
     pub enum Wrap {
-        /// It is there again.
+        /// The picture repeats.
         #[default]
         Repeat = "repeat",
         /// Its border goes on.
         Clamp = "clamp",
-        /// It is there again, mirrored each time.
+        /// The picture repeats, mirrored each time.
         Mirror = "mirror",
     }
     /// Its name in a figure file.
@@ -101,16 +101,16 @@ impl Sampler {
 }
 
 impl Texture {
-    /// A picture without smaller levels. `rgba` has 4 bytes for each of `width` · `height` texels, premultiplied. What
-    /// is missing is clear, and a picture without texels has one.
+    /// A picture without smaller levels. `rgba` has 4 bytes for each of `width` · `height` texels, premultiplied.
+    /// Missing texels are clear, and a picture without texels has one.
     pub fn flat(width: u32, height: u32, mut rgba: Vec<u8>) -> Self {
         let (width, height) = (width.max(1), height.max(1));
         rgba.resize(4 * width as usize * height as usize, 0);
         Self::of_levels(vec![Level { width, height, rgba }])
     }
 
-    /// The same with all levels of detail: means over areas, in linear light, so that a level is as bright as the
-    /// picture.
+    /// The same with all levels of detail, which are means over areas in linear light, so that a level is as bright as
+    /// the picture.
     pub fn with_levels(self) -> Self {
         let mut levels = self.levels;
         levels.truncate(1);

@@ -66,7 +66,7 @@ impl CameraFrame {
     /// Derives the VRC.
     ///
     /// The components of C − PF are exact, and so is the sum of products VUP × (C − PF). Only its rounding to 106 bits,
-    /// the square root and the division are not. Nothing overflows or underflows on the way, as vectors are scaled by
+    /// the square root and the division aren't. Nothing overflows or underflows on the way, as vectors are scaled by
     /// powers of two first.
     pub(super) fn new(pose: &Pose) -> Result<Self, CameraError> {
         let overflow = CameraError::Overflow {
@@ -98,8 +98,8 @@ impl CameraFrame {
         Basis { u: self.u.value(), v: self.v.value(), n: self.n.value() }
     }
 
-    /// **n** · `offset`, zero if and only if the exact product is. (What lies below 2⁻⁹⁶ of its summands is zero too:
-    /// after operations, that is noise.)
+    /// **n** · `offset`, zero if and only if the exact product is. (A value below 2⁻⁹⁶ of its summands is zero too,
+    /// because after operations that's noise.)
     pub(super) fn along_normal(&self, offset: Dd3) -> Dd {
         let near_one = self.to_viewer.scaled(-self.to_viewer.exponent());
         let pairs = near_one.to_array().into_iter().zip(offset.to_array());
@@ -109,8 +109,8 @@ impl CameraFrame {
     }
 }
 
-/// VUP × (C − PF); `None` when the two are collinear: exactly, or so nearly that the rest of the product could come
-/// from rounding the components of both, as with VUP = 3 (PF − C), rounded.
+/// VUP × (C − PF). `None` if the two are collinear, exactly or so nearly that the rest of the product could come from
+/// rounding the components of both, as with VUP = 3 (PF − C), rounded.
 fn sideways(up: Dd3, to_viewer: Dd3) -> Option<Dd3> {
     let (up, w) = (up.to_array(), to_viewer.to_array());
     let component = |i: usize, j: usize| {

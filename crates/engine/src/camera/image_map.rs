@@ -1,8 +1,8 @@
 //! Window ↔ image, `[0]` Eqs. (5.22) and (5.23), and the viewport with its depth range, Eqs. (5.24) and (5.25).
 //!
-//! The notes write the maps for a symmetric window; with l, r, b, t they read i : m = (x_p − l) : W and j : n = (t −
+//! The notes write the maps for a symmetric window. With l, r, b, t they read i : m = (x_p − l) : W and j : n = (t −
 //! y_p) : H. The pixel (i, j) owns its left and its upper border. So the right and the lower border of the window
-//! belong to the pixels i = m and j = n, which lie outside the image: [`ImageSize::contains`] says so.
+//! belong to the pixels i = m and j = n, which lie outside the image (see [`ImageSize::contains`]).
 
 use glam::DVec2;
 
@@ -30,8 +30,8 @@ impl ImageSize {
         f64::from(self.width) / f64::from(self.height)
     }
 
-    /// Is (i, j), as (5.22) gives it, a pixel of the image? Not on the right and on the lower border, where i = m, j =
-    /// n.
+    /// True if (i, j), as (5.22) gives it, is a pixel of the image. False on the right and on the lower border, where i
+    /// = m, j = n.
     pub fn contains(self, pixel: DVec2) -> bool {
         pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < f64::from(self.width) && pixel.y < f64::from(self.height)
     }
@@ -87,7 +87,8 @@ impl Viewport {
         Self { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 }
     }
 
-    /// (X, Y, Z) of a point in NDC: (5.24) with X and Y floored, and (5.25). `noise`: of x and y, as parts of W and H.
+    /// (X, Y, Z) of a point in NDC: (5.24) with X and Y floored, and (5.25). `noise` is that of x and y, as parts of W
+    /// and H.
     pub(super) fn of_ndc(&self, [x, y, z]: [Dd; 3], noise: [f64; 2]) -> [f64; 3] {
         let along = |size: u32, start: i32, t: Dd, noise: f64| {
             let size = f64::from(size);
@@ -100,7 +101,7 @@ impl Viewport {
 }
 
 impl Camera {
-    /// (5.22): the pixel of a window point. `noise`: of x and y, as parts of W and H.
+    /// (5.22): the pixel of a window point. `noise` is that of x and y, as parts of W and H.
     pub(super) fn pixel_of_window(&self, image: ImageSize, [x, y]: [Dd; 2], noise: [f64; 2]) -> [f64; 2] {
         let w = &self.wide_window;
         let (m, n) = (f64::from(image.width), f64::from(image.height));
@@ -128,13 +129,13 @@ mod tests {
         let window = ViewWindow { left: 0.0, right: 1.0, bottom: 0.0, top: 1.0 };
         let camera = Camera::new(&Parameters { window: Some(window), ..Parameters::default() }).unwrap();
         let image = ImageSize { width: 100, height: 50 };
-        // Of W and H: 1e-7 of a pixel across, 5e-8 down.
+        // Parts of W and H: 1e-7 of a pixel across, 5e-8 down.
         let noise = [1e-9, 1e-9];
         let pixel = |x: f64, y: f64| camera.pixel_of_window(image, [x, y].map(Dd::new), noise);
         assert_eq!(pixel(0.3 - 5e-10, 0.4 + 5e-10), [30.0, 30.0], "within the noise: on the border");
         assert_eq!(pixel(0.3 - 2e-9, 0.4 + 2e-9), [29.0, 29.0], "beyond it: the pixel before");
         assert_eq!(pixel(0.3 + 2e-9, 0.4 - 2e-9), [30.0, 30.0]);
-        // A bound of one direction does not hold for the other.
+        // A bound of one direction doesn't hold for the other.
         let across = camera.pixel_of_window(image, [0.3 - 5e-10, 0.4 + 5e-10].map(Dd::new), [1e-9, 0.0]);
         assert_eq!(across, [30.0, 29.0]);
     }

@@ -39,7 +39,7 @@ impl Default for Sensor {
 }
 
 impl Sensor {
-    /// The length that spans a side of an image with this aspect, and whether that side is the width.
+    /// The length that spans a side of an image with this aspect, and true if that side is the width.
     fn spanned(self, aspect: f64) -> (f64, bool) {
         match self.fit {
             SensorFit::Horizontal => (self.width, true),
@@ -103,7 +103,7 @@ pub struct LensNumbers {
 }
 
 impl Camera {
-    /// The lens in other words. `None` in parallel projection: parallel projectors span no angle.
+    /// The lens in other words. `None` in parallel projection, because parallel projectors span no angle.
     pub fn lens_numbers(&self, image: ImageSize) -> Option<LensNumbers> {
         if self.projection() == Projection::Parallel {
             return None;
@@ -130,8 +130,8 @@ impl Camera {
         (Dd::new(side) * Dd::new(self.near()) / spanned).value()
     }
 
-    /// The lens shift: the middle of the window, to the right and up, as shares of the side that the sensor spans. So
-    /// counts Blender, in both projections.
+    /// The lens shift: the middle of the window, to the right and up, as shares of the side that the sensor spans.
+    /// Blender counts it this way, in both projections.
     pub fn lens_shift(&self, sensor: Sensor) -> [f64; 2] {
         let (_, spanned) = self.spanned(sensor);
         let WideWindow { left, right, bottom, top } = self.wide_window;
@@ -154,7 +154,7 @@ impl Camera {
         (side, if is_width { self.wide_window.width() } else { self.wide_window.height() })
     }
 
-    /// W × H of the view at a distance from C: in perspective they grow with it.
+    /// W × H of the view at a distance from C, with which they grow in perspective.
     pub fn view_size_at(&self, distance: f64) -> [f64; 2] {
         let scale = match self.projection() {
             Projection::Perspective => Dd::new(distance) / Dd::new(self.near()),

@@ -1,7 +1,7 @@
 //! The camera of the notes `[0]`: pure values in `f64`.
 //!
-//! [`Parameters`] may be nonsense. A [`Camera`] is not: it is made by [`Camera::new`] or by an [`Operation`], and never
-//! changed. A point goes through these spaces, and [`Camera::stations`] shows them all:
+//! [`Parameters`] may be nonsense. A [`Camera`] isn't, because it's made by [`Camera::new`] or by an [`Operation`] and
+//! never changed. A point goes through these spaces, and [`Camera::stations`] shows them all:
 //!
 //! | space | unit | axes | reached by |
 //! | --- | --- | --- | --- |
@@ -13,9 +13,9 @@
 //! | image | pixels | (0, 0) is the top left corner, y down | [`ImageSize::image_from_window`] (5.22) |
 //! | viewport | pixels, depth | (0, 0) is the bottom left corner, y up | (5.24), (5.25) |
 //!
-//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit even
-//! where the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its
-//! function and its test.
+//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit even if
+//! the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its function and
+//! its test.
 
 mod basis;
 mod check;
@@ -83,8 +83,8 @@ impl Camera {
     /// Checks the parameters and derives basis and window.
     ///
     /// *Guarantees*: D, basis, window, matrices and corners are finite, and rounded from a computation in twice the
-    /// precision of `f64`. VUP and DOP are collinear when they are so exactly, or when the rest of their cross
-    /// product could come from rounding their components. An angle of 1e-10 rad between them is none of both.
+    /// precision of `f64`. VUP and DOP are collinear if they are so exactly, or if the rest of their cross product
+    /// could come from rounding their components. An angle of 1e-10 rad between them is neither.
     ///
     /// ```
     /// use camera_lab_engine::camera::{Camera, Parameters};
@@ -109,7 +109,7 @@ impl Camera {
         Self::finish(p, pose, frame, WideWindow::new(&p))
     }
 
-    /// The result of an operation: what remains after rounding must be a camera too.
+    /// The result of an operation, which must be a camera after rounding too.
     fn derive(
         parameters: Parameters,
         pose: Pose,
@@ -133,7 +133,7 @@ impl Camera {
         Ok(camera)
     }
 
-    /// Everything that can be derived must be a finite number, and the window must have a size.
+    /// All derived numbers must be finite, and the window must have a size.
     fn check_finite(&self) -> Result<(), CameraError> {
         use ParameterKey as Key;
         const VIEW: &[Key] = &[Key::Position];
@@ -182,11 +182,11 @@ impl Camera {
         &self.parameters
     }
 
-    /// The camera of its parameters alone, as a file can hold them: without the rest beyond their `f64`s, which
+    /// The camera of its parameters alone, as a file can hold them, without the rest beyond their `f64`s, which
     /// operations retain.
     #[must_use]
     pub fn rounded(&self) -> Self {
-        // No operation gives parameters that are not a camera.
+        // No operation gives parameters that aren't a camera.
         Self::new(&self.parameters).unwrap_or_else(|_| self.clone())
     }
 
@@ -251,7 +251,7 @@ impl Camera {
         self.wide_window.value()
     }
 
-    /// W, rounded once: [`ViewWindow::width`] of the rounded sides may differ in the last digit.
+    /// W, rounded once. [`ViewWindow::width`] of the rounded sides may differ in the last digit.
     pub fn window_width(&self) -> f64 {
         self.wide_window.width().value()
     }
@@ -272,9 +272,9 @@ impl Camera {
         left == -right && bottom == -top
     }
 
-    /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), when the window is symmetric.
+    /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), if the window is symmetric.
     pub fn view_angle(&self) -> Angle {
-        // In parallel projection F may be 0 or behind C; the angle is then that at its distance.
+        // F may be 0 or behind C in parallel projection. The angle is then that at its distance.
         Angle::from_degrees(self.wide_window.vertical_angle(self.near().abs().max(f64::MIN_POSITIVE)))
     }
 }

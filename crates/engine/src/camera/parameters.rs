@@ -1,4 +1,4 @@
-//! The camera parameters of a figure file or a slider, and the reasons why they may not be a camera.
+//! The camera parameters of a figure file or a slider, and the reasons why they may not make a camera.
 
 use std::fmt;
 
@@ -94,7 +94,7 @@ impl Default for Parameters {
 }
 
 crate::listed! {
-    /// A parameter of a camera, or what belongs together of the view window.
+    /// A parameter of a camera, or the sides of the view window together.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum ParameterKey {
         /// C
@@ -250,7 +250,7 @@ pub(super) fn check_range(key: Checked, value: f64, allowed: Range) -> Result<()
     if allowed.contains(value) { Ok(()) } else { Err(CameraError::OutOfRange { key, value, allowed }) }
 }
 
-/// Whether a value asks for a volume without a back plane, which a convention of NDC can have.
+/// True if a value asks for a volume without a back plane, which a convention of NDC can have.
 pub fn is_infinite_far(key: Checked, value: f64) -> bool {
     key == Checked::Parameter(ParameterKey::Far) && value == f64::INFINITY
 }
@@ -267,7 +267,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Is `value` allowed? Never for NaN and infinities.
+    /// True if `value` is allowed. False for NaN and infinities.
     pub fn contains(self, value: f64) -> bool {
         value.is_finite()
             && match self {
@@ -288,7 +288,7 @@ impl fmt::Display for Range {
     }
 }
 
-/// A number that the model computes from the parameters, and that `f64` may not be able to hold.
+/// A number that the model computes from the parameters and that may not fit in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Derived {
     /// D.
@@ -318,7 +318,7 @@ impl fmt::Display for Derived {
     }
 }
 
-/// Why parameters are not a camera.
+/// The reason why parameters aren't a camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
     /// C = PF.
@@ -366,7 +366,7 @@ pub enum CameraError {
         /// t.
         top: f64,
     },
-    /// The parameters are possible one by one, but a quantity derived from them is not a finite `f64`.
+    /// The parameters are possible one by one, but a quantity derived from them isn't a finite `f64`.
     #[error(
         "{quantity} would exceed the range of numbers (about 1e-308 to 1e308); it follows from {}",
         ParameterKey::list(keys)

@@ -1,4 +1,4 @@
-//! Coordinates of one space → the point of the world that has them.
+//! Coordinates of one space → the world point with these coordinates.
 
 use glam::{DVec2, DVec3};
 
@@ -26,7 +26,7 @@ impl ClipSpace<'_> {
     /// # Errors
     /// [`NotProjectable`]: no point has these coordinates.
     ///
-    /// In perspective, NDC distinguish the sides of the eye: behind it, and only there, `z_n` is beyond its limit at
+    /// NDC distinguish the sides of the eye in perspective: behind it, and only there, `z_n` is beyond its limit at
     /// infinity. So the NDC that the division gives to a point behind the eye lead back to it. Only those of its plane,
     /// and of infinity, have no point.
     pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NotProjectable> {

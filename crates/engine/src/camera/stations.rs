@@ -64,8 +64,8 @@ impl Camera {
         self.notes_clip_space().stations(p_world, image, viewport)
     }
 
-    /// (x_n, y_n) of a point of an object with this model matrix, computed in double-double and rounded at the end;
-    /// `None` if it is not before the eye.
+    /// (x_n, y_n) of a point of an object with this model matrix, computed in double-double and rounded at the end.
+    /// `None` if it isn't before the eye.
     pub(crate) fn exact_ndc(&self, world_from_object: &DMat4, p_object: DVec3) -> Option<DVec2> {
         let column = |k: usize, factor: f64| Dd3::from(world_from_object.col(k).truncate()) * Dd::new(factor);
         let world = column(0, p_object.x) + column(1, p_object.y) + column(2, p_object.z) + column(3, 1.0);
@@ -75,7 +75,7 @@ impl Camera {
         (w.value() > 0.0).then(|| DVec2::new((x / w).value(), (y / w).value()))
     }
 
-    /// The rest of C after rounding. If C is the result of operations, it is [`position`](Self::position) and this.
+    /// The rest of C after rounding. If C is the result of operations, it's [`position`](Self::position) and this.
     pub(crate) fn position_rest(&self) -> DVec3 {
         self.pose.position_rest()
     }
@@ -121,8 +121,7 @@ impl Camera {
     }
 }
 
-/// p − `origin`, and the size of its terms in each coordinate in which `origin` is the result of operations, and not
-/// exact.
+/// p − `origin`, and the size of its terms in each coordinate in which `origin` is the inexact result of operations.
 fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
     let is_rounded = origin.to_array().map(|x| x.parts()[1] != 0.0);
     let sizes = (p_world.abs() + origin.value().abs()).to_array();
@@ -131,7 +130,7 @@ fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
 }
 
 impl ClipSpace<'_> {
-    /// A world point in every space. Clip coordinates, NDC and `inside` are those of the convention, all others do not
+    /// A world point in every space. Clip coordinates, NDC and `inside` are those of the convention. The others don't
     /// depend on it.
     ///
     /// *Guarantees*: those of [`Camera::stations`].

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{Camera, CameraError, Parameters, ViewWindow};
 
-/// How the two cameras of a stereo pair meet.
+/// The way in which the two cameras of a stereo pair meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Convergence {
     /// The axes are parallel, and the windows are shifted towards each other, so that they coincide at distance D. A

@@ -25,7 +25,7 @@ pub struct Unprojected {
     pub world: DVec3,
 }
 
-/// Why a depth belongs to no point.
+/// The reason why a depth belongs to no point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NotProjectable {
     /// glDepthRange(n, n).
@@ -34,7 +34,7 @@ pub enum NotProjectable {
         /// n = f
         depth: f64,
     },
-    /// In perspective Z reaches a limit at infinity.
+    /// Z reaches a limit at infinity in perspective.
     #[error(
         "depth {depth}: no point of the world is that far; from the front plane to infinity, depths go from {near} towards {infinity}"
     )]
@@ -46,7 +46,7 @@ pub enum NotProjectable {
         /// Z at infinity
         infinity: f64,
     },
-    /// In perspective every line of sight goes through C: points in its plane have no place on the window.
+    /// Every line of sight goes through C in perspective, so points in its plane have no place on the window.
     #[error("distance 0: in the plane of the eye no point has an image; allowed: any other distance, such as F")]
     InPlaneOfEye,
     /// A coordinate exceeds the range of `f64`.

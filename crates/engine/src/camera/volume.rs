@@ -33,7 +33,7 @@ impl Camera {
         let w = &self.wide_window;
         let (near, far) = (Dd::new(self.near()), Dd::new(self.far()));
         let (one, zero) = (Dd::ONE, Dd::ZERO);
-        // In the VRC: normal (not yet of unit length) and offset.
+        // Normal (not yet of unit length) and offset in the VRC.
         let planes = match self.projection() {
             Projection::Perspective => [
                 (Dd3::new(near, zero, w.left), zero),

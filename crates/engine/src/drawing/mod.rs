@@ -1,4 +1,4 @@
-//! The display list: the contents of a picture, in pixels with depth. All that outputs know.
+//! The display list: the contents of a picture, in pixels with depth. Outputs know nothing else.
 //!
 //! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
 //! (i + ½, j + ½). Depth: **1 at the front plane, 0 at the back plane** (reversed, so that `f32` keeps its resolution
@@ -153,15 +153,15 @@ pub enum Anchor {
 /// A text. `_c` in the text lowers one character, `_{prp}` several (subscripts).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The name by which an author changes it: the same in every language, even if the text says another number.
+    /// The name by which an author changes it. It's the same in every language, even if the text says another number.
     pub name: String,
     /// x, y in pixels (before `offset`) and depth.
     pub position: [f32; 3],
     /// Moves the text, in pixels.
     pub offset: [f32; 2],
-    /// Letters on one line; `_` and `{}` lower what follows.
+    /// Letters on one line. `_` and `{}` lower the following letters.
     pub text: String,
-    /// In the letters of mathematics, if these have them.
+    /// Set in the letters of mathematics, if these have them.
     pub mathematical: bool,
     /// Height of the type in pixels.
     pub size: f32,

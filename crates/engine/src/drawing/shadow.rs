@@ -21,7 +21,7 @@ pub struct Shadow {
     pub taken: BlockedLight,
 }
 
-/// The light that a shadow takes away: that of one lamp.
+/// The light of one lamp, which a shadow takes away.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BlockedLight {
     /// From each triangle, of its light by [`SurfaceLight::Faces`](super::SurfaceLight::Faces).
@@ -32,19 +32,18 @@ pub enum BlockedLight {
     Light(usize),
 }
 
-/// The view of a light: the depths of all that casts shadows, of which a rasterizer makes them. Pictures of one scene
-/// share it.
+/// The view of a light: the depths of all occluders, which a rasterizer makes. Pictures of one scene share it.
 #[derive(Debug)]
 pub struct ShadowMap {
     /// Side of each view, texels.
     pub size: u32,
-    /// How its rays go.
+    /// The way of its rays.
     pub rays: Rays,
     /// Width of the soft edge, texels.
     pub softness: f32,
-    /// A hash of the light and of all that casts shadows.
+    /// A hash of the light and of all occluders.
     recipe: u64,
-    /// The drawings that are still to be painted, each of the whole scene; `None` once they are.
+    /// The drawings that are still to be painted, each of the whole scene. `None` once they are.
     views: Mutex<Option<Arc<Vec<Drawing>>>>,
     /// The depths, row by row; −∞ where the light sees nothing.
     depths: OnceLock<Vec<Vec<f32>>>,
@@ -62,7 +61,7 @@ pub enum Rays {
     /// A place is the vector from the lamp, in units of the farthest distance. A plane the vector **q** with
     /// **q** · p = 1 at each of its points.
     FromLamp {
-        /// Of each view the unit vectors to the right, up, and forwards.
+        /// The unit vectors of each view to the right, up, and forwards.
         axes: Box<[[[f32; 3]; 3]; 6]>,
         /// Half of the width of a view at the distance 1: a little more than 1, so that views overlap.
         reach: f32,
@@ -72,13 +71,14 @@ pub enum Rays {
 }
 
 impl ShadowMap {
-    /// A map that is still to be painted. `views`: one for parallel light, six around a lamp; square, without light,
-    /// one sample in each pixel. A pixel is a texel. `recipe`: a hash of the light and of all that casts shadows.
+    /// A map that is still to be painted. `views` has one drawing for parallel light, six around a lamp. They are
+    /// square, without light, with one sample in each pixel. A pixel is a texel. `recipe` is a hash of the light and of
+    /// all occluders.
     pub fn new(views: Vec<Drawing>, size: u32, rays: Rays, softness: f32, recipe: u64) -> Self {
         Self { size, rays, softness, recipe, views: Mutex::new(Some(Arc::new(views))), depths: OnceLock::new() }
     }
 
-    /// The depths of each view, row by row; `None` until they are painted. Those of an empty view are none.
+    /// The depths of each view, row by row. `None` until they are painted. An empty view has no depths.
     pub fn depths(&self) -> Option<&[Vec<f32>]> {
         self.depths.get().map(Vec::as_slice)
     }
@@ -90,13 +90,13 @@ impl ShadowMap {
 
     /// Keeps the depths that were painted, and drops the views. The first depths stay.
     pub fn keep(&self, depths: Vec<Vec<f32>>) {
-        // Two pictures may have painted it at the same time: both have the same.
+        // Two pictures may have painted it at the same time, with the same result.
         let _ = self.depths.set(depths);
         self.views.lock().unwrap_or_else(PoisonError::into_inner).take();
     }
 }
 
-/// Equal recipes: views and depths are too large to be compared.
+/// True for equal recipes, because views and depths are too large to be compared.
 impl PartialEq for ShadowMap {
     fn eq(&self, other: &Self) -> bool {
         let numbers = |map: &Self| (map.recipe, map.size, map.softness);
@@ -116,7 +116,7 @@ impl Shadow {
         Self { map: Arc::clone(&self.map), bias: self.bias, places: Vec::new(), planes: Vec::new(), taken }
     }
 
-    /// Keeps only what belongs to the first triangles.
+    /// Keeps only the data of the first triangles.
     pub(super) fn truncate(&mut self, count: usize) {
         self.planes.truncate(count);
         if let BlockedLight::Faces(shares) = &mut self.taken {

@@ -1,9 +1,9 @@
 //! Surfaces of the display list: triangles, their base colours, and the light on these.
 //!
-//! A [`Base`] and a [`SurfaceLight`] are independent, and any two go together. What the rest of the program asks of
-//! either is answered here, so that a new base or a new light is an arm in each method of [`Surface`], in the one
-//! function of the pipeline that makes it (`pipeline/stage/light.rs`), in `pipeline/mesh/resample.rs`, which cuts it,
-//! and in `raster/surfaces/per_pixel.rs`, which paints it.
+//! A [`Base`] and a [`SurfaceLight`] are independent, and any two go together. The questions that the rest of the
+//! program has about either are answered here, so that a new base or a new light is an arm in each method of
+//! [`Surface`], in the one function of the pipeline that makes it (`pipeline/stage/light.rs`), in
+//! `pipeline/mesh/resample.rs`, which cuts it, and in `raster/surfaces/per_pixel.rs`, which paints it.
 
 use std::sync::Arc;
 
@@ -24,9 +24,9 @@ pub struct Surface {
     pub base: Base,
     /// The light on them.
     pub light: SurfaceLight,
-    /// The light that shadows take away, one for each light that casts any: then it is not in the base colours.
+    /// The light that shadows take away, one for each light that casts any. It isn't in the base colours then.
     pub shadows: Vec<Shadow>,
-    /// Drawn after all that is opaque, from back to front, with the alpha of its colours.
+    /// Drawn after all opaque surfaces, from back to front, with the alpha of its colours.
     pub translucent: bool,
     /// False: no depth test and no depth written (the plan has shown that no test can change the picture).
     pub depth_test: bool,
@@ -95,20 +95,20 @@ pub struct Lighting {
     pub distant_viewer: bool,
     /// Light both sides of a face.
     pub two_sided: bool,
-    /// In view space, in the order of the scene.
+    /// The lights in view space, in the order of the scene.
     pub lights: Vec<ViewLight>,
 }
 
 /// One light, in view space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewLight {
-    /// Its position; of a distant light, the unit vector **towards** it.
+    /// Its position or, for a distant light, the unit vector **towards** it.
     pub vector: [f32; 3],
     /// True if the light is at infinity (parallel light).
     pub distant: bool,
 }
 
-/// The least opacity of a tint: a third. What is fainter, such as the faces of a view volume, dims no strokes.
+/// The least opacity of a tint: a third. Fainter surfaces, such as the faces of a view volume, dim no strokes.
 const TINT: u8 = 85;
 
 impl Surface {
@@ -140,7 +140,7 @@ impl Surface {
         matches!(self.base, Base::Texture { .. })
     }
 
-    /// The base colour of a triangle; `None` if the list has none, or if it varies over the triangle.
+    /// The base colour of a triangle. `None` if the list has none, or if it varies over the triangle.
     #[inline]
     pub fn face_color(&self, triangle: usize) -> Option<Rgba> {
         match &self.base {
@@ -170,8 +170,8 @@ impl Surface {
         }
     }
 
-    /// Its tints: translucent triangles of some strength, which dim the strokes and marks behind them. Pictures are
-    /// none: many are clear in places.
+    /// Its tints: translucent triangles of some strength, which dim the strokes and marks behind them. Pictures don't
+    /// count, because many are clear in places.
     pub fn tints(&self) -> impl Iterator<Item = [u32; 3]> {
         let may_dim = self.translucent && !self.is_textured();
         let tints = move |triangle: usize| may_dim && self.alpha_of(triangle).is_some_and(|alpha| alpha >= TINT);

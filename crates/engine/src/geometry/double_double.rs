@@ -108,7 +108,7 @@ impl Dd {
         Self { hi: scale(self.hi, k), lo: scale(self.lo, k) }
     }
 
-    /// The square root of a number that is not negative.
+    /// The square root of a number that isn't negative.
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
@@ -129,8 +129,8 @@ impl Dd {
         (self + other).without_noise(self.hi.abs() + other.hi.abs())
     }
 
-    /// The greatest whole number that is not above it. What lies within `noise` (at most 2⁻²⁰) of a whole number is
-    /// that number.
+    /// The greatest whole number that isn't above it. A value within `noise` (at most 2⁻²⁰) of a whole number is that
+    /// number.
     pub fn floor(self, noise: f64) -> f64 {
         let nearest = self.hi.round();
         let off = (self - Self::new(nearest)).hi;

@@ -24,12 +24,12 @@ impl Angle {
         Self { degrees: radians.to_degrees() }
     }
 
-    /// In degrees.
+    /// The angle in degrees.
     pub const fn degrees(self) -> f64 {
         self.degrees
     }
 
-    /// In radians.
+    /// The angle in radians.
     pub fn radians(self) -> f64 {
         self.degrees.to_radians()
     }
@@ -37,7 +37,8 @@ impl Angle {
     /// Sine and cosine.
     ///
     /// *Guarantees*: both are the `f64` nearest to the true value (but for ties too close to call). The angle is
-    /// reduced in degrees, exactly: multiples of 30°, 45° and 90° give what they should, and whole turns change no bit.
+    /// reduced in degrees, exactly, so multiples of 30°, 45° and 90° give the exact values, and whole turns change no
+    /// bit.
     pub fn sin_cos(self) -> (f64, f64) {
         let (sine, cosine) = double_double::sin_cos_degrees(self.degrees);
         (sine.value(), cosine.value())

@@ -1,7 +1,7 @@
 //! A tree of boxes over triangles, in `f64`, for rays: the reference for quicker methods.
 //!
-//! Nothing is rounded to single precision and no triangle is left out: a ray meets the same as if all triangles are
-//! tried one by one.
+//! Nothing is rounded to single precision and no triangle is left out, so a ray meets the same one as if all triangles
+//! were tried one by one.
 
 use std::ops::Range;
 
@@ -41,7 +41,7 @@ pub struct TriangleHit {
 }
 
 impl TriangleTree {
-    /// Puts triangles into a tree. Those that are not finite are met by no ray.
+    /// Puts triangles into a tree. Rays meet only finite ones.
     pub fn new(triangles: Vec<[DVec3; 3]>) -> Self {
         let indices = 0..u32::try_from(triangles.len()).unwrap_or(u32::MAX);
         let order: Vec<u32> = indices
@@ -79,8 +79,8 @@ impl TriangleTree {
         self.split(range.start + half..range.end);
     }
 
-    /// The first triangle that a ray meets within a range of t, of those that are `wanted`: told by their index, and
-    /// whether the ray comes from the side from which their corners run counter-clockwise.
+    /// The first `wanted` triangle that a ray meets within a range of t. `wanted` takes its index, and true if the ray
+    /// comes from the side from which its corners run counter-clockwise.
     pub fn first_hit(
         &self,
         origin: DVec3,
@@ -91,8 +91,7 @@ impl TriangleTree {
         self.hit(origin, ray, within, wanted, false)
     }
 
-    /// Whether a ray meets any triangle within a range of t, of those that are `wanted`, as in
-    /// [`first_hit`](Self::first_hit).
+    /// True if a ray meets any `wanted` triangle within a range of t, as in [`first_hit`](Self::first_hit).
     pub fn is_hit(&self, origin: DVec3, ray: DVec3, within: Range<f64>, wanted: impl Fn(usize, bool) -> bool) -> bool {
         self.hit(origin, ray, within, wanted, true).is_some()
     }
@@ -133,14 +132,14 @@ impl TriangleTree {
     }
 }
 
-/// Whether a ray may touch a box. The box is a little larger, for the roundings here and in [`ray_meets_triangle`].
+/// True if a ray may touch a box. The box is a little larger, for the roundings here and in [`ray_meets_triangle`].
 fn touches(aabb: &Aabb, origin: DVec3, inverse: DVec3, within: Range<f64>) -> bool {
     let room = 1e-12 * (aabb.min.abs().max(aabb.max.abs()) + origin.abs());
     let (mut from, mut to) = (within.start, within.end);
     for axis in 0..3 {
         let [a, b] = [aabb.min[axis] - room[axis], aabb.max[axis] + room[axis]].map(|side| side - origin[axis]);
         if inverse[axis].is_infinite() {
-            // Along the sides: within them or not.
+            // The ray runs along these sides, within them or not.
             if a > 0.0 || b < 0.0 {
                 return false;
             }
@@ -153,8 +152,8 @@ fn touches(aabb: &Aabb, origin: DVec3, inverse: DVec3, within: Range<f64>) -> bo
     from <= to + tolerance
 }
 
-/// The place where a ray meets a triangle, and whether it comes from the side from which the corners run
-/// counter-clockwise; Möller and Trumbore (1997).
+/// The place where a ray meets a triangle, and true if it comes from the side from which the corners run
+/// counter-clockwise. Möller and Trumbore (1997).
 pub fn ray_meets_triangle(origin: DVec3, ray: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, bool)> {
     let (ab, ac) = (b - a, c - a);
     let p = ray.cross(ac);

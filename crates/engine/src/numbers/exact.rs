@@ -5,7 +5,7 @@
 pub struct ExactForm {
     /// p. Carries the sign.
     pub numerator: i64,
-    /// b, free of squares; 1 if there is no root.
+    /// b, free of squares. 1 if there is no root.
     pub root: i64,
     /// q
     pub denominator: i64,
@@ -16,7 +16,7 @@ pub struct ExactForm {
 /// Greater numerators and denominators are harder to read than decimals.
 const MOST: i64 = 999;
 
-/// The form of a number that is a fraction or the root of one to the last digits of an `f64`; `None` for all others,
+/// The form of a number that is a fraction or the root of one to the last digits of an `f64`. `None` for all others,
 /// and for numbers that read as well without one: whole numbers, and decimals of three digits at most.
 pub fn exact_form(value: f64) -> Option<ExactForm> {
     let size = value.abs();
@@ -92,7 +92,7 @@ impl ExactForm {
         self.written("−", |n| format!("√{n}"), |above, below| format!("{above}/{below}"))
     }
 
-    /// In LaTeX: `-\frac{3\sqrt{38}}{19}`.
+    /// The LaTeX form: `-\frac{3\sqrt{38}}{19}`.
     pub fn latex(self) -> String {
         self.written("-", |n| format!(r"\sqrt{{{n}}}"), |above, below| format!(r"\frac{{{above}}}{{{below}}}"))
     }

@@ -1,5 +1,5 @@
-//! Numbers that look random and are the same everywhere and for ever for the same seed, as the errors of a study and
-//! the numbers of an exercise have to be.
+//! Numbers that look random but are the same everywhere and for ever for the same seed, as a study's errors and an
+//! exercise's numbers have to be.
 
 use glam::DVec3;
 
@@ -8,7 +8,7 @@ use glam::DVec3;
 pub struct Random(u64);
 
 impl Random {
-    /// The sequence of a seed; `stream` tells sequences of the same seed apart.
+    /// The sequence of a seed. `stream` tells sequences of the same seed apart.
     pub const fn new(seed: u64, stream: u64) -> Self {
         Self(seed ^ stream.wrapping_mul(0xd134_2543_de82_ef95))
     }
@@ -22,12 +22,12 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// A number in [0, 1).
     pub const fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// In [low, high).
+    /// A number in [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
@@ -38,7 +38,7 @@ impl Random {
         low.wrapping_add_unsigned(self.bits() % count)
     }
 
-    /// One of a list that is not empty.
+    /// One of a list that isn't empty.
     pub fn one_of<T: Copy>(&mut self, of: &[T]) -> T {
         #[expect(clippy::cast_possible_truncation, reason = "less than the length of a list")]
         let index = (self.bits() % of.len().max(1) as u64) as usize;

@@ -6,13 +6,13 @@ use crate::sanitize::escaped;
 /// An exceeded budget.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OverBudget {
-    /// Faces that cross one another make too many pieces. Nothing was put in order, and a depth buffer has to decide.
+    /// Faces that cross one another make too many pieces. They weren't sorted, and a depth buffer has to decide.
     #[error(
         "the faces of {} cross too often to be split (more than {MAX_PIECES} pieces), and the depth buffer decides; allowed: fewer faces, or visibility = \"depth-buffer\"",
         names(objects, "and others")
     )]
     Pieces {
-        /// The objects whose faces they are, the one with most of them first.
+        /// The objects with these faces, the one with most of them first.
         objects: Vec<String>,
     },
     /// Strokes meet too many faces or one another too often. Their visible parts and their order were not found.
@@ -67,8 +67,8 @@ impl OverBudget {
         (!vertices.is_empty()).then_some(Self::Rounding { vertices })
     }
 
-    /// Names no others than those that `is_known`. A picture has objects of its own besides the scene's. `None` if
-    /// that leaves nothing.
+    /// Keeps only the names that `is_known`, because a picture has objects of its own besides the scene's. `None` if no
+    /// name is left.
     pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {
         match self {
             Self::Pieces { mut objects } => {
@@ -84,7 +84,7 @@ impl OverBudget {
     }
 }
 
-/// More objects than these are not named.
+/// The most objects that are named.
 const MOST_NAMES: usize = 3;
 
 /// The names of a few objects, in quotes; `rest` replaces the others.

@@ -69,7 +69,7 @@ use stage::reflection::Lights;
 pub use stage::shadow_maps::{ShadowMaps, light_cameras};
 use stage::traverse::traverse;
 
-/// The picture to make. Its size in pixels, and how large a stroke's or letter's unit is.
+/// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
     /// Pixels.
@@ -82,7 +82,7 @@ pub struct Target {
     pub background: Rgba,
 }
 
-/// Draws `scene` as `camera` sees it. The view window fills the whole target: without distortion only if the target has
+/// Draws `scene` as `camera` sees it. The view window fills the whole target, without distortion only if the target has
 /// the window's aspect.
 pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
@@ -135,7 +135,7 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        // What may be in view, how its depths are stored, and which stages that takes.
+        // The objects that may be in view, how their depths are stored, and which stages are needed.
         let extents = cull_objects(scenes, &projector, &mut self.bounds);
         let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {

@@ -15,7 +15,7 @@ use crate::pipeline::stage::shadow_maps::ShadowLight;
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::Object;
 
-/// All that objects of a picture have in common.
+/// The data that all objects of a picture share.
 #[derive(Clone, Copy)]
 pub(crate) struct PassContext<'a> {
     pub(crate) plan: &'a Plan,
@@ -102,7 +102,7 @@ impl<'a> ObjectPass<'a> {
         object_lines(strokes, self.object, &self.vertices(), self.context.style)
     }
 
-    /// How its back faces were treated.
+    /// The treatment of its back faces.
     pub(crate) fn back_faces(&self, faces: &Faces) -> FacesDone {
         match self.culls_back(faces) {
             true => FacesDone::BackDropped,
@@ -121,7 +121,7 @@ impl<'a> ObjectPass<'a> {
         self.plan.cull_back && !self.object.shows_both_sides(faces.cut_open())
     }
 
-    /// True if each remaining face must know which triangle of the mesh it was.
+    /// True if each remaining face must know its triangle of the mesh.
     fn wants_source(&self) -> bool {
         self.plan.colors_faces(self.object) || self.context.options.followed.is_some()
     }

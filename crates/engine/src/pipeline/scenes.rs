@@ -30,7 +30,7 @@ impl<'a> Scenes<'a> {
     }
 
     /// Draws edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their styles say,
-    /// so that a scene that is small in the picture is not lost in its own strokes.
+    /// so that a scene that is small in the picture isn't lost in its own strokes.
     #[must_use]
     pub fn with_fineness(self, fineness: f32) -> Self {
         Self { fineness, ..self }
@@ -48,12 +48,12 @@ impl<'a> Scenes<'a> {
         self.occluders.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// True if a light casts a shadow of anything.
+    /// True if any light casts a shadow.
     pub(crate) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.occluders().next().is_some()
     }
 
-    /// Switches all lights off: everything shows its own colours.
+    /// Switches all lights off, so that everything shows its own colours.
     #[must_use]
     pub fn without_lights(self) -> Self {
         Self { lights: &[], ..self }
@@ -73,7 +73,7 @@ impl<'a> Scenes<'a> {
         self.scene.lines.iter().chain(&self.gear.lines)
     }
 
-    /// Number of [`Self::lines`] that are of the scene. They come first.
+    /// Number of [`Self::lines`] that belong to the scene. They come first.
     pub(crate) fn own_line_count(self) -> usize {
         self.scene.lines.len()
     }
@@ -86,12 +86,12 @@ impl<'a> Scenes<'a> {
         self.scene.texts.iter().chain(&self.gear.texts)
     }
 
-    /// How many objects there are.
+    /// The number of objects.
     pub(crate) fn object_count(self) -> usize {
         self.scene.objects.len() + self.gear.objects.len()
     }
 
-    /// How many lines, marks and texts there are.
+    /// The number of lines, marks and texts.
     pub(crate) fn line_count(self) -> usize {
         let count = |scene: &Scene| scene.lines.len() + scene.marks.len() + scene.texts.len();
         count(self.scene) + count(self.gear)

@@ -41,7 +41,7 @@ pub(super) struct BandDepth {
 }
 
 impl DepthBuffer {
-    /// Makes the buffer fit a picture in bands of `rows` (a power of two), and empties it.
+    /// Fits the buffer to a picture in bands of `rows` (a power of two), and empties it.
     pub(super) fn reset(&mut self, [width, height]: [usize; 2], offset: [i32; 2], rows: usize, pitch: usize) {
         (self.width, self.height, self.rows_log, self.pitch) = (width, height, rows.ilog2(), pitch);
         self.offset = offset.map(|v| v as f32 / STEPS as f32);
@@ -51,7 +51,7 @@ impl DepthBuffer {
         }
     }
 
-    /// Takes the depths of a whole picture, row by row, and the slopes if they're wanted.
+    /// Takes the depths of a whole picture, row by row, and the slopes if requested.
     pub(super) fn store(&mut self, depths: &[f32], slopes: Option<&[[f32; 2]]>) {
         let (width, pitch) = (self.width, self.pitch);
         let rows = width << self.rows_log;
@@ -84,8 +84,8 @@ impl DepthBuffer {
         (depth > f32::NEG_INFINITY).then(|| (depth, band.slopes.get(index).copied().unwrap_or_default()))
     }
 
-    /// Takes all depths, row by row; −∞ if no surface was drawn. Each band gives its memory back when its depths are
-    /// copied.
+    /// Takes all depths, row by row. −∞ means that no surface was drawn. Each band gives its memory back when its
+    /// depths are copied.
     pub(super) fn take_values(&mut self) -> Vec<f32> {
         let mut values = Vec::with_capacity(self.width * self.height);
         for (k, band) in self.bands.iter_mut().enumerate() {
@@ -119,10 +119,10 @@ impl DepthBuffer {
         (y < self.height).then(|| self.value(x, y))?.map(|(depth, _)| depth)
     }
 
-    /// Whether a point (pixels and depth) can be seen: no face hides it. A point **on** a face can be seen.
+    /// True if a point (pixels and depth) can be seen, because no face hides it. A point **on** a face can be seen.
     ///
     /// The four pixels around the point are tested, and one that has nothing in front of the point is enough. An edge
-    /// belongs to the faces on both of its sides, and the border of a face between two pixels isn't known. So anything
+    /// belongs to the faces on both of its sides, and the border of a face between two pixels isn't known. So a point
     /// hidden by less than two pixels is seen. Faces' planes are followed from the points where their depths were
     /// taken, so that a steep face doesn't hide the lines on it, in the corner of a room as little as on an edge.
     /// Depths in whole numbers are known to a step.
@@ -154,8 +154,8 @@ impl DepthBuffer {
         }
     }
 
-    /// Depths and packed slopes of a pixel, the one to its right, and the two below; `None` if they aren't all in
-    /// one band of the picture, where surfaces may be.
+    /// Depths and packed slopes of a pixel, the one to its right, and the two below. `None` if they aren't all in one
+    /// band of the picture, where surfaces may be.
     #[inline(always)]
     fn four(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
         let (column, row) = (usize::try_from(i).ok()?, usize::try_from(j).ok()?);
@@ -177,8 +177,8 @@ impl DepthBuffer {
         Some(([above[0], above[1], below[0], below[1]], slopes))
     }
 
-    /// The same at a border: a pixel outside the picture shows nothing. `None` if a pixel has no surface, or all are
-    /// outside: then nothing hides the point.
+    /// The same at a border, where a pixel outside the picture shows nothing. `None` if a pixel has no surface, or all
+    /// are outside, so that nothing hides the point.
     fn four_at_border(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
         let (mut depths, mut slopes, mut is_inside) = ([f32::INFINITY; 4], [0; 4], false);
         for (k, (i, j)) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].into_iter().enumerate() {
@@ -198,7 +198,7 @@ struct Around {
     depths: [f32; 4],
     /// Packed.
     slopes: [u32; 4],
-    /// From each to the point.
+    /// The way from each pixel to the point.
     across: [f32; 4],
     down: [f32; 4],
 }
@@ -222,9 +222,9 @@ impl Around {
 /// The depths that are compared with strokes and marks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Occluders<'a> {
-    /// Of opaque surfaces.
+    /// Depths of opaque surfaces.
     pub(super) opaque: &'a DepthBuffer,
-    /// Of tints, if there are any.
+    /// Depths of tints, if there are any.
     pub(super) tints: Option<&'a DepthBuffer>,
 }
 
@@ -272,7 +272,7 @@ fn floor(v: f32) -> i32 {
     whole - i32::from(whole as f32 > v)
 }
 
-/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough; towards 0 by 1/128 at most.
+/// Two slopes as the upper halves of two `f32`. Their 8 bits are enough, and round towards 0 by 1/128 at most.
 pub(super) fn pack_slope(dx: f32, dy: f32) -> u32 {
     (dx.to_bits() & 0xffff_0000) | dy.to_bits() >> 16
 }

@@ -12,10 +12,10 @@ pub(super) const HALF: i32 = STEPS / 2;
 pub(super) const WIDEST: i32 = 32 * STEPS;
 pub(super) const HIGHEST: i32 = 128 * STEPS;
 
-/// A position (pixels) becomes one on the grid by [`round_bits`](crate::simd::round_bits) of v · STEPS with this zero,
-/// which isn't in the middle of the range: positions are hardly ever negative, and pictures are large. The lower bits
-/// are the integer, greater by `OFFSET`. If the upper bits aren't those of `GRID_ZERO`, the position isn't a number
-/// or out of reach: −4096 … 28671 pixels, of which a picture has 0 … 16384.
+/// A position (pixels) is put on the grid by [`round_bits`](crate::simd::round_bits) of v · STEPS with this zero, which
+/// isn't in the middle of the range because positions are hardly ever negative and pictures are large. The lower bits
+/// are the integer, greater by `OFFSET`. If the upper bits aren't those of `GRID_ZERO`, the position isn't a number or
+/// out of reach: −4096 … 28671 pixels, of which a picture has 0 … 16384.
 pub(super) const GRID_ZERO: f32 = 8_388_608.0 + 1_048_576.0;
 pub(super) const OFFSET: i32 = 1 << 20;
 /// The lower bits.

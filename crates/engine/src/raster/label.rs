@@ -13,8 +13,9 @@ pub const FADED: f32 = 0.45;
 /// Width of the halo's stroke, as a share of the type size. Half of it is outside the letter.
 pub const HALO: f32 = 0.28;
 
-/// The farthest from the corner of the picture, in pixels, that something is drawn. Beyond it an `f32` has no pixels
-/// any more, and from some thirty times of it on the filling of paths counts past the end of its rows.
+/// The greatest distance from the corner of the picture, in pixels, at which anything is drawn. Beyond it an `f32` has
+/// no pixels any more, and from some thirty times that distance on the filling of paths counts past the end of its
+/// rows.
 const FARTHEST: f32 = 16_777_216.0;
 
 /// True if a path at a place, with a stroke of some width around it, is near enough to be drawn.

@@ -44,13 +44,12 @@ pub struct Rasterizer {
 pub struct Work {
     /// Triangles that came in.
     pub triangles: usize,
-    /// Those of them that were dropped before anything was filled: so small, or so far outside, that they own no
-    /// sample.
+    /// Triangles that were dropped before filling: so small, or so far outside, that they own no sample.
     pub empty: usize,
-    /// Samples inside of triangles, as often as they are; without antialiasing a sample is a pixel. Zero without a
+    /// Samples inside triangles, once for each triangle. Without antialiasing a sample is a pixel. Zero without a
     /// clock.
     pub covered: u64,
-    /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
+    /// Samples that were drawn, because nothing nearer had been drawn before. Zero without a clock.
     pub written: u64,
     /// Time of the surfaces. Zero without a clock.
     pub surfaces: Duration,
@@ -67,15 +66,15 @@ impl Rasterizer {
         Some(pixmap)
     }
 
-    /// Paints `drawing` on `pixmap`, which is replaced if it has another size: for pictures that follow one another.
-    /// False, and nothing is painted, if [`paint`](Self::paint) would give `None`. On one thread it pauses after
-    /// each band of rows.
+    /// Paints `drawing` on `pixmap`, which is replaced if it has another size. For pictures that follow one another.
+    /// False, and nothing is painted, if [`paint`](Self::paint) would give `None`. On one thread it pauses after each
+    /// band of rows.
     pub async fn paint_into(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) -> bool {
         self.paint_pass(drawing, pixmap, [0, 1]).await
     }
 
-    /// As [`paint_into`](Self::paint_into), for one of several passes over a picture: which one, from 0, and of
-    /// how many. The progress goes on from one to the next.
+    /// Like [`paint_into`](Self::paint_into), for one of several passes over a picture: its number, from 0, and how
+    /// many there are. The progress goes on from one to the next.
     pub async fn paint_pass(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, pass: [usize; 2]) -> bool {
         if (pixmap.width(), pixmap.height()) != (drawing.width, drawing.height) {
             let Some(fresh) = new_pixmap(drawing) else { return false };
@@ -85,13 +84,12 @@ impl Rasterizer {
         true
     }
 
-    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None` means
-    /// no more.
+    /// Measures pictures from now on, by a clock that gives the time since a fixed moment. `None` ends that.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
     }
 
-    /// Says from now on how far a picture has come. One that is cancelled ends early, and isn't whole.
+    /// Reports from now on how far a picture has come. A cancelled picture ends early and isn't whole.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
     }
@@ -118,7 +116,7 @@ impl Rasterizer {
             self.paint_map(map).await;
         }
         if let Some(tints) = &tints {
-            // For its depth alone: the picture is painted over it.
+            // For its depth alone, since the picture is painted over it.
             let wanted = Wanted { slopes: true, counts: false };
             self.surfaces.paint(tints, pixmap, &mut self.tint_depth, wanted, &self.progress).await;
         }
@@ -170,7 +168,7 @@ impl Rasterizer {
                 if self.progress.is_cancelled() {
                     return;
                 }
-                // A large map has as many bytes as a picture: only its depths stay.
+                // A large map has as many bytes as a picture, so only its depths stay.
                 drop(pixmap);
                 values = depth.take_values();
             }
@@ -208,7 +206,7 @@ fn is_bare(drawing: &Drawing) -> bool {
     drawing.strokes.is_empty() && drawing.marks.is_empty() && drawing.labels.is_empty()
 }
 
-/// The tints of a drawing as opaque surfaces; `None` if there are none, or nothing to dim.
+/// The tints of a drawing as opaque surfaces. `None` if there are none, or nothing to dim.
 fn tints(drawing: &Drawing) -> Option<Drawing> {
     if is_bare(drawing) {
         return None;

@@ -17,7 +17,7 @@ pub(super) type Pixel = u32;
 /// Bits of red and blue, and (shifted down by 8) of green and alpha.
 const ALTERNATE: u32 = 0x00ff_00ff;
 
-/// One pixel or eight. The arithmetic of both is this.
+/// The arithmetic that one pixel and eight share.
 pub(super) trait Pixels:
     Copy
     + BitAnd<u32, Output = Self>
@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(over(0xff_30_20_10, 0xff_ff_ff_ff), 0xff_30_20_10);
         assert_eq!(over(0, 0xff_12_34_56), 0xff_12_34_56);
         assert_eq!(over(0x80_80_80_80, 0xff_00_00_00), 0xff_80_80_80);
-        // The brightest translucent colour on white cannot overflow.
+        // The brightest translucent colour on white can't overflow.
         for a in 0..=255 {
             assert_eq!(over(a * 0x0101_0101, 0xffff_ffff), 0xffff_ffff, "alpha {a}");
         }

@@ -3,7 +3,7 @@
 //! It paints the surfaces of a [`Drawing`] in the steps of `[3]` §1.1, each a function under the name of its
 //! [stage](crate::stage::Stage): `fill` finds the samples of a triangle, `hidden_surfaces` is the z-buffer of `[2]`,
 //! `interpolate` finds the share of each vertex in a pixel, `texture` and `shadow` add the effects, `blend` lays a
-//! translucent colour over what is there, `antialias` averages the samples of a pixel, and `write` stores the result.
+//! translucent colour over the pixel, `antialias` averages the samples of a pixel, and `write` stores the result.
 //! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next. One
 //! step comes early: hidden surfaces (8) before the colour (7), so that hidden pixels cost no colour. `triangle` holds
 //! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
@@ -99,7 +99,7 @@ pub fn paint(drawing: &Drawing) -> Option<Painted> {
     Some(Painted { image, depths, slopes })
 }
 
-/// Paints what each light sees, unless that has been done: a drawing of its own, of which only the depths stay.
+/// Paints each light's view, unless that has been done. It's a drawing of its own, of which only the depths stay.
 fn paint_shadow_maps(drawing: &Drawing) {
     for shadow in drawing.surfaces.iter().flat_map(|surface| &surface.shadows) {
         if let Some(views) = shadow.map.unpainted() {

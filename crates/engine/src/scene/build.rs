@@ -19,7 +19,7 @@ use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;
 use crate::sanitize::escaped;
 
-/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme.
+/// Makes the scene that `spec` describes, the preset's objects and then its own, in the colours of the style's theme.
 ///
 /// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`. An object without a
 /// colour has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name as a
@@ -33,7 +33,7 @@ pub fn build(spec: &SceneSpec, style: &Style, read_file: &mut ReadFile<'_>) -> R
     build_with(spec, style, read_file, &mut MeshFiles::default())
 }
 
-/// As [`build`], for scenes that are built again and again: `files` caches the mesh files that `spec` uses.
+/// Like [`build`], for scenes that are built again and again. `files` caches the mesh files that `spec` uses.
 ///
 /// # Errors
 /// [`SceneError`] names the object and its fault.
@@ -267,7 +267,7 @@ impl Maker<'_, '_> {
     }
 }
 
-/// Where nothing tints a texture.
+/// The tint of an untinted texture.
 const WHITE: Rgba = Rgba::rgb(255, 255, 255);
 
 /// A texture on an object, as often as the figure wants it.

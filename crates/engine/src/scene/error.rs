@@ -4,7 +4,7 @@ use super::MeshError;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 
-/// A reason why a specification is not a scene. Displayed, it is the fault of [`key`](Self::key) of
+/// A reason why a specification isn't a scene. Displayed, it is the fault of [`key`](Self::key) of
 /// [`object`](Self::object), which come before it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
@@ -14,7 +14,7 @@ pub enum SceneError {
         /// The name that two objects have.
         name: String,
     },
-    /// An object's parent does not exist.
+    /// An object's parent doesn't exist.
     #[error("is \"{}\", which is not the name of an object; allowed: the name of an object", escaped(parent))]
     UnknownParent {
         /// The object whose parent is unknown.
@@ -51,7 +51,7 @@ pub enum SceneError {
         /// The number found.
         found: u32,
     },
-    /// A mesh file cannot be used.
+    /// A mesh file can't be used.
     #[error("\"{}\"{}", escaped(path), error.after(&escaped(path)))]
     Mesh {
         /// The object whose texture this is.
@@ -61,7 +61,7 @@ pub enum SceneError {
         /// Why.
         error: MeshError,
     },
-    /// A light has no direction, or a number that is not finite.
+    /// A light has no direction, or a number that isn't finite.
     #[error("must be three finite numbers, not all 0 for a direction")]
     Light {
         /// Its place in the list, from 0.
@@ -81,12 +81,12 @@ pub enum SceneError {
     /// Too large shadow maps.
     #[error("have shadow maps of {texels} texels, six for a lamp; allowed: at most {MAX_SHADOW_TEXELS}")]
     ShadowMaps {
-        /// Of all.
+        /// The texels of all maps together.
         texels: u64,
     },
 }
 
-/// The names of a chain of objects, of a long one those at its ends.
+/// The names of a chain of objects, or only those at its ends if it's long.
 pub fn chain_text(chain: &[String]) -> String {
     const ENDS: usize = 3;
     let names = |part: &[String]| part.iter().map(|name| escaped(name)).collect::<Vec<_>>().join(" → ");

@@ -41,7 +41,7 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Lines in the world.
     pub lines: Vec<Line>,
-    /// The grids, by the names of their objects: which of the lines are theirs.
+    /// The lines that belong to each grid, by the name of its object.
     pub grids: Vec<(String, Range<usize>)>,
     /// Point marks in the world.
     pub marks: Vec<PointMark>,
@@ -54,7 +54,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The box around all objects, lines and marks; `None` for an empty scene.
+    /// The box around all objects, lines and marks. `None` for an empty scene.
     pub fn bounds(&self) -> Option<Aabb> {
         let objects = self.objects.iter().filter_map(Object::bounds);
         let lines = self.lines.iter().filter_map(|l| Aabb::around(l.points.iter().copied()));
@@ -62,7 +62,7 @@ impl Scene {
         objects.chain(lines).chain(marks).reduce(Aabb::union)
     }
 
-    /// The place of the object of this name. One of the figure comes before a part of another that is called alike.
+    /// The index of the object with this name. One of the figure comes before a part of another with the same name.
     pub fn place_of(&self, name: &str) -> Option<usize> {
         let own = |object: &Object| object.name == name && object.part_of.is_none();
         let any = || self.objects.iter().position(|object| object.name == name);
@@ -100,8 +100,8 @@ pub struct SceneVertex<'a> {
 pub struct Object {
     /// For messages, the scene tree and the probe.
     pub name: String,
-    /// The object of the figure of whose mesh file it is a part, if that has several. Names may hold any character,
-    /// so that a name does not tell.
+    /// The figure's object whose mesh file it's a part of, if that has several. The name doesn't tell, because names
+    /// may hold any character.
     pub part_of: Option<Arc<str>>,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
@@ -131,7 +131,7 @@ pub struct Object {
 pub struct InWorld {
     /// The light on it.
     pub light: FoundLight,
-    /// 1/w of each vertex, in any unit: an attribute that is affine in the world is so here divided by w.
+    /// 1/w of each vertex, in any unit, because an attribute that's affine in the world is affine here if divided by w.
     /// Empty without perspective: it is as it is.
     pub inverse_w: Vec<f32>,
     /// The vertices. Empty if no light casts shadows.
@@ -205,7 +205,7 @@ pub struct Pictured {
 }
 
 impl Pictured {
-    /// The one colour that it has everywhere, opaque; `None` if it has several, or something shows through.
+    /// The one opaque colour that it has everywhere. `None` if it has several, or something shows through.
     pub fn one_color(&self) -> Option<Rgba> {
         let is_plain = !self.translucent && self.sampler.reveal.is_none();
         is_plain.then(|| self.image.one_color_times(self.tint)).flatten()
@@ -226,7 +226,7 @@ impl Pictured {
 /// Light that has been found before a picture is made.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum FoundLight {
-    /// None: the lights of the scene fall on it, if it takes light.
+    /// None. The lights of the scene fall on it, if it takes light.
     #[default]
     None,
     /// At each triangle.
@@ -273,7 +273,7 @@ pub struct PointMark {
 /// A text in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// The name by which an author changes it: the same in every language, even if the text says another number.
+    /// The name by which an author changes it. It's the same in every language, even if the text says another number.
     pub name: String,
     /// World.
     pub position: DVec3,

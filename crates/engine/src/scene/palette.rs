@@ -17,7 +17,7 @@ pub const PALETTE: [Rgba; 8] = [
     Rgba::rgb(0x00, 0x44, 0x88),
 ];
 
-/// The colour of [`PALETTE`] that fewest objects of a scene have; of several the first.
+/// The colour of [`PALETTE`] that the fewest objects of a scene have. The first one of several.
 pub fn least_used(scene: &Scene) -> Rgba {
     let has =
         |object: &&Object, color: Rgba| matches!(object.paint, ObjectPaint::Solid(c) if c.with_alpha(255) == color);

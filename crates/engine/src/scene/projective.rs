@@ -7,9 +7,9 @@ use glam::{DMat4, DVec3};
 use super::{InWorld, Mesh, Scene};
 
 impl Scene {
-    /// Moves everything by a projective map that keeps orientation: positions are divided by their w, planes are
-    /// transformed too. Normals and lights are dropped: lit objects must have their colours already. An object, line,
-    /// mark or text with a point of w ≤ 0 is left out.
+    /// Moves everything by a projective map that keeps orientation. Positions are divided by their w, and planes are
+    /// transformed too. Normals and lights are dropped, so lit objects must have their colours already. An object,
+    /// line, mark or text with a point of w ≤ 0 is left out.
     pub fn project(&mut self, matrix: &DMat4) {
         let place = |p: DVec3| {
             let q = *matrix * p.extend(1.0);

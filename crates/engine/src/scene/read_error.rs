@@ -21,17 +21,17 @@ pub struct Wanted<'a> {
     pub named_by: Option<&'a str>,
 }
 
-/// Why a file that a scene names cannot be read.
+/// The reason why a file that a scene names can't be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{file} {problem}")]
 pub struct ReadError {
-    /// The file, as it was looked for.
+    /// The path of the file that was looked for.
     pub file: String,
     /// Why.
     pub problem: ReadProblem,
 }
 
-/// A reason why a file cannot be read. Displayed, it follows the name of the file.
+/// A reason why a file can't be read. Displayed, it follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ReadProblem {
     /// The system refuses.
@@ -53,7 +53,7 @@ pub enum ReadProblem {
         "was not read, because {named_by} names it and it lies elsewhere; allowed: files in {folder} and below, or any with --allow-files (in the window: the button beside the path)"
     )]
     Outside {
-        /// The folder, as it is shown.
+        /// The folder, as displayed.
         folder: String,
         /// The kind of file that names it.
         named_by: NamedBy,
@@ -72,7 +72,7 @@ pub enum ReadProblem {
 }
 
 impl ReadError {
-    /// Whether the file lies outside the folder that the figure may read from. The user can allow it.
+    /// True if the file lies outside the folder that the figure may read from. The user can allow it.
     pub const fn is_outside(&self) -> bool {
         matches!(self.problem, ReadProblem::Outside { .. } | ReadProblem::NoFolder)
     }
@@ -85,7 +85,7 @@ impl ReadProblem {
     }
 }
 
-/// The kind of file that names another one, which is not read because it lies elsewhere.
+/// The kind of file that names another one, which isn't read because it lies elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NamedBy {
     /// A mesh.
@@ -147,7 +147,7 @@ pub fn is_loop(code: Option<i32>) -> bool {
 /// For scenes without files: a [`ReadFile`] that finds none.
 ///
 /// # Errors
-/// Always: the file does not exist.
+/// Always, because the file doesn't exist.
 pub fn no_files(wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
     let problem = ReadProblem::System { kind: io::ErrorKind::NotFound, code: None };
     Err(ReadError { file: sanitize::path_text(wanted.path), problem })

@@ -1,16 +1,16 @@
-//! The shadows of a light: whether there are any, and how they are found.
+//! The shadows of a light: if there are any, and how they are found.
 
-/// How the shadows of a light are found: by a shadow map, the depths that the light sees.
+/// The way in which the shadows of a light are found: by a shadow map, the depths that the light sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadows {
-    /// False: the light goes through everything, and the rest means nothing.
+    /// False if the light goes through everything. The other fields then mean nothing.
     pub cast: bool,
-    /// Side of the map, texels: of a lamp that of each of the six maps around it.
+    /// Side of the map, texels. For a lamp, that of each of the six maps around it.
     pub map: u32,
-    /// How much deeper than the map says a point must lie to be in the shadow, in steps of the map: the length of a
-    /// texel, and what the surface itself sinks by within one.
+    /// The amount by which a point must lie deeper than the map to be in the shadow, in steps of the map. A step is the
+    /// length of a texel, and the depth by which the surface itself sinks within one.
     pub bias: f64,
-    /// Width of the soft edge, texels; 0: a texel hides or does not.
+    /// Width of the soft edge, texels. With 0 a texel hides completely or not at all.
     pub softness: f64,
 }
 

@@ -14,8 +14,8 @@ use crate::limits::DEFAULT_SEGMENTS;
 macro_rules! named {
     ($type:ident { $($name:literal: $pattern:pat, $value:expr;)* }) => {
         impl $type {
-            /// Each with its name in a figure file, in the order of a menu. If there are data, they are those that a
-            /// file need not give.
+            /// Each with its name in a figure file, in the order of a menu. If there are data, they are the ones that a
+            /// file needn't give.
             pub const NAMED: &'static [(&'static str, Self)] = &[$(($name, $value)),*];
 
             /// Its name in a figure file.
@@ -132,7 +132,7 @@ named! { Shape {
 pub enum ShapeData<'a> {
     /// Nothing.
     None,
-    /// Its points; of segments, both ends of each.
+    /// Its points or, for segments, both ends of each.
     Points(&'a [DVec3]),
     /// The file that it comes from.
     Path(&'a str),
@@ -221,7 +221,7 @@ impl fmt::Display for TextureSource {
 pub struct ObjectSpec {
     /// Its name. Unique in the figure.
     pub name: String,
-    /// Its shape; `None` means a group, there for its transform.
+    /// Its shape. `None` means a group, which only has a transform.
     pub shape: Option<Shape>,
     /// The name of the object whose transform comes before its own.
     pub parent: Option<String>,
@@ -304,9 +304,9 @@ impl ObjectSpec {
 /// A source of light, one entry of `[[scene.lights]]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Where the light comes from.
+    /// The source of the light.
     pub kind: LightKind,
-    /// The direction in which parallel light travels, of any length but 0, or the position of a lamp; in the world.
+    /// The direction in which parallel light travels, of any length but 0, or the position of a lamp, in the world.
     pub vector: DVec3,
     /// Its shadow map, or none.
     pub shadows: Shadows,

@@ -19,7 +19,7 @@ pub enum CameraRepair {
     ViewAngle(f64),
     /// l and r, or b and t, change places.
     SwapSides,
-    /// Everything that the error is about goes back to the last possible value.
+    /// All parameters at fault go back to their last possible values.
     Back,
 }
 
@@ -37,7 +37,7 @@ pub fn camera_repairs(error: &CameraError, draft: &Parameters, good: &Camera) ->
         }
         CameraError::ViewUpZero | CameraError::ViewUpCollinear => {
             let forward = (draft.focal_point - draft.position).abs();
-            // The most usual axis first, unless it is the one that the camera looks along.
+            // The most usual axis first, unless the camera looks along it.
             let axis = [DVec3::Y, DVec3::Z, DVec3::X]
                 .into_iter()
                 .find(|axis| forward.dot(*axis) < 0.9 * forward.length())
@@ -74,7 +74,7 @@ pub fn camera_repairs(error: &CameraError, draft: &Parameters, good: &Camera) ->
     list
 }
 
-/// `draft` with these parameters taken from `good`; without any, all of it.
+/// `draft` with these parameters taken from `good`, or all parameters if none are given.
 fn back(keys: &[ParameterKey], draft: &Parameters, good: &Parameters) -> Parameters {
     let mut mended = if keys.is_empty() { *good } else { *draft };
     keys.iter().for_each(|key| key.copy(good, &mut mended));

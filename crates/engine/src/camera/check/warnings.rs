@@ -5,7 +5,7 @@ use crate::camera::{Camera, ImageSize, Projection};
 /// Something about a camera, or about a figure, that a user should know.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
-    /// VUP is almost along DOP: **u** and **v** depend on its last digits.
+    /// VUP is almost along DOP, so **u** and **v** depend on its last digits.
     #[error(
         "view_up is only {degrees:.3e} degrees away from the direction of projection, so its last digits decide where up is"
     )]
@@ -23,7 +23,7 @@ pub enum Warning {
         /// The smallest difference of depth at B that is resolved, in scene units.
         step: f64,
     },
-    /// PF is not between the clipping planes.
+    /// PF isn't between the clipping planes.
     #[error(
         "focal_point is {distance} away, which is not between near = {near} and far = {far}: what the camera looks at is clipped away"
     )]
@@ -62,7 +62,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// A name that does not change, for programs.
+    /// A name that doesn't change, for programs.
     pub const fn code(&self) -> &'static str {
         match self {
             Self::ViewUpNearlyCollinear { .. } => "view-up-nearly-collinear",
@@ -93,7 +93,7 @@ use thresholds::{COARSE_DEPTH, FAR_AWAY, NEARLY_COLLINEAR_DEGREES, WIDE_DEGREES}
 const STEPS: f64 = 16_777_216.0;
 
 impl Camera {
-    /// Warnings about a camera that is possible, but probably not meant. Empty when there are none.
+    /// Warnings about a camera that is possible, but probably not meant. Empty if there are none.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let degrees = self.view_up_angle();
@@ -138,8 +138,8 @@ impl Camera {
     pub fn depth_step(&self, depth: f64) -> f64 {
         let (near, far) = (self.near(), self.far());
         match self.projection() {
-            // Quotients before products: nothing underflows on the way; what overflows there is tried in the order in
-            // which it does not.
+            // Quotients come before products, so that nothing underflows on the way. If that overflows, the other order
+            // is tried.
             Projection::Perspective => {
                 let share = 1.0 - near / far;
                 let step = depth / near * share * depth / STEPS;

@@ -28,7 +28,7 @@ pub enum WorldUp {
     Y,
     /// z.
     Z,
-    /// The program has no rule: y, z or −y.
+    /// The program has no rule. It may be y, z or −y.
     Open,
 }
 
@@ -91,7 +91,7 @@ impl Axes {
         rarity: 20,
         ..Self::OPENGL
     };
-    /// Unreal: x into the scene, y right, z up; left-handed.
+    /// Unreal: x into the scene, y right, z up, left-handed.
     pub const UNREAL: Self = Self {
         name: "unreal",
         title: "Unreal",
@@ -141,10 +141,10 @@ impl Axes {
         }
     }
 
-    /// A vector of the world of these axes in ours: the inverse of [`Self::foreign_from_world`].
+    /// A vector of the world of these axes in ours, the inverse of [`Self::foreign_from_world`].
     pub(crate) fn world_from_foreign(self, p: DVec3) -> DVec3 {
         match (self.up, self.left_handed) {
-            // As Unreal's exporter of glTF exchanges them: up stays up, and the hand changes.
+            // Exchanged as in Unreal's exporter of glTF: up stays up, and the hand changes.
             (WorldUp::Z, true) => DVec3::new(p.x, p.z, p.y),
             // So the image isn't mirrored.
             (_, true) => DVec3::new(p.x, p.y, -p.z),

@@ -1,7 +1,7 @@
 //! The one table of conventions: handedness, axes of camera and world, NDC, orders and units of programs.
 //!
-//! Reading, writing, the window, `--axes`, `--ndc` and the table of the guide take their rows from here. A row is data:
-//! a new program is a row of [`Program::ALL`], new axes are one of [`Axes::ALL`].
+//! Reading, writing, the window, `--axes`, `--ndc` and the table of the guide take their rows from here. Each row is
+//! data. A new program is a row of [`Program::ALL`], and new axes are a row of [`Axes::ALL`].
 
 mod axes;
 mod ndc;

@@ -16,7 +16,7 @@
 /// Nothing is too far away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Ndc {
-    /// Whose.
+    /// The library with this convention.
     pub api: Api,
     /// z_n is 1 at F and 0 at B.
     pub reversed: bool,
@@ -49,7 +49,7 @@ impl Api {
         self.row().0
     }
 
-    /// Title; names: as it is, reversed, infinite, both; z_n at F; whether y_n points down.
+    /// The title, the names (as it is, reversed, infinite, both), z_n at F, and true if y_n points down.
     const fn row(self) -> (&'static str, [&'static str; 4], f64, bool) {
         macro_rules! row {
             ($title:literal, $name:literal, $near:literal, $down:literal) => {{
@@ -89,13 +89,13 @@ impl Ndc {
         if self.reversed { [1.0, 0.0] } else { [self.api.row().2, 1.0] }
     }
 
-    /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not. Turning y or z
-    /// round changes it.
+    /// True if the axes x_n, y_n, z_n, as they lie before the eye, are right-handed. Those of `[0]` aren't. Turning y
+    /// or z round changes it.
     pub const fn is_right_handed(self) -> bool {
         self.y_points_down() != self.reversed
     }
 
-    /// Does y_n grow downwards?
+    /// True if y_n grows downwards.
     pub const fn y_points_down(self) -> bool {
         self.api.row().3
     }

@@ -22,7 +22,7 @@ pub struct Program {
     pub axes: Axes,
     /// The NDC of its M_p; `None` if it has pixels instead.
     pub ndc: Option<Ndc>,
-    /// The order in which it keeps or prints the numbers of a matrix for column vectors: row vectors have them by
+    /// The order in which it keeps or prints the numbers of a matrix for column vectors. Row vectors have them by
     /// columns.
     pub order: Order,
     /// The unit of its vertical view angle; `None` if its lens is another number.

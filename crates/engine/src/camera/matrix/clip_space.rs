@@ -8,8 +8,8 @@ use crate::geometry::double_double::Dd;
 
 /// The part of a camera that depends on the convention of NDC. Made by [`Camera::clip_space`].
 ///
-/// Each matrix is computed from the parameters in double-double and rounded once. None is another one that was changed
-/// after it had been rounded.
+/// Each matrix is computed from the parameters in double-double and rounded once. No matrix is made by changing another
+/// one after it was rounded.
 #[derive(Clone, Copy, Debug)]
 pub struct ClipSpace<'a> {
     camera: &'a Camera,
@@ -60,7 +60,7 @@ impl Camera {
 }
 
 impl<'a> ClipSpace<'a> {
-    /// Whose clip space it is.
+    /// The camera whose clip space it is.
     pub fn camera(&self) -> &'a Camera {
         self.camera
     }
@@ -172,7 +172,7 @@ impl<'a> ClipSpace<'a> {
         ])
     }
 
-    /// z_n at this distance from the plane of the eye, −z_c, which is not 0 in perspective.
+    /// z_n at this distance from the plane of the eye, −z_c, which isn't 0 in perspective.
     pub fn ndc_depth(&self, distance: f64) -> f64 {
         let distance = Dd::new(distance);
         let clip = self.lens.depth - self.lens.z * distance;
@@ -182,7 +182,7 @@ impl<'a> ClipSpace<'a> {
         }
     }
 
-    /// Whether these clip coordinates are in the volume: |X|, |Y| ≤ W, Z / W between the depths of F and B, and W > 0.
+    /// True if these clip coordinates are in the volume: |X|, |Y| ≤ W, Z / W between the depths of F and B, and W > 0.
     pub(crate) fn is_inside(&self, clip: DVec4) -> bool {
         let [at_near, at_far] = self.ndc.depths();
         let (least, most) = (at_near.min(at_far) * clip.w, at_near.max(at_far) * clip.w);

@@ -13,7 +13,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 use crate::camera::{Api, Camera, Ndc, Projection};
 
 crate::listed! {
-    /// Whose steps.
+    /// The source of the steps.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
     pub enum Decomposition {
         /// `[0]`, Pagliosa
@@ -105,8 +105,8 @@ impl Decomposition {
 }
 
 impl Camera {
-    /// The steps, first to last; `None` if the source has none: `[1]` and `[3]` know symmetric windows only, and
-    /// `[1]` has one matrix for parallel projection.
+    /// The steps, first to last. `None` if the source has none, because `[1]` and `[3]` know symmetric windows only,
+    /// and `[1]` has one matrix for parallel projection.
     ///
     /// *Guarantees*: their product, last to first, is M_p M_v in [`Decomposition::ndc`], up to the rounding of plain
     /// `f64` (in perspective up to a positive factor, which the division takes out).
@@ -224,8 +224,8 @@ impl Step {
 }
 
 impl Factor {
-    /// The step with z towards the viewer before and after it: how a right-handed picture shows it. `before`:
-    /// whether the space before it is left-handed.
+    /// The step with z towards the viewer before and after it, as a right-handed picture shows it. `before` is true if
+    /// the space before it is left-handed.
     pub fn displayed(&self, before: bool) -> DMat4 {
         let side = |left_handed: bool| if left_handed { mirror() } else { DMat4::IDENTITY };
         side(self.left_handed) * self.matrix * side(before)

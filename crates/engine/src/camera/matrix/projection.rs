@@ -27,7 +27,7 @@ pub(crate) struct Lens {
 impl Camera {
     /// M_v, `[0]` Eq. (5.7).
     ///
-    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**:
+    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**, so
     /// cancellation costs no digits, and a zero is a zero.
     ///
     /// ```
@@ -75,7 +75,7 @@ impl Camera {
         self.notes_clip_space().clip_from_world()
     }
 
-    /// A world point in the VRC; C is subtracted before anything is rotated.
+    /// A world point in the VRC. C is subtracted before anything is rotated.
     ///
     /// *Guarantees*: an error of a few ε ‖p − C‖, however far the world lies from the origin. In plain `f64`, for the
     /// pipeline; [`Camera::stations`] gives every digit.
@@ -118,11 +118,11 @@ impl Lens {
 /// perspective, z → −z₁ and d → (z₀ − z₁) F.
 ///
 /// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only if they
-/// are not `f64`s themselves.
+/// aren't `f64`s themselves.
 pub(crate) fn lens(projection: Projection, window: &WideWindow, near: f64, far: f64, ndc: Ndc) -> Lens {
     let (width, height) = (window.width(), window.height());
     let (sum_x, sum_y) = (window.right + window.left, window.top + window.bottom);
-    // Half of far and near: their sum and difference cannot overflow, and the quotients stay the same.
+    // Half of far and near, so their sum and difference can't overflow, and the quotients stay the same.
     let half = |x: f64| Dd::new(x).scaled(-1);
     let difference = half(far) - half(near);
     let two = |x: Dd| x.scaled(1);

@@ -1,4 +1,4 @@
-//! All facts about an operation that need no camera. Its word, its amount, and how it is written as text.
+//! The facts about an operation that need no camera: its word, its amount, and its text form.
 
 use std::fmt;
 use std::str::FromStr;
@@ -99,7 +99,7 @@ impl Freedom {
 }
 
 impl Amount {
-    /// The amount that undoes this one: the opposite angle or length, the inverse factor.
+    /// The amount that undoes this one, which is the opposite angle or length, or the inverse factor.
     pub fn inverse(self, amount: f64) -> f64 {
         match self {
             Self::Angle | Self::Length => -amount,
@@ -116,7 +116,7 @@ impl Operation {
         words
     }
 
-    /// The degree of freedom of which it is a movement; of `pan` the first.
+    /// The degree of freedom that it moves, for `pan` the first.
     pub const fn freedom(&self) -> Freedom {
         match self {
             Self::Elevation(_) => Freedom::Elevation,
@@ -130,13 +130,13 @@ impl Operation {
         }
     }
 
-    /// Its name, as it is written on the command line.
+    /// Its name, as written on the command line.
     pub const fn name(&self) -> &'static str {
         self.freedom().descriptor().word
     }
 }
 
-/// Why a text is not an operation.
+/// The reason why a text isn't an operation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OperationError {
     /// No `=`.
@@ -151,7 +151,7 @@ pub enum OperationError {
         /// The name found.
         name: String,
     },
-    /// A number that cannot be read.
+    /// A number that can't be read.
     #[error("{word} is \"{}\": {error} in {marked}; allowed: {allowed}", escaped(value), word = descriptor.word,
         marked = expression::marked(value, &error.span), allowed = allowed(descriptor))]
     NotANumber {
@@ -162,7 +162,7 @@ pub enum OperationError {
         /// The fault in the value.
         error: ExpressionError,
     },
-    /// A factor that is not greater than 0.
+    /// A factor that isn't greater than 0.
     #[error("{word} is \"{}\"; allowed: {allowed}", escaped(value), word = descriptor.word, allowed = allowed(descriptor))]
     NotAFactor {
         /// The operation.

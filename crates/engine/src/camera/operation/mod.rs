@@ -17,7 +17,7 @@ use crate::camera::{Camera, CameraError, Derived, Parameters, Range};
 use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
 use crate::geometry::{Angle, Ray};
 
-/// Whose signs the rotations follow.
+/// The sign convention of the rotations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Convention {
     /// Counter-clockwise seen from the tip of the axis, for all five.
@@ -27,7 +27,7 @@ pub enum Convention {
     Vtk,
 }
 
-/// Something that is done to a camera.
+/// A change of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operation {
     /// C and VUP turn about **u** through PF.
@@ -53,7 +53,7 @@ pub enum Operation {
     },
 }
 
-/// Which parameters an operation changes.
+/// The parameters that an operation changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Changes {
     /// C.
@@ -67,7 +67,7 @@ pub struct Changes {
 }
 
 impl Operation {
-    /// Which parameters change.
+    /// The parameters that change.
     pub const fn changes(&self) -> Changes {
         let (position, focal_point, view_up, window) = match self {
             Self::Elevation(_) | Self::Azimuth(_) => (true, false, true, false),
@@ -80,7 +80,7 @@ impl Operation {
         Changes { position, focal_point, view_up, window }
     }
 
-    /// The angle of a rotation, as it is given.
+    /// The angle of a rotation, as given.
     pub const fn angle(&self) -> Option<Angle> {
         match *self {
             Self::Elevation(angle)
@@ -114,8 +114,8 @@ impl Operation {
 
     /// The camera after the operation.
     ///
-    /// *Guarantees*: the result retains the rest that does not fit the `f64`s of its parameters, so a chain of
-    /// operations rounds once, at its end: twelve steps of 30° lead back to the same parameters, bit for bit.
+    /// *Guarantees*: the result retains the rest that doesn't fit the `f64`s of its parameters, so a chain of
+    /// operations rounds once, at its end. Twelve steps of 30° lead back to the same parameters, bit for bit.
     ///
     /// ```
     /// # use camera_lab_engine::camera::{Camera, Convention, Operation, Parameters};
@@ -165,8 +165,8 @@ impl Operation {
                 let step = frame.u * Dd::new(dx) + frame.v * Dd::new(dy);
                 pose.position = pose.position.plus(step);
                 pose.focal_point = pose.focal_point.plus(step);
-                // Moved alike, C and PF are as far from each other as before. If their numbers don't say so, it is
-                // the numbers that end.
+                // C and PF moved alike, so they are as far from each other as before. If their numbers don't say so,
+                // the numbers ran out of digits.
                 let (position, focal_point) = (pose.position.value(), pose.focal_point.value());
                 if position == focal_point || !position.is_finite() || !focal_point.is_finite() {
                     let keys = &[ParameterKey::Position, ParameterKey::FocalPoint];
@@ -227,7 +227,7 @@ enum Axis {
     N,
 }
 
-/// A rotation by an angle that is not a whole number of turns, or none at all.
+/// A rotation by an angle that isn't a whole number of turns, or none at all.
 struct Turn {
     sine: Dd,
     cosine: Dd,
@@ -249,7 +249,7 @@ impl Turn {
             return;
         }
         let CameraFrame { u, v, n, .. } = *frame;
-        // Of two axes a, b with a × b = the third: a turns towards b, b towards −a.
+        // With two axes a, b and a × b = the third, a turns towards b, and b towards −a.
         let ahead = |a: Dd3, b: Dd3| (a * self.cosine).plus(b * self.sine);
         let (third, [u, v, n]) = match axis {
             Axis::U => (u, [u, ahead(v, n), ahead(n, -v)]),

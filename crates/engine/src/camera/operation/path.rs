@@ -1,9 +1,9 @@
-//! The way from one camera to another: arcs about what stays, never a mixture of matrices.
+//! The way from one camera to another: arcs about the fixed point, never a mixture of matrices.
 //!
-//! The axes **u**, **v**, **n** turn together about one axis at an even speed; D changes by equal factors. If PF
-//! stays, C goes round it on an arc (azimuth, elevation), or on a spiral if D changes too. If C stays, PF goes round
-//! C (yaw, pitch). If both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
-//! factors too, so that things grow evenly, and every camera on the way is one.
+//! The axes **u**, **v**, **n** turn together about one axis at an even speed, and D changes by equal factors. If PF
+//! stays, C goes round it on an arc (azimuth, elevation), or on a spiral if D changes too. If C stays, PF goes round C
+//! (yaw, pitch). If both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal factors
+//! too, so that things grow evenly, and every camera on the way is one.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -23,7 +23,7 @@ impl CameraPath {
     /// half-way, and things at the focal point keep their size.
     ///
     /// # Errors
-    /// [`CameraError`] if one of them cannot be in the projection of the other.
+    /// [`CameraError`] if one of them can't be in the projection of the other.
     pub fn new(from: &Camera, to: &Camera) -> Result<Self, CameraError> {
         let seen = [to.with_projection(from.projection())?, from.with_projection(to.projection())?];
         Ok(Self { from: from.clone(), to: to.clone(), seen })
@@ -31,7 +31,7 @@ impl CameraPath {
 
     /// The camera after a share of the way, 0 … 1.
     ///
-    /// *Guarantees*: the ends are the cameras that they were given.
+    /// *Guarantees*: the ends are the given cameras.
     ///
     /// # Errors
     /// [`CameraError`] if the coordinates are so large or so small that rounding leaves no camera.
@@ -76,8 +76,8 @@ fn pose(from: &Camera, to: &Camera, t: f64, parameters: &mut Parameters) {
     }
 }
 
-/// F and B on the way: in even ratios if they're distances in front of the eye. In parallel projection they need not
-/// be, and then go straight.
+/// F and B on the way: in even ratios if they're distances in front of the eye. They needn't be in parallel projection,
+/// and then go straight.
 fn planes(a: &Parameters, b: &Parameters, t: f64) -> [f64; 2] {
     if a.near <= 0.0 || b.near <= 0.0 {
         let near = between(a.near, b.near, t);
@@ -101,7 +101,7 @@ fn lens(from: &Camera, to: &Camera, t: f64) -> Parameters {
         angle.clamp(a.view_angle.min(b.view_angle), a.view_angle.max(b.view_angle))
     };
     let window = (a.window.is_some() || b.window.is_some()).then(|| {
-        // In perspective the slopes of the sides are visible.
+        // The slopes of the sides are visible in perspective.
         let [unit_a, unit_b, unit] = match a.projection {
             Projection::Perspective => [a.near, b.near, near],
             Projection::Parallel => [1.0; 3],
@@ -138,7 +138,7 @@ fn evenly(a: f64, b: f64, t: f64) -> f64 {
     if a == b { a } else { between(a.ln(), b.ln(), t).exp().clamp(a.min(b), a.max(b)) }
 }
 
-/// A vector of any length, which its square may not have.
+/// The unit vector along one of any length, even if its square overflows or underflows.
 fn unit(v: DVec3) -> DVec3 {
     (v / v.abs().max_element()).normalize()
 }

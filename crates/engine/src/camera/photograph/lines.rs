@@ -34,7 +34,7 @@ impl WorldAxis {
 pub struct PhotographLine {
     /// The direction of the line in the world.
     pub axis: WorldAxis,
-    /// Its ends in pixels, (0, 0) at the top left: from the first to the second, the coordinate grows.
+    /// Its ends in pixels, (0, 0) at the top left. The coordinate grows from the first to the second.
     pub ends: [DVec2; 2],
 }
 
@@ -65,7 +65,7 @@ impl Located {
 /// A number counts as different from 0 if it's this many times its error for one pixel.
 const SURE: f64 = 2.0;
 
-/// The vanishing points of the axes that have at least two lines; `pixel` is the size of one.
+/// The vanishing points of the axes that have at least two lines. `pixel` is the size of a pixel.
 pub(super) fn vanishing(
     lines: &[PhotographLine],
     centred: impl Fn(DVec2) -> DVec2,
@@ -107,7 +107,7 @@ fn located_of(axis: WorldAxis, lines: &[[DVec2; 2]], pixel: f64) -> Result<Locat
 }
 
 /// The point where lines meet, homogeneous and of length 1: the least squares solution of l · v = 0 with lines of
-/// length 1, which is the eigenvector of the smallest eigenvalue of Σ l lᵀ. `None` if it is not one point.
+/// length 1, which is the eigenvector of the smallest eigenvalue of Σ l lᵀ. `None` if it isn't one point.
 fn meeting(lines: &[[DVec2; 2]]) -> Option<DVec3> {
     let homogeneous = lines.iter().map(|[a, b]| a.extend(1.0).cross(b.extend(1.0)));
     let lines: Vec<DVec3> = homogeneous.map(|line| line / line.truncate().length()).collect();
@@ -118,7 +118,7 @@ fn meeting(lines: &[[DVec2; 2]]) -> Option<DVec3> {
     smallest_eigenvector(sum)
 }
 
-/// Jacobi's method: rotations that make the entries beside the diagonal 0, one after the other.
+/// Jacobi's method, rotations that make the entries beside the diagonal 0, one after the other.
 fn smallest_eigenvector(m: DMat3) -> Option<DVec3> {
     const SWEEPS: usize = 12;
     let (mut m, mut vectors) = (m, DMat3::IDENTITY);
@@ -144,7 +144,7 @@ fn smallest_eigenvector(m: DMat3) -> Option<DVec3> {
     vectors.col(least).try_normalize()
 }
 
-/// f in half diagonals from all pairs of axes, each pair by how sure it is; `None` if no pair tells it.
+/// f in half diagonals from all pairs of axes, each weighted by how sure it is. `None` if no pair tells it.
 pub(super) fn focal_length(located: &[Located]) -> Result<Option<f64>, PhotographError> {
     let (mut sum, mut weights) = (0.0, 0.0);
     for (i, a) in located.iter().enumerate() {
@@ -156,7 +156,7 @@ pub(super) fn focal_length(located: &[Located]) -> Result<Option<f64>, Photograp
             let error_across = (a.error.truncate() * b.point.truncate())
                 .length()
                 .hypot((b.error.truncate() * a.point.truncate()).length());
-            // A pair of which one point is ideal, or both stand across the axis, says nothing.
+            // A pair says nothing if one point is ideal or both stand across the axis.
             if depths.abs() <= SURE * error || across.abs() <= SURE * error_across {
                 continue;
             }

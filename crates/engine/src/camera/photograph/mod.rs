@@ -25,14 +25,14 @@ pub struct PhotographMarks {
     pub lines: Vec<PhotographLine>,
     /// The pixel of the origin of the world, (0, 0) at the top left.
     pub origin: Option<DVec2>,
-    /// A point on an axis: its pixel, and its coordinate, which is not 0.
+    /// A point on an axis: its pixel, and its coordinate, which isn't 0.
     pub length: Option<(WorldAxis, DVec2, f64)>,
 }
 
 /// A vanishing point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisVanishing {
-    /// Whose lines meet there.
+    /// The axis whose lines meet there.
     pub axis: WorldAxis,
     /// Its pixel; `None` if its lines may be parallel in the image.
     pub pixel: Option<DVec2>,
@@ -41,14 +41,14 @@ pub struct AxisVanishing {
     pub spread: f64,
 }
 
-/// A number that a photograph cannot say.
+/// A number that a photograph can't tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Untold {
-    /// θ: of each pair of axes, one has lines that nearly meet at infinity.
+    /// θ, because in each pair of axes, one has lines that nearly meet at infinity.
     ViewAngle,
-    /// The direction to C: no pixel of the origin was given.
+    /// The direction to C, because no pixel of the origin was given.
     Position,
-    /// The distance of C: no length was given.
+    /// The distance of C, because no length was given.
     Distance,
 }
 
@@ -63,7 +63,7 @@ impl Untold {
     }
 }
 
-/// Why there is no camera.
+/// The reason why there is no camera.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum PhotographError {
     /// Fewer than two axes have two lines each.
@@ -75,7 +75,7 @@ pub enum PhotographError {
     /// The lines of an axis lie on one line, and meet everywhere.
     #[error("the lines of {} lie on one line", .0.name())]
     OneLine(WorldAxis),
-    /// 1/f² is negative: axes at right angles never look so with the principal point in the middle.
+    /// 1/f² is negative. Axes at right angles never look like this with the principal point in the middle.
     #[error("{} and {} are not at right angles in any camera with its axis through the middle", .0.name(), .1.name())]
     NotAtRightAngles(WorldAxis, WorldAxis),
     /// The senses of the lines make a left-handed system.
@@ -89,20 +89,20 @@ pub enum PhotographError {
 /// The camera of a photograph, with the cost of an error of one pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhotographCamera {
-    /// The camera. The numbers that are [untold](Self::untold) are those of the camera that was given.
+    /// The camera. The [untold](Self::untold) numbers are those of the given camera.
     pub parameters: Parameters,
     /// The vanishing points, in the order of the axes.
     pub vanishing: Vec<AxisVanishing>,
     /// Two points of the horizon, the image of the ideal line of the plane y = 0; `None` if it is at infinity.
     pub horizon: Option<[DVec2; 2]>,
-    /// f in pixels; `None` means it cannot be known.
+    /// f in pixels. `None` means it can't be known.
     pub focal_length: Option<f64>,
-    /// By how many degrees θ changes if each end of each line is wrong by one pixel, root of the sum of squares; `None`
-    /// if θ can't be known.
+    /// The change of θ in degrees if each end of each line is wrong by one pixel, root of the sum of squares. `None` if
+    /// θ can't be known.
     pub view_angle_per_pixel: Option<f64>,
     /// The same of the direction of **n**, degrees.
     pub direction_per_pixel: f64,
-    /// The numbers that the photograph does not say.
+    /// The numbers that the photograph doesn't tell.
     pub untold: Vec<Untold>,
 }
 
@@ -113,14 +113,15 @@ impl PhotographCamera {
         [v.cross(n), v, n]
     }
 
-    /// The angle by which the camera is rolled about **n**: that of the horizon with the rows of the image. Degrees.
+    /// The angle by which the camera is rolled about **n**, between the horizon and the rows of the image. Degrees.
     pub fn roll(&self) -> f64 {
         let [u, v, _] = self.axes();
         u.y.atan2(v.y).to_degrees()
     }
 }
 
-/// The camera of the marks in an image. What they leave open is that of `given`: θ, F, B, and the distance of C.
+/// The camera of the marks in an image. The numbers that they leave open come from `given`: θ, F, B, and the distance
+/// of C.
 ///
 /// # Errors
 /// [`PhotographError`] says why there is none.
@@ -194,7 +195,7 @@ impl Frame {
 /// f and R.
 struct Solved {
     located: Vec<Located>,
-    /// In half diagonals; `None` means it cannot be known.
+    /// In half diagonals. `None` means it can't be known.
     focal_length: Option<f64>,
     /// The one in use: the given one if it can't be known.
     used_focal_length: f64,
@@ -230,7 +231,7 @@ fn place(
         untold.push(Untold::Distance);
         return Ok(-(world_from_view * origin.normalize()) * distance);
     };
-    // λ r_o + L d is on the ray r_q: its cross product with that is 0, of which λ is the least squares solution.
+    // λ r_o + L d is on the ray r_q, so its cross product with r_q is 0, and λ is the least squares solution of that.
     let (r_q, d) = (ray(pixel), solved.axes.col(axis.index()));
     let (across, moved) = (origin.cross(r_q), d.cross(r_q) * length);
     let lambda = -moved.dot(across) / across.length_squared();

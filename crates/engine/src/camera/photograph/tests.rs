@@ -70,7 +70,7 @@ fn sides(random: &mut Numbers) -> DVec3 {
     DVec3::new(random.between(1.0, 3.0), random.between(1.0, 3.0), random.between(1.0, 3.0))
 }
 
-/// θ is another one than that of the cameras. Nothing may come from it.
+/// θ differs from that of the cameras. Nothing may come from it.
 fn given() -> Parameters {
     Parameters { view_angle: 33.0, ..Parameters::default() }
 }

@@ -42,7 +42,7 @@ impl MatrixEntries {
         self.numbers.len()
     }
 
-    /// Whether they are one list, without lines.
+    /// True if they are one list, without lines.
     pub(crate) fn is_flat(&self) -> bool {
         self.in_line.is_none()
     }
@@ -60,7 +60,7 @@ impl MatrixEntries {
         if self.rows() == 3 { m - DMat4::IDENTITY } else { m }
     }
 
-    /// The first number that is none, with its place in the lines.
+    /// The first number that isn't finite, with its place in the lines.
     pub(crate) fn not_finite(&self) -> Option<(usize, usize, f64)> {
         let columns = self.in_line.unwrap_or(if self.count() == 9 { 3 } else { 4 });
         let at = self.numbers.iter().position(|number| !number.value.is_finite())?;
@@ -80,7 +80,7 @@ impl MatrixEntries {
     }
 
     /// The matrix, which acts on column vectors. Three rows are followed by 0 0 0 1. By columns the numbers go down
-    /// first, as OpenGL, glTF and three.js have them, so does a matrix that is written for row vectors.
+    /// first, as in OpenGL, glTF and three.js, and as in a matrix written for row vectors.
     pub fn matrix(&self, by_columns: bool) -> DMat4 {
         self.in_order(if by_columns { Order::Columns } else { Order::Rows })
     }

@@ -1,4 +1,4 @@
-//! The causes for which a matrix is not that of a camera.
+//! The reasons why a matrix isn't that of a camera.
 
 use glam::DVec4;
 
@@ -29,10 +29,10 @@ impl Lines {
     }
 }
 
-/// Why a matrix is not that of a camera.
+/// The reason why a matrix isn't that of a camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RecoveryError {
-    /// An entry is not a finite number.
+    /// An entry isn't a finite number.
     #[error("entry {row},{column} is {value}, which isn't a finite number")]
     NotFinite {
         /// NaN or an infinity.
@@ -48,7 +48,7 @@ pub enum RecoveryError {
         /// The last row of the matrix.
         last: DVec4,
     },
-    /// Axes that must be perpendicular are not.
+    /// Axes that must be perpendicular aren't.
     #[error("{} {a} and {b} are not perpendicular (the cosine between them is {cosine:.2e}): a shear, which no camera has", .lines.plural())]
     Shear {
         /// The lines that hold the axes.
@@ -57,10 +57,10 @@ pub enum RecoveryError {
         a: usize,
         /// From 1.
         b: usize,
-        /// Of the angle.
+        /// The cosine of the angle.
         cosine: f64,
     },
-    /// A row that must have the length 1 has another one.
+    /// A row that must have the length 1 has another length.
     #[error("row {row} has length {length}; the rows of a view matrix are unit vectors")]
     Length {
         /// From 1.
@@ -68,7 +68,7 @@ pub enum RecoveryError {
         /// The length of that row.
         length: f64,
     },
-    /// An entry that must be zero is not.
+    /// An entry that must be zero isn't.
     #[error("entry {row},{column} is {value}; in a projection matrix it is 0")]
     NotZero {
         /// From 1.
@@ -165,7 +165,7 @@ pub enum RecoveryError {
         /// A convention in which it would be a camera.
         fits: Option<Ndc>,
     },
-    /// The result is not a camera.
+    /// The result isn't a camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
 }

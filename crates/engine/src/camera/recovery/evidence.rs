@@ -9,10 +9,10 @@ use crate::camera::recovery::entries::MatrixEntries;
 use crate::camera::recovery::{Axes, MatrixKind, Order, Reading, Recovered, SLACK, Unknown, WorldUp};
 use crate::camera::{Camera, Program, Projection};
 
-/// Something that speaks for a reading, or against it.
+/// A fact that speaks for a reading, or against it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reason {
-    /// A word of the text says so.
+    /// A word of the text means it.
     Word(&'static str),
     /// **u** is horizontal.
     Level,
@@ -47,11 +47,11 @@ pub(crate) struct Weight {
     pub(crate) is_ahead: bool,
 }
 
-/// The most that being level counts: digits may be made up, and a hand-held camera is nearly level as well.
+/// The most that being level counts, because digits may be made up, and a hand-held camera is nearly level as well.
 const LEVEL: f64 = 9.0;
-/// A **v** · up below this is a view straight down or up: then **u** tells nothing.
+/// A **v** · up below this is a view straight down or up, and then **u** tells nothing.
 const STEEP: f64 = 0.2;
-/// Two directions that differ by less than a matrix of three digits can tell.
+/// The least difference of two directions that a matrix of three digits can tell.
 const SAME: f64 = 5e-3;
 
 impl Weight {
@@ -92,7 +92,7 @@ impl Weight {
         self.reasons.push(reason);
     }
 
-    /// How level and how upright the camera is, and whether it looks at the origin.
+    /// How level and upright the camera is, and if it looks at the origin.
     fn pose(&mut self, axes: Axes, camera: &Camera) {
         // The world is turned or mirrored by now.
         let ups: &[(DVec3, f64)] = match axes.up {
@@ -144,7 +144,7 @@ impl Weight {
             let points = if is_perspective || camera.near() > 0.0 { 20.0 } else { 6.0 };
             self.add(points, Reason::ProjectionPattern);
         }
-        // A view or a pose, in either order, is none.
+        // A view or a pose, in either order, isn't one.
         if is_rigid(matrix) || is_rigid(matrix.transpose()) {
             self.score -= 25.0;
         }
@@ -176,13 +176,13 @@ impl Weight {
         if unusual > 0.0 {
             self.add(-unusual, Reason::Unusual);
         }
-        // In a parallel M_p M_v, F is the present one.
+        // F is the present one in a parallel M_p M_v.
         if !found.unknown.contains(&Unknown::PositionAlongNormal) {
             self.round_planes(reading, errors, found, camera);
         }
     }
 
-    /// F and B that someone typed are short; in a wrong range of NDC they are not.
+    /// F and B that an author typed are short, but not in a wrong range of NDC.
     fn round_planes(&mut self, reading: &Reading, errors: DMat4, found: &Recovered, camera: &Camera) {
         let (near, far) = (camera.near(), camera.far());
         let [of_z, of_depth] = if reading.kind == MatrixKind::ViewProjection {
@@ -236,7 +236,7 @@ fn upright(u: f64, v: f64) -> Weight {
     Weight { score: level + 4.0 * v, reasons, is_level, is_ahead: false }
 }
 
-/// Points before any number speaks: how common a reading is.
+/// Points before any number speaks, for how common a reading is.
 fn prior(reading: &Reading, order: Order, is_flat: bool) -> f64 {
     let axes = reading.axes;
     let mut points = 0.0;
@@ -287,7 +287,7 @@ fn unusual_order(reading: &Reading, order: Order, is_flat: bool) -> f64 {
         }
 }
 
-/// Whether a number has one or two digits beside zeros, as far as its error tells.
+/// True if a number has one or two digits beside zeros, as far as its error tells.
 fn is_round(value: f64, error: f64) -> bool {
     if value == 0.0 || !value.is_finite() {
         return false;
@@ -298,13 +298,13 @@ fn is_round(value: f64, error: f64) -> bool {
     error < 0.02 * step && (value - nearest).abs() <= 1.05 * error
 }
 
-/// Whether rows are perpendicular unit vectors, followed by 0 0 0 1.
+/// True if rows are perpendicular unit vectors, followed by 0 0 0 1.
 pub(crate) fn is_rigid(m: DMat4) -> bool {
     let last = m.row(3);
     last.truncate().length() <= SLACK && (last.w - 1.0).abs() <= SLACK && is_rotation(m)
 }
 
-/// Whether the first three rows are perpendicular unit vectors.
+/// True if the first three rows are perpendicular unit vectors.
 pub(crate) fn is_rotation(m: DMat4) -> bool {
     let rows = [0, 1, 2].map(|i| m.row(i).truncate());
     let are_units = rows.iter().all(|row| (row.length() - 1.0).abs() <= SLACK);
@@ -312,7 +312,7 @@ pub(crate) fn is_rotation(m: DMat4) -> bool {
     are_units && are_perpendicular
 }
 
-/// Whether it is the matrix of a node with a scale of its own. In a parallel M_p M_v the rows are perpendicular but of
+/// True if it's the matrix of a node with a scale of its own. In a parallel M_p M_v the rows are perpendicular but of
 /// different lengths, and z changes its sign.
 pub(crate) fn is_scaled(m: DMat4) -> bool {
     let rows = [0, 1, 2].map(|i| m.row(i).truncate());

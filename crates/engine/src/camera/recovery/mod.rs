@@ -1,6 +1,6 @@
 //! A matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC.
 //!
-//! Quantities that a matrix does not hold are taken from the present camera, and reported ([`Unknown`]): D (a direction
+//! Quantities that a matrix doesn't hold are taken from the present camera, and reported ([`Unknown`]): D (a direction
 //! has no length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line
 //! of sight changes nothing).
 
@@ -37,13 +37,13 @@ pub struct Recovered {
     pub unknown: Vec<Unknown>,
 }
 
-/// Beside 1: a matrix that was copied with three digits still passes.
+/// The tolerance beside 1, which a matrix copied with three digits still passes.
 pub(crate) const SLACK: f64 = 2e-3;
-/// Errors below this are not reported. All digits of an `f64` are there.
+/// Errors below this aren't reported. All digits of an `f64` are there.
 pub(crate) const EXACT: f64 = 1e-9;
 
-/// The camera of a matrix that acts on column vectors, as it is read. What the matrix does not hold comes from
-/// `current`.
+/// The camera of a matrix that acts on column vectors, as read by a reading. Quantities that the matrix doesn't hold
+/// come from `current`.
 ///
 /// ```
 /// use camera_lab_engine::camera::{MatrixKind, Parameters, Projection, Reading, recover};

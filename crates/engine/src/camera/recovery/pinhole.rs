@@ -62,7 +62,7 @@ fn factored(m: DMat4) -> Result<Factored, RecoveryError> {
     })
 }
 
-/// Whether the numbers of K \[R | t\] can be pixels: sixteen numbers are rather a projection if they can't.
+/// True if the numbers of K \[R | t\] can be pixels. If they can't, sixteen numbers are rather a projection.
 pub(crate) fn check_pixels(m: DMat4) -> Result<(), RecoveryError> {
     let Factored { focal_lengths: [f_x, f_y], principal_point: [x, y], .. } = factored(m)?;
     let is_of_pixels = |f: f64, c: f64| f > 2.0 && c > 2.0 && f > 0.1 * c && f < 100.0 * c;

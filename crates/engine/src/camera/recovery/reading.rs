@@ -1,4 +1,4 @@
-//! How a matrix of another program is read: its task, its axes and its normalised device coordinates.
+//! The reading of a matrix of another program: its task, its axes and its normalised device coordinates.
 
 use crate::camera::{Axes, ImageSize, NdcRange};
 
@@ -26,22 +26,22 @@ crate::listed! {
 }
 
 impl MatrixKind {
-    /// Whether it is written in axes of the camera that programs choose differently.
+    /// True if it's written in axes of the camera that programs choose differently.
     pub const fn has_camera_axes(self) -> bool {
         matches!(self, Self::View | Self::CameraToWorld)
     }
 
-    /// Whether it holds C and the axes of the camera, and so is written in axes of a world.
+    /// True if it holds C and the axes of the camera, and so is written in axes of a world.
     pub const fn has_pose(self) -> bool {
         !matches!(self, Self::Projection | Self::Intrinsics)
     }
 
-    /// Whether it leads to normalised device coordinates.
+    /// True if it leads to normalised device coordinates.
     pub const fn has_ndc(self) -> bool {
         matches!(self, Self::Projection | Self::ViewProjection)
     }
 
-    /// Whether it holds pixels.
+    /// True if it holds pixels.
     pub const fn has_pixels(self) -> bool {
         matches!(self, Self::Pinhole | Self::Intrinsics)
     }
@@ -52,7 +52,7 @@ impl MatrixKind {
 pub struct Reading {
     /// The kind of the matrix.
     pub kind: MatrixKind,
-    /// Whose axes: those of the camera if the kind has some, and those of the world.
+    /// The program's axes: those of the camera if the kind has some, and those of the world.
     pub axes: Axes,
     /// Its NDC. Counts for M_p and M_p M_v.
     pub ndc: NdcRange,
@@ -82,9 +82,9 @@ impl Reading {
 pub struct Stated {
     /// The kind of the matrix.
     pub kind: Option<MatrixKind>,
-    /// Whose axes.
+    /// The program whose axes it's in.
     pub axes: Option<Axes>,
-    /// It is written by columns, or for row vectors. If `kind` is open too, `false` leaves it open.
+    /// It's written by columns, or for row vectors. If `kind` is open too, `false` leaves it open.
     pub by_columns: bool,
     /// The NDC that a projection leads to; `None` leaves them open.
     pub ndc: Option<NdcRange>,

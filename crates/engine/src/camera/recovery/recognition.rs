@@ -10,16 +10,16 @@ use crate::camera::recovery::{
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
 
 crate::worded! {
-    /// Why a matrix is read as it is.
+    /// The reason why a matrix is read as it is.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Evidence {
         /// No other reading gives a camera.
         Only = "only",
-        /// In no other reading the camera is level and upright.
+        /// The camera is level and upright in no other reading.
         Level = "level",
-        /// In no other reading that is as level the origin lies in front of the camera.
+        /// The origin lies in front of the camera in no other reading that is as level.
         OriginAhead = "origin-ahead",
-        /// None: others fit as well.
+        /// There is none, because others fit as well.
         Nothing = "nothing",
     }
     /// The name in the output of the command line.
@@ -27,7 +27,7 @@ crate::worded! {
 }
 
 crate::worded! {
-    /// How sure a reading is.
+    /// The certainty of a reading.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Certainty {
         /// Others are about as likely.
@@ -44,7 +44,7 @@ crate::worded! {
 /// A reading that the numbers allow, with its camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
-    /// How it is read.
+    /// The reading.
     pub reading: Reading,
     /// The order of its numbers.
     pub order: Order,
@@ -75,9 +75,9 @@ pub enum Assumed {
 /// A matrix whose readings were recognised.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recognised {
-    /// All readings that fit and give different cameras, the best first; at least one.
+    /// All readings that fit and give different cameras, the best first. At least one.
     pub readings: Vec<Candidate>,
-    /// Why the first is read so.
+    /// The reason why the first is the best.
     pub evidence: Evidence,
     /// Other kinds as which it gives another camera, the likelier first.
     pub others: Vec<MatrixKind>,
@@ -96,7 +96,8 @@ impl Recognised {
 /// The points for the reading of a weak word: more than a rival order, less than a level camera has.
 const WEAK_WORD: f64 = 6.0;
 
-/// The points against columns if you stated the kind but not the columns: only rows that give no camera lose to them.
+/// The points against columns if you stated the kind but not the columns, so that only rows that give no camera lose to
+/// them.
 const UNSTATED_COLUMNS: f64 = 30.0;
 
 /// The points by which a reading is better than the next, so that it is likely: odds of 20 to 1.
@@ -108,7 +109,7 @@ const LIKELY: f64 = 3.0;
 /// evidence ranks the others. See [`Reason`].
 ///
 /// # Errors
-/// That of the likeliest reading, if none gives a camera.
+/// The error of the likeliest reading, if none gives a camera.
 pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Result<Recognised, RecoveryError> {
     let Some(entries) = &pasted.entries else { return lens_alone(pasted, stated, current) };
     if let Some((row, column, value)) = entries.not_finite() {
@@ -278,7 +279,7 @@ fn follow(word: &Word, stated: &Stated, entries: &MatrixEntries, readings: &mut 
     }
 }
 
-/// The readings with their certainty. The other kinds and the assumptions.
+/// The readings with their certainty, the other kinds and the assumptions.
 fn judged(mut readings: Vec<Candidate>, elsewhere: &[Candidate], stated: &Stated) -> Recognised {
     // Shares of the sides and pixels of a tiny image are the same numbers.
     let is_odd =
@@ -390,7 +391,7 @@ fn with_lens(found: &mut Recovered, lens: GivenLens, reading: &Reading, current:
     *found = Recovered { parameters: recovery.found, unknown: recovery.unknown };
 }
 
-/// Whether two cameras are the same but for rounding.
+/// True if two cameras are the same but for rounding.
 fn is_same(a: &Parameters, b: &Parameters) -> bool {
     let numbers = |p: &Parameters| {
         let window = p.window.map_or([0.0; 4], |w| [w.left, w.right, w.bottom, w.top]);

@@ -1,4 +1,4 @@
-//! The cause for which no reading of a matrix gives a camera.
+//! The reason why no reading of a matrix gives a camera.
 
 use glam::{DMat4, DVec3, DVec4};
 

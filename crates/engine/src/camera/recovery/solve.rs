@@ -164,7 +164,7 @@ impl Recovery {
         let last = m.row(3);
         let axis = last.truncate().length();
         let largest = (0..3).map(|i| m.row(i).truncate().length()).fold(0.0, f64::max);
-        // A perspective's last row is as long as 1 beside 2F/W and the like; one that is only noise has no direction.
+        // A perspective's last row is as long as 1 beside 2F/W and the like. A row of mere noise has no direction.
         if axis > 1e-9 * largest.max(last.w.abs()) { self.both_perspective(m / axis) } else { self.both_parallel(m) }
     }
 
@@ -253,7 +253,7 @@ impl Recovery {
         let of = |[at_near, at_far]: [f64; 2]| (depth / (z + at_near), depth / (z + at_far));
         let is_possible = |(near, far): (f64, f64)| near > 0.0 && near.is_finite() && near < far && far.is_finite();
         let (near, far) = of(self.reading.ndc.depths());
-        // Beyond what 1 − F/B can hold in an f64, B is lost.
+        // B is lost if 1 − F/B doesn't fit in an f64.
         if near > 0.0 && near.is_finite() && !(far > 0.0 && far < near * 1e15) {
             let [_, at_far] = self.reading.ndc.depths();
             if (z + at_far).abs() <= 1e-14 {

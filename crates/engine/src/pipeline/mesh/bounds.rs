@@ -11,7 +11,7 @@ use crate::scene::Mesh;
 pub(crate) struct Bounds {
     /// The box around all finite vertices.
     pub(crate) aabb: Aabb,
-    /// The ball around the middle of the box that holds them all.
+    /// The ball around the middle of the box that holds all vertices.
     pub(crate) radius: f64,
     /// Every coordinate is a number.
     pub(crate) finite: bool,

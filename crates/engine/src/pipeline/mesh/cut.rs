@@ -1,9 +1,9 @@
-//! The one way in which a polygon, or a segment, is cut by a plane: where the corners of its two parts come from.
+//! Cuts a polygon, or a segment, by a plane: where the corners of its two parts come from.
 //!
-//! A new corner lies at the mean of the two ends of an edge, weighted by their distances from the plane,
-//! `P = (d₁ P₂ + d₂ P₁) / (d₁ + d₂)` as `[2]` has it: accurate however far apart the ends lie. It is always reckoned
-//! from the end inside to the end outside, whichever comes first in the polygon, so two polygons that share an edge get
-//! the same corner to the last bit.
+//! A new corner lies at the mean of the two ends of an edge, weighted by their distances from the plane, `P = (d₁ P₂ +
+//! d₂ P₁) / (d₁ + d₂)` as `[2]` has it, which is accurate however far apart the ends lie. It is always reckoned from
+//! the end inside to the end outside, whichever comes first in the polygon, so two polygons that share an edge get the
+//! same corner to the last bit.
 
 /// A corner of a part of a polygon: where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,9 +37,9 @@ impl Edge {
 
 /// Returns the corners of the part inside a plane, and of the part outside, in the order of the polygon.
 ///
-/// `corners`: their number, two for a segment; `distance`: of each from the plane, positive inside. A corner in the
-/// plane belongs to both parts, and is its own cut. A part that only touches the plane may have too few corners to be
-/// anything.
+/// `corners` is their number, two for a segment. `distance` gives that of each corner from the plane, positive inside.
+/// A corner in the plane belongs to both parts, and is its own cut. A part that only touches the plane may have too few
+/// corners to be anything.
 #[inline(always)]
 pub(crate) fn cut(
     corners: usize,
@@ -62,7 +62,7 @@ pub(crate) fn cut(
         }
         let next = (first + 1) % corners;
         let there = distance(next);
-        // Not by the sign of the product, which is 0 if both are tiny.
+        // The sign of the product doesn't tell: it's 0 if both are tiny.
         let (inner, outer, d1, d2) = if here > 0.0 && there < 0.0 {
             (first, next, here, -there)
         } else if here < 0.0 && there > 0.0 {

@@ -1,15 +1,14 @@
 //! The outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases.
 //!
-//! A mesh's edge is on the silhouette where one of its two faces is seen from outside and the other is not. The drawn
-//! contour is not that of the ideal surface but that of the mesh, which borders the filled area.
+//! A mesh's edge is on the silhouette if one of its two faces is seen from outside and the other isn't. The drawn
+//! contour is that of the mesh, which borders the filled area, and not that of the ideal surface.
 
 use glam::DVec4;
 
 use crate::scene::SharedEdge;
 use crate::scene::mesh::Mesh;
 
-/// A face that is turned from the eye by less than this, in comparison with the numbers that decide it, is seen
-/// edge-on.
+/// A face is seen edge-on if it's turned from the eye by less than this, relative to the numbers that decide it.
 const EDGE_ON: f64 = 1e-9;
 
 /// The outline of a mesh seen from `eye`, as polylines of vertices: silhouettes, then creases, each from end to end or
@@ -33,14 +32,14 @@ pub(crate) fn outline(mesh: &Mesh, eye: DVec4) -> Vec<Vec<u32>> {
     chains
 }
 
-/// True if the eye is before a face. Edge-on is not, whatever rounding says: of a quadrilateral's two faces both are
-/// not.
+/// True if the eye is before a face. False if the face is edge-on, whatever rounding says, so that both triangles of a
+/// quadrilateral agree.
 fn is_seen(plane: DVec4, eye: DVec4) -> bool {
     let size = plane.truncate().length() * eye.truncate().length() + (plane.w * eye.w).abs();
     plane.dot(eye) > EDGE_ON * size
 }
 
-/// Edges, joined to polylines as long as they go on: dashes do not begin anew at each vertex then.
+/// Edges, joined to polylines as long as they go on, so that dashes don't begin anew at each vertex.
 fn chained(edges: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let mut at: Vec<(u32, usize)> =
         edges.iter().enumerate().flat_map(|(k, ends)| ends.map(|vertex| (vertex, k))).collect();

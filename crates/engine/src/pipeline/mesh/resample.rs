@@ -1,7 +1,7 @@
 //! Attributes of the vertices that cutting makes: colours, normals, texture coordinates …
 //!
-//! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. A new
-//! attribute of vertices is one more arm in [`object_paint`], [`base_of`] or [`append`].
+//! All meshes with attributes by vertex or by face that are made anew after a cut come through here. A new attribute of
+//! vertices is one more arm in [`object_paint`], [`base_of`] or [`append`].
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::scene::{Adjacency, FoundLight, InWorld, Mesh, Object, ObjectPaint, Pi
 pub(crate) enum VertexOrigin {
     /// This vertex of the old mesh.
     Vertex(u32),
-    /// A point on a triangle: attributes are the sum of those of three vertices, weighted.
+    /// A point on a triangle. Its attributes are the weighted sums of those of three vertices.
     Between {
         /// Vertices of the old mesh.
         of: [u32; 3],
@@ -26,7 +26,7 @@ pub(crate) enum VertexOrigin {
     },
 }
 
-/// The weights of the three corners of a triangle that has not been cut.
+/// The weights of the three corners of an uncut triangle.
 pub(crate) const OWN_WEIGHTS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl VertexOrigin {
@@ -142,7 +142,7 @@ fn pictured(old: &Pictured, origins: &[VertexOrigin], inverse_w: &[f32]) -> Pict
         if inverse_w.is_empty() {
             return origin.of(at);
         }
-        // What is affine between the vertices is divided by w.
+        // Values that are affine between the vertices are divided by w.
         let divided = |i: u32| {
             let ([u, v], q) = (at(i), inverse_w.get(i as usize).copied().unwrap_or(1.0));
             [u * q, v * q, q]
@@ -184,7 +184,7 @@ pub(crate) fn base_of(paint: ObjectPaint) -> Base {
     }
 }
 
-/// The normals of a mesh whose vertices come from those of another. None if that has none.
+/// The normals of a mesh whose vertices come from those of another. None if the other has none.
 pub(crate) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
     if old.normals.is_empty() {
         return Vec::new();
@@ -247,8 +247,8 @@ impl Remake {
     }
 }
 
-/// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices,
-/// ascending; `outlined`: the edges of the mesh's adjacency that may still be on its outline.
+/// An object with only some of its triangles and edges, open unless it keeps all. `triangles` are their indices,
+/// ascending, and `outlined` the edges of the mesh's adjacency that may still be on its outline.
 pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, outlined: Vec<SharedEdge>) -> Object {
     let old = &object.mesh;
     let all = triangles.len() == old.triangles.len();
@@ -263,7 +263,7 @@ pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, 
     };
     let vertices = 0..u32::try_from(old.positions.len()).unwrap_or(u32::MAX);
     let paint = match &object.paint {
-        // Vertices do not change.
+        // Vertices don't change.
         ObjectPaint::Faces(_) => object_paint(object, vertices.map(VertexOrigin::Vertex), triangles),
         paint => paint.clone(),
     };

@@ -1,7 +1,7 @@
 //! The order of faces by a tree of planes: faces that cross a plane are split (Fuchs, Kedem and Naylor 1980).
 //!
 //! A set of pieces is divided by a plane of one of them. The pieces behind it, seen from the eye, are painted first,
-//! then those in the plane, then those before it; each of the two sides is divided in its turn. Splitting may go on for
+//! then those in the plane, then those before it. Each of the two sides is divided in its turn. Splitting may go on for
 //! long, so it has a budget.
 
 use glam::DVec3;
@@ -15,7 +15,7 @@ use crate::pipeline::mesh::cut::{Origin, cut};
 use crate::pipeline::space::projector::Projector;
 use crate::progress::{Activity, Progress};
 
-/// An exceeded budget of splitting: pieces of the faces of these layers.
+/// An exceeded budget of splitting. The pieces are of the faces of these layers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct TooManyPieces {
     /// Number of pieces made.
@@ -114,8 +114,8 @@ impl Task {
 }
 
 impl Tree<'_> {
-    /// Puts all pieces in order. A tree that is one long branch must not exhaust the stack: `tasks` wait, the next at
-    /// the end.
+    /// Puts all pieces in order. `tasks` wait in a list, the next at the end, so that a tree of one long branch can't
+    /// exhaust the stack.
     fn order(&mut self, set: Vec<Piece>, progress: &Progress) -> Result<(), TooManyPieces> {
         let mut tasks = vec![Task::Order(set)];
         while !tasks.is_empty() && !progress.is_cancelled() {
@@ -144,13 +144,13 @@ impl Tree<'_> {
         TooManyPieces { pieces: of_layer.iter().sum(), of_layer }
     }
 
-    /// Of faces in one plane the first listed is painted last. It stays, as in a depth buffer.
+    /// The first listed of the faces in one plane is painted last. It stays, as in a depth buffer.
     fn paint(&mut self, set: Vec<Piece>) {
         self.ordered.extend(set.into_iter().rev());
     }
 
-    /// The plane that divides a set, if it's to be divided: the best of some planes of faces, and in large sets of some
-    /// upright planes through the middle too. Of equals the first is taken.
+    /// The plane that divides a set, if any. It's the best of some planes of faces, and in large sets of some upright
+    /// planes through the middle too. The first of equals wins.
     fn plane(&self, set: &[Piece]) -> Option<SplitPlane> {
         const TRIED: usize = 6;
         const LARGE: usize = 128;

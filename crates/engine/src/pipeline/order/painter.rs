@@ -1,4 +1,4 @@
-//! The order of faces if no depth buffer decides: the painter's algorithm by centroids; the tree of planes is in
+//! The order of faces if no depth buffer decides: the painter's algorithm by centroids. The tree of planes is in
 //! [`bsp`](super::bsp).
 //!
 //! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one
@@ -9,13 +9,13 @@ use crate::drawing::Surface;
 use crate::pipeline::mesh::resample::{VertexOrigin, append, can_append, empty_like};
 use crate::pipeline::space::point::ViewPoint;
 
-/// Sorted by the distance of the centroid, the farthest first. Wrong if faces interlock or differ much in size, and
-/// there to be seen failing.
+/// Sorts by the distance of the centroid, the farthest first. Wrong if faces interlock or differ much in size, and here
+/// to show this failure.
 pub(crate) fn by_centroid(layers: &[Layer], image: &ToImage) -> (Vec<Surface>, usize) {
     let (all, _) = pieces(layers);
     let distance = |piece: &Piece| piece.corners.iter().map(|corner| -corner.view.z).sum::<f64>();
     let mut pieces: Vec<(f64, Piece)> = all.into_iter().map(|piece| (distance(&piece), piece)).collect();
-    // Of equal distances the first listed is painted last: it stays, as in a depth buffer.
+    // If distances are equal, the first listed is painted last and stays, as in a depth buffer.
     pieces.reverse();
     pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut painter = Painter::new(layers, image);

@@ -10,11 +10,11 @@ use crate::pipeline::mesh::resample::{OWN_WEIGHTS, VertexOrigin};
 /// A surface with the data for sorting it.
 #[derive(Clone, Debug)]
 pub(crate) struct Layer {
-    /// As it was shaded.
+    /// The surface, shaded.
     pub(crate) surface: Surface,
     /// Its vertices in view space.
     pub(crate) view: Vec<DVec3>,
-    /// No face of it can hide another: front faces of something convex.
+    /// No face of it can hide another, as the front faces of something convex.
     pub(crate) never_hides_itself: bool,
 }
 

@@ -6,7 +6,7 @@ use super::pieces::{Corner, Piece};
 use crate::geometry::try_unit;
 use crate::pipeline::space::projector::Projector;
 
-/// A plane in view space. It stores a point of it, and not its distance from the eye, so that differences are taken
+/// A plane in view space. It's stored as a point and not as a distance from the eye, so that differences are taken
 /// before products.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SplitPlane {
@@ -32,7 +32,7 @@ impl SplitPlane {
         if projector.perspective { self.normal.dot(self.point) <= 0.0 } else { self.normal.z >= 0.0 }
     }
 
-    /// Whether any corner is in front, and whether any is behind.
+    /// A pair: true if any corner is in front, and true if any is behind.
     pub(crate) fn sides(&self, piece: &Piece, tolerance: f64) -> (bool, bool) {
         let (mut most, mut least) = (0.0, 0.0);
         for corner in &piece.corners {

@@ -1,9 +1,8 @@
 //! The order of strokes for outputs that have no depth buffer: later strokes cover earlier ones.
 //!
-//! Where two runs touch on the picture, the rule of [`drawing`](crate::drawing) decides which is over the other. The
-//! runs are sorted so that each comes after all that it is over. Where runs lie over one another in a cycle, they are
-//! split between the places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with
-//! strokes.
+//! If two runs touch on the picture, the rule of [`drawing`](crate::drawing) decides which is over the other. The runs
+//! are sorted so that each comes after all runs that it's over. If runs lie over one another in a cycle, they are split
+//! between the places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with strokes.
 //!
 //! A grid of squares finds the contacts: the work grows with the length of all strokes, and with the square of the
 //! number of segments in one square of 32 pixels.
@@ -22,10 +21,10 @@ use crate::pipeline::budget::OverBudget;
 
 /// Runs of the strokes of a drawing, from back to front.
 ///
-/// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes
-/// later. Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes
-/// another twice within the sum of their widths. The parts of a split run follow one another along the polyline without
-/// a gap. A part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
+/// *Guarantees*: if two runs of different strokes touch, the one that is over the other where they touch comes later.
+/// There are two exceptions: three or more runs that touch at one place and don't agree on an order there, and a run
+/// that passes another twice within the sum of their widths. The parts of a split run follow one another along the
+/// polyline without a gap. A part's [`start`](Run::start) lets its dashes go on. Runs that aren't painted are left out.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].
@@ -39,7 +38,7 @@ fn runs_in_order(drawing: &Drawing, steps: &mut WorkBudget) -> Result<Vec<Run>, 
         .filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
     let (on_top, mut tested): (Vec<Painted>, Vec<Painted>) =
         painted.partition(|painted| painted.style.hidden == HiddenLines::Shown);
-    // Of equal ones, the hidden runs of a set come before its visible ones.
+    // The hidden runs of a set come before its visible ones if all else is equal.
     tested.sort_by_key(Painted::layer);
     let contacts = find_contacts(&tested, drawing, steps)?;
     let cycles = in_cycles(tested.len(), &contacts);
@@ -63,7 +62,7 @@ struct Painted {
 }
 
 impl Painted {
-    /// Runs of one layer have one colour: their order changes nothing.
+    /// Runs of one layer have one colour, so their order changes nothing.
     fn layer(&self) -> (usize, Occlusion) {
         (self.run.set, self.run.behind)
     }
@@ -122,8 +121,8 @@ impl Segment {
         if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// The places where two segments are nearest to each other on the picture, as shares of their lengths; of parallel
-    /// ones the middle of their common stretch.
+    /// The places where two segments are nearest to each other on the picture, as shares of their lengths. For parallel
+    /// segments, the middle of their common stretch.
     fn nearest(&self, other: &Self) -> [f64; 2] {
         let (d, e) = (self.along, other.along);
         let w = [other.from[0] - self.from[0], other.from[1] - self.from[1]];
@@ -149,9 +148,9 @@ impl Segment {
         sum.map(|sum| sum / count)
     }
 
-    /// The places where it touches a segment of a later run, as shares of the lengths: one place, or two where they run
-    /// along each other and one is over the other on the first part of that, below it on the rest. `None` means
-    /// nowhere.
+    /// The places where it touches a segment of a later run, as shares of the lengths. There are two if the segments
+    /// run along each other and one is over the other on the first part of that stretch and below it on the rest, else
+    /// one. `None` if they don't touch.
     fn places(&self, later: &Self) -> [Option<[f64; 2]>; 2] {
         let nearest = self.nearest(later);
         let gap = distance(self.at(nearest[0]), later.at(nearest[1]));
@@ -168,7 +167,7 @@ impl Segment {
         if first == is_under(to) {
             return [Some(nearest), None];
         }
-        // Depths are affine: there is one place where the order turns round.
+        // Depths are affine, so there is one place where the order turns round.
         let (mut before, mut after) = (from, to);
         for _ in 0..40 {
             let middle = 0.5 * (before + after);
@@ -220,7 +219,7 @@ impl Segment {
             gap: distance(p, q),
             second_is_over: self.is_under(later, [s, t]),
         };
-        // In the band of either, so that the squares of both know the place.
+        // Within the band of each, so that the squares of both know the place.
         let share = self.radius / (self.radius + later.radius).max(f64::MIN_POSITIVE);
         (contact, [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])])
     }
@@ -293,7 +292,7 @@ fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut WorkBudget) -> 
                 if first.layer == second.layer {
                     continue;
                 }
-                // Several squares may list both; the one in which they touch speaks.
+                // Several squares may list both. Only the one in which they touch counts.
                 let touches = first.places(second).into_iter().flatten().map(|place| first.contact(second, place));
                 let here = touches.filter(|(_, [x, y])| square(*y, rows) * columns + square(*x, columns) == index);
                 let before = found.len();
@@ -312,7 +311,7 @@ fn for_squares(segment: &Segment, columns: usize, rows: usize, mut visit: impl F
     let ([x, y, _], [dx, dy, _]) = (segment.from, segment.along);
     let range = |a: f64, b: f64, count: usize| square(a.min(b) - reach, count)..=square(a.max(b) + reach, count);
     for column in range(x, x + dx, columns) {
-        // The rows that it passes in this column; parts beside the picture are in the columns at its border.
+        // The rows that it passes in this column. Parts beside the picture are in the columns at its border.
         let share = |border: f64| if dx == 0.0 { 0.0 } else { (border - x) / dx };
         let left = if column == 0 { x.min(x + dx) } else { column as f64 * SQUARE - reach };
         let right = if column + 1 == columns { x.max(x + dx) } else { (column + 1) as f64 * SQUARE + reach };
@@ -324,8 +323,8 @@ fn for_squares(segment: &Segment, columns: usize, rows: usize, mut visit: impl F
     }
 }
 
-/// Of the contacts of two runs at one place (joints of segments) the one where they are nearest to each other.
-/// `extent`: how far along the runs a place goes.
+/// Keeps, of the contacts of two runs at one place (joints of segments), the one where they are nearest to each other.
+/// `extent` is how far along the runs a place goes.
 fn one_each(mut found: Vec<Contact>, extent: impl Fn(&Contact) -> f64) -> Vec<Contact> {
     found.sort_by(|a, b| a.runs.cmp(&b.runs).then(a.arcs[0].total_cmp(&b.arcs[0])));
     let mut places: Vec<Contact> = Vec::new();
@@ -377,8 +376,8 @@ fn in_cycles(count: usize, contacts: &[Contact]) -> Vec<bool> {
     left
 }
 
-/// Each run after all that it is over. If that leaves a choice, or no run to begin with, in the order of the
-/// drawing.
+/// Sorts each run after all runs that it's over. If that leaves a choice, or no run to begin with, the order of the
+/// drawing decides.
 fn back_to_front(count: usize, contacts: &[Contact]) -> Vec<usize> {
     let (next, mut before) = neighbours(count, contacts.iter().map(Contact::below_and_over));
     let mut free: BinaryHeap<Reverse<usize>> = (0..count).filter(|&k| before[k] == 0).map(Reverse).collect();
@@ -436,7 +435,7 @@ fn pieces(run: &Run, cuts: &[f64]) -> Vec<Run> {
             let next = Run { points: vec![point], start: run.start + single(cut), ..run.clone() };
             done.push(Run { has_end: false, ..std::mem::replace(&mut piece, next) });
         }
-        // One that lies on a corner is left out: it would be in no segment.
+        // A cut on a corner is left out, because it would be in no segment.
         while cuts.next_if(|&cut| cut <= arc + length).is_some() {}
         piece.points.push(pair[1]);
         arc += length;

@@ -1,7 +1,7 @@
 //! The visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer.
 //!
 //! A raster asks its depth buffer pixel by pixel. Here each segment of a stroke is compared with each triangle that it
-//! passes. Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)): a triangle
+//! passes. Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)). So a triangle
 //! hides a segment between two points, which are found without steps (the quantitative invisibility of Appel 1967, one
 //! face at a time).
 
@@ -24,7 +24,7 @@ pub struct Run {
     pub polyline: usize,
     /// x, y in pixels and depth. Two or more.
     pub points: Vec<[f32; 3]>,
-    /// Pixels along the polyline from its first point: dashes go on from one run to the next.
+    /// Pixels along the polyline from its first point, so that dashes go on from one run to the next.
     pub start: f32,
     /// The faces in front of it.
     pub behind: Occlusion,
@@ -39,11 +39,11 @@ impl Run {
     }
 }
 
-/// Splits the strokes of a drawing into runs, in its order. [`painted_runs`](super::stroke_order::painted_runs) has
-/// them in the order in which they are painted.
+/// Splits the strokes of a drawing into runs, in its order. [`painted_runs`](super::stroke_order::painted_runs) returns
+/// them in the order of painting.
 ///
-/// *Guarantees*: the runs of a polyline follow one another and make it up; a stroke on a face is visible. What is
-/// [`Shown`](HiddenLines::Shown) although hidden is one visible run.
+/// *Guarantees*: the runs of a polyline follow one another and make it up. A stroke on a face is visible. A stroke that
+/// is [`Shown`](HiddenLines::Shown) although hidden is one visible run.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].
@@ -92,8 +92,8 @@ impl WorkBudget {
 pub(crate) const LISTED: usize = 8;
 pub(crate) const KEPT: usize = 64;
 
-/// The faces in front of places in a drawing: behind opaque ones labels are painted faintly if they say so, and
-/// marks behind any.
+/// The faces in front of places in a drawing. Labels behind opaque ones are painted faintly if they say so, and marks
+/// behind any.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].
@@ -108,7 +108,7 @@ fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
     (points.len() >= 2 && points.iter().flatten().all(|v| v.is_finite())).then_some(points)
 }
 
-/// Parts of a stroke shorter than this (pixels) go with the part before them. They are rounding.
+/// Parts of a stroke shorter than this (pixels) are rounding and go with the part before them.
 const SHORTEST: f64 = 0.02;
 
 /// Calls `found` for each run of a polyline. Its set and its index are left to the caller.
@@ -152,7 +152,7 @@ fn split(
     Ok(())
 }
 
-/// The parts of a segment, as shares of the way: those behind opaque faces, and those behind tints alone.
+/// The parts of a segment behind opaque faces, and those behind tints alone, as shares of the way.
 fn parts(hidden: &[Range<f64>], dimmed: &[Range<f64>]) -> Vec<(Range<f64>, Occlusion)> {
     let mut parts = Vec::with_capacity(2 * (hidden.len() + dimmed.len()) + 1);
     let mut from = 0.0;
@@ -306,7 +306,7 @@ impl Faces {
         })
     }
 
-    /// The parts of a segment that faces hide, as shares of the way: in order, apart from one another.
+    /// The parts of a segment that faces hide, as shares of the way, in order and apart from one another.
     fn hidden_parts(
         &self,
         segment: &Segment,
@@ -383,7 +383,7 @@ impl Face {
         };
         let ([x, y, _], [dx, dy, dz]) = (segment.from, segment.along);
         for [a, b, c] in self.edges {
-            // Along the border, which two faces may share, both hide: else neither would.
+            // Both hide along the border that two faces may share, because neither would otherwise.
             keep(a * x + b * y + c, a * dx + b * dy, BORDER * DVec2::new(a, b).length());
         }
         let [px, py, _] = self.depth;
@@ -391,7 +391,7 @@ impl Face {
         (from < to).then_some(from..to)
     }
 
-    /// By how much more than rounding its plane is nearer than a place.
+    /// How much nearer than a place its plane is, less the rounding.
     fn nearer_by(&self, [x, y, z]: [f64; 3]) -> f64 {
         let [px, py, c] = self.depth;
         px * x + py * y + c - z - f64::from(on_a_face(single(z), [single(px), single(py)]))

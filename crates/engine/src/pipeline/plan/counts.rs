@@ -9,8 +9,8 @@ use crate::pipeline::space::projector::Projector;
 use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
-/// The counts for the plan of a frame, or, of finished work, for its report. Of objects in view only, and of their
-/// faces only if there are any.
+/// The counts for the plan of a frame or, once its work is finished, for its report. They cover only objects in view,
+/// and their faces only if there are any.
 pub(crate) struct SceneCounts {
     objects: usize,
     outside: usize,
@@ -53,7 +53,7 @@ impl SceneCounts {
         let hides_itself = |object: &Object, plan: &ObjectPlan| {
             !(object.mesh.convex && object.mesh.closed && plan.cull_back && planes(plan) & NEAR == 0)
         };
-        // Whatever the plan is forced to do with a texture of one colour.
+        // Even if the plan is forced to use a texture of one colour.
         let has_colors =
             |object: &Object| matches!(&object.paint, ObjectPaint::Texture(pictured) if pictured.one_color().is_none());
         Self {
@@ -86,7 +86,7 @@ impl SceneCounts {
         }
     }
 
-    /// The same counts of finished work: an object all of whose faces were dropped or clipped away has none, and one
+    /// The same counts of finished work. An object all of whose faces were dropped or clipped away has none, and one
     /// that the front plane has cut open keeps its back faces.
     pub(crate) fn of_done(scenes: Scenes, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
         let culled = |plan: &ObjectPlan, done: &ObjectReport| ObjectPlan {
@@ -100,7 +100,7 @@ impl SceneCounts {
         let all = |change: &dyn Fn(&ObjectPlan, &ObjectReport) -> ObjectPlan| -> Vec<ObjectPlan> {
             plans.iter().zip(done).map(|(plan, done)| change(plan, done)).collect()
         };
-        // Culling comes before the remaining faces are known: it counts all objects whose faces it was given.
+        // Culling comes before the remaining faces are known, so it counts all objects whose faces it was given.
         let culling = Self::new(scenes, &all(&culled), style);
         let cut_open = done.iter().filter(|done| done.faces == FacesDone::CutOpen).count();
         Self { culled: culling.culled, cut_open, ..Self::new(scenes, &all(&left), style) }
@@ -128,7 +128,7 @@ impl SceneCounts {
         }
     }
 
-    /// Why a stage that works on faces has none.
+    /// The reason why a stage that works on faces has none.
     fn no_faces(&self, style: &Style) -> Option<(bool, Reason)> {
         match style.shading {
             Shading::Wireframe => Some((false, Reason::Wireframe)),
@@ -138,12 +138,12 @@ impl SceneCounts {
         }
     }
 
-    /// The hidden-surface algorithm: the style's choice, or that of the output; the depth buffer, which needs no order,
-    /// if no face hides another.
+    /// The hidden-surface algorithm: the style's choice, or that of the output. If no face hides another it's the depth
+    /// buffer, which needs no order.
     pub(crate) fn order(&self, style: &Style, output: Output) -> Visibility {
         match (output, style.visibility) {
             _ if self.no_faces(style).is_some() => Visibility::DepthBuffer,
-            // Whoever paints in order needs one, also of faces that hide nothing.
+            // Painting in order needs an order even of faces that hide nothing.
             (Output::Vectors, Visibility::DepthBuffer) => Visibility::Bsp,
             (Output::Vectors, chosen) => chosen,
             (Output::Pixels, chosen) if self.faces > 1 || self.hides_itself => chosen,
@@ -151,7 +151,7 @@ impl SceneCounts {
         }
     }
 
-    /// Whether a stage is needed, and why.
+    /// True if a stage is needed, and the reason.
     pub(crate) fn stage(&self, stage: Stage, projector: &Projector, style: &Style, output: Output) -> (bool, Reason) {
         match stage {
             Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport if self.in_view == 0 && !self.lines => {
@@ -204,7 +204,7 @@ impl SceneCounts {
                 samples => (true, Reason::Samples { samples }),
             },
             Stage::Fill => (true, Reason::FacesInView { objects: self.faces }),
-            // `stage` and `face_stage` do not ask about these.
+            // `stage` and `face_stage` don't ask about these.
             _ => (true, Reason::Always),
         }
     }

@@ -41,7 +41,7 @@ pub struct Options {
     pub force_all_stages: bool,
     /// The output of the drawing.
     pub output: Output,
-    /// The depths of the drawing are 1 at F and 0 at B, whatever is in view: for a drawing that another one is put
+    /// The depths of the drawing are 1 at F and 0 at B, whatever is in view. For a drawing that another one is put
     /// into.
     pub depth_of_volume: bool,
     /// Record the input and output of this stage in [`Frame::work`](crate::pipeline::Frame::work).
@@ -49,7 +49,7 @@ pub struct Options {
     /// Report the place of this triangle (object, index in its mesh) in the drawing in
     /// [`Frame::followed`](crate::pipeline::Frame::followed). Not available if faces are sorted.
     pub followed: Option<(usize, u32)>,
-    /// Returns the time since any moment, for the report; without it nothing is timed.
+    /// Returns the time since any moment, for the report. Without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }
 

@@ -20,14 +20,14 @@ pub enum Containment {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) containment: Containment,
-    /// Between which distances there may be any of it in the volume.
+    /// The distances between which parts of it may be in the volume.
     pub(crate) in_view: InView,
 }
 
 /// The place of the light computation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LitAt {
-    /// Nowhere: own colours.
+    /// Nowhere. It shows its own colours.
     #[default]
     Nowhere,
     /// Once for each face.
@@ -43,7 +43,7 @@ pub enum LitAt {
 pub struct ObjectPlan {
     /// The place of its bounding box.
     pub containment: Containment,
-    /// Whether it is drawn, else the other fields are meaningless.
+    /// True if it's drawn. Otherwise the other fields are meaningless.
     pub drawn: bool,
     /// The planes that its faces are clipped against.
     pub clip_planes: PlaneSet,
@@ -57,7 +57,7 @@ pub struct ObjectPlan {
     pub shadowed: bool,
     /// Something shows through it.
     pub translucent: bool,
-    /// Each pixel takes its colour from a picture: the object has one, with more than one colour.
+    /// Each pixel takes its colour from the object's picture, which has more than one colour.
     pub textured: bool,
 }
 
@@ -72,8 +72,8 @@ impl ObjectPlan {
         }
     }
 
-    /// True if the triangles of the mesh have colours, their own or those of their light, so that each face that is
-    /// left must know which one it was.
+    /// True if the triangles of the mesh have colours, their own or those of their light, so that each remaining face
+    /// must know its triangle.
     pub(crate) fn colors_faces(&self, object: &Object) -> bool {
         // A shadow knows the plane of each face.
         let found = object.in_world.as_ref().map(|in_world| &in_world.light);
@@ -110,7 +110,7 @@ pub enum FacesDone {
     CutOpen,
 }
 
-/// The plan of an object that is not drawn.
+/// The plan of an object that isn't drawn.
 impl From<Containment> for ObjectPlan {
     fn from(containment: Containment) -> Self {
         Self { containment, ..Self::default() }

@@ -14,12 +14,12 @@ pub enum Output {
     Vectors,
 }
 
-/// Why a stage runs or is left out. Counts are of objects unless they say otherwise.
+/// The reason why a stage runs or is left out. Counts are of objects unless they say otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// Runs: every picture needs it.
     Always,
-    /// Left out: there is nothing in the volume that it could work on.
+    /// Left out: nothing in the volume needs it.
     NothingInView,
     /// Runs: something is in view.
     SomethingInView,
@@ -48,7 +48,7 @@ pub enum Reason {
     Wireframe,
     /// Left out: no object in view has faces.
     NoFaces,
-    /// Left out: there is no light; faces show their own colour.
+    /// Left out: there is no light, so faces show their own colour.
     NoLight,
     /// Left out: no object in view takes light.
     Unlit {
@@ -72,7 +72,7 @@ pub enum Reason {
         /// Those that take light.
         objects: usize,
     },
-    /// Runs: one colour for each vertex of objects that have colours there; the light of others is left to the pixels.
+    /// Runs: one colour for each vertex of objects that have colours there. The light of others is left to the pixels.
     LitVerticesAndPixels {
         /// Those lit at their vertices.
         vertices: usize,
@@ -80,9 +80,9 @@ pub enum Reason {
         pixels: usize,
     },
 
-    /// Runs: on closed or one-sided objects, back faces cannot be seen.
+    /// Runs: on closed or one-sided objects, back faces can't be seen.
     BackFaces {
-        /// Whose back faces are dropped.
+        /// Objects whose back faces are dropped.
         objects: usize,
         /// In view, with faces.
         of: usize,
@@ -92,8 +92,8 @@ pub enum Reason {
         /// In view, with faces.
         objects: usize,
     },
-    /// Nothing was dropped: the front plane cuts objects open, so that their inside may be seen; others are two-sided
-    /// or translucent.
+    /// Nothing was dropped: the front plane cuts objects open, so that their inside may be seen, and others are
+    /// two-sided or translucent.
     CutOpen {
         /// Those cut open.
         objects: usize,
@@ -108,7 +108,7 @@ pub enum Reason {
         /// In view.
         objects: usize,
     },
-    /// Runs: this number of objects may cross these planes; only they are cut, and only by these.
+    /// Runs: this number of objects may cross these planes. Only these objects are cut, and only by these planes.
     Crossing {
         /// Those that may cross a plane.
         objects: usize,
@@ -120,7 +120,7 @@ pub enum Reason {
 
     /// Left out: l = −r and b = −t, so these terms are 0.
     SymmetricWindow,
-    /// Runs: the axis does not go through the middle of the window.
+    /// Runs: the axis doesn't go through the middle of the window.
     ObliqueWindow,
     /// Left out: w is 1 everywhere.
     ParallelProjection,
@@ -143,7 +143,7 @@ pub enum Reason {
         /// In view, with faces.
         objects: usize,
     },
-    /// Runs: an object that is not convex, or open, may hide itself.
+    /// Runs: an object that isn't convex, or is open, may hide itself.
     HidesItself,
     /// Runs: the hidden parts of lines, marks or texts are drawn otherwise than the visible ones.
     LinesAskForDepth,
@@ -153,7 +153,7 @@ pub enum Reason {
     PaintedBySplitting,
     /// Runs: the same, because the output has no depth buffer.
     NoDepthBuffer,
-    /// A depth buffer decides, because splitting would have made more pieces than there may be.
+    /// A depth buffer decides, because splitting would have made more pieces than allowed.
     TooManyPieces {
         /// Those made until then.
         pieces: usize,
@@ -173,7 +173,7 @@ pub enum Reason {
     },
     /// Left out: no light casts a shadow, or nothing is there to cast one.
     NoShadows,
-    /// Left out: no object in view takes light, so that none can be missing.
+    /// Left out: no object in view takes light, so none can be missing.
     NothingShadowed,
     /// Runs.
     Shadowed {
@@ -211,8 +211,8 @@ pub enum Reason {
 pub struct StagePlan {
     /// The stage that the plan runs or skips.
     pub stage: Stage,
-    /// Whether it runs.
+    /// True if it runs.
     pub runs: bool,
-    /// Why, or why not.
+    /// The reason why it does or doesn't run.
     pub reason: Reason,
 }

@@ -32,18 +32,18 @@ pub struct Frame {
     pub lamps: usize,
     /// The report of each object, in the order of the scene.
     pub objects: Vec<ObjectReport>,
-    /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
+    /// The exceeded budget. If it's that of pieces, the drawing is for an output with a depth buffer, whatever was
     /// requested. It is reported in preference to rounding.
     pub over_budget: Option<OverBudget>,
     /// The scale of the depths of the drawing.
     pub depths: DepthScale,
-    /// Input and output of the stage to show; `None` if it did not run.
+    /// Input and output of the stage to show; `None` if it didn't run.
     pub work: Option<StageWork>,
-    /// Faces that only show the drops of that stage: painted over the drawing, and counted by no stage.
+    /// Faces that only show the drops of that stage. They are painted over the drawing, and no stage counts them.
     pub dropped_faces: Vec<Surface>,
     /// The picture before that stage, for its left half; `None` if the output is drawn over the input.
     pub before: Option<Drawing>,
-    /// The place of the followed triangle in the drawing; `None` if there is none, or its object is not drawn.
+    /// The place of the followed triangle in the drawing; `None` if there is none, or its object isn't drawn.
     pub followed: Option<FollowedTriangle>,
 }
 
@@ -57,7 +57,7 @@ pub struct FollowedTriangle {
 }
 
 impl Frame {
-    /// Gives a stage another reason: one that the plan cannot know, because the scene was prepared for it.
+    /// Gives a stage another reason, which the plan can't know, because the scene was prepared for it.
     pub fn say(&mut self, stage: Stage, reason: Reason) {
         if let Some(report) = self.report.iter_mut().find(|report| report.stage == stage) {
             report.reason = reason;
@@ -70,11 +70,11 @@ impl Frame {
 pub struct StageReport {
     /// The stage that did this.
     pub stage: Stage,
-    /// Whether it ran.
+    /// True if it ran.
     pub ran: bool,
-    /// Why, or why not.
+    /// The reason why it does or doesn't run.
     pub reason: Reason,
-    /// Counts in and out. `None` if the pipeline does not know them (work on pixels).
+    /// Counts in and out. `None` if the pipeline doesn't know them (work on pixels).
     ///
     /// | stage | in | out |
     /// | --- | --- | --- |
@@ -91,7 +91,7 @@ pub struct StageReport {
     pub counts: Option<(usize, usize)>,
     /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
-    /// Its operations by the textbook, as soon as the picture is painted. None if they are not counted
+    /// Its operations by the textbook, as soon as the picture is painted. None if they aren't counted
     /// ([`Stage::is_counted`]).
     pub operations: Operations,
 }
@@ -131,7 +131,7 @@ impl Meter {
         }
     }
 
-    /// Counts the work on the faces of one object; `done`: the treatment of its back faces.
+    /// Counts the work on the faces of one object. `done` is the treatment of its back faces.
     pub(crate) fn count(&mut self, pass: &ObjectPass, faces: &Faces, done: &ObjectReport) {
         let (object, vertices) = (pass.object, pass.vertices().len());
         let triangles = object.mesh.triangles.len();
@@ -157,7 +157,7 @@ impl Meter {
         };
     }
 
-    /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
+    /// Reports all stages. `done` says whether each stage that works on faces had any, and why.
     pub(crate) fn report(&self, plan: &Plan, done: &SceneCounts, style: &Style) -> Vec<StageReport> {
         let drawn = plan.objects.iter().filter(|planned| planned.drawn).count();
         let same = |n: usize| Some((n, n));
@@ -168,7 +168,7 @@ impl Meter {
                     Stage::Traverse => (same(plan.objects.len()), true),
                     Stage::CullObjects => (Some((plan.objects.len(), drawn)), false),
                     Stage::Transform => (same(self.vertices), true),
-                    // One loop takes a vertex through all spaces: its time is booked to the first of them.
+                    // One loop takes a vertex through all spaces, so its time is booked to the first of them.
                     Stage::Oblique => (same(self.vertices), false),
                     Stage::Divide | Stage::Viewport => (same(self.vertices + self.cuts), false),
                     Stage::Normals => (same(self.normals), false),

@@ -5,7 +5,7 @@
 
 use crate::stage::{Operations, Stage};
 
-/// The elements of a stage, and what their cost depends on.
+/// The elements of a stage, and the numbers that their cost depends on.
 #[derive(Clone, Copy, Debug)]
 pub struct Elements {
     /// Elements that go in: objects, vertices, triangles, samples or pixels, as the stage has them.

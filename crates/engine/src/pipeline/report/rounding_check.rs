@@ -1,9 +1,9 @@
 //! Detection of vertices that rounding misplaces in the picture, by the code that draws them.
 //!
-//! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is
-//! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex. It is
-//! not if a picture magnifies more than its coordinates have digits, or if the window is far off-axis. Then each vertex
-//! is compared with its place in double-double.
+//! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That's
+//! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex. It
+//! isn't enough if a picture magnifies more than its coordinates have digits, or if the window is far off-axis. Then
+//! each vertex is compared with its place in double-double.
 
 use rayon::prelude::*;
 
@@ -21,14 +21,14 @@ use crate::pipeline::stage::vertices::Vertices;
 use crate::pipeline::stage::viewport::{snap, viewport};
 use crate::scene::Object;
 
-/// Tolerance in pixels: a quarter cannot be seen.
+/// Tolerance in pixels. A quarter can't be seen.
 const ALLOWED: f64 = 0.25;
 
 /// Looks for vertices that aren't drawn at their places.
 pub(crate) struct Misplaced<'a> {
     camera: &'a Camera,
     screen: &'a Screen,
-    /// Of all that is in view.
+    /// The misplaced vertices of all objects in view.
     in_view: InView,
     found: Vec<MisplacedVertex>,
 }
@@ -48,7 +48,7 @@ impl<'a> Misplaced<'a> {
         let off = |(i, &p): (usize, &glam::DVec3)| {
             let clip = clip_from_view(projector, view_point(view_from_object, ObjectPoint(p)));
             let summands = view_from_object.magnitude(p) + view_from_object.rest;
-            // A vertex that is not drawn has no place.
+            // A vertex that isn't drawn has no place.
             if outcode(projector, clip) != 0 || within(self.bound(projector, summands, clip.w)) {
                 return None;
             }
@@ -58,14 +58,14 @@ impl<'a> Misplaced<'a> {
             (!within(off)).then_some((off, i))
         };
         let farthest = vertices.positions.par_iter().enumerate().filter_map(off);
-        // The first of several, so that the answer does not depend on who looked at which.
+        // The first of several, so that the answer doesn't depend on how threads share the work.
         let farthest = farthest.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
         if let Some((off, vertex)) = farthest {
             self.found.push(MisplacedVertex { object: object.name.clone(), vertex, off });
         }
     }
 
-    /// Greatest distance of a point from its place, pixels: if it is in the volume, its view coordinates are sums of
+    /// Greatest distance, in pixels, of a point from its place, if it's in the volume, its view coordinates are sums of
     /// numbers up to `summands`, and its w is at least `w`.
     ///
     /// A view coordinate has an error e of a few roundings of its summands, and of the rest of C after rounding. So x_n
@@ -88,7 +88,7 @@ impl<'a> Misplaced<'a> {
     }
 }
 
-/// Whether an offset is within the tolerance. False for NaN.
+/// True if an offset is within the tolerance. False for NaN.
 fn within(off: f64) -> bool {
     off <= ALLOWED
 }

@@ -32,7 +32,7 @@ pub struct StageWork {
     pub before: Vec<[[f32; 3]; 2]>,
     /// Sides of the output.
     pub after: Vec<[[f32; 3]; 2]>,
-    /// Faces that went in and did not come out, convex.
+    /// Faces that went in and didn't come out, convex.
     pub dropped: Vec<Vec<[f32; 3]>>,
     /// The vertices that clipping made.
     pub cuts: Vec<[f32; 3]>,
@@ -40,7 +40,7 @@ pub struct StageWork {
     pub vertices: Vec<VertexWork>,
     /// Objects that went in.
     pub objects: Vec<ObjectWork>,
-    /// There was more than is recorded.
+    /// There was more work than is recorded.
     pub more: bool,
 }
 
@@ -109,7 +109,7 @@ impl<'a> Notes<'a> {
         taken < MOST
     }
 
-    /// The boxes of objects. Those of all go in, those that may be in view come out.
+    /// The boxes of objects. All go in, and those of objects that may be in view come out.
     pub(crate) fn objects(&mut self, scenes: Scenes, plan: &Plan) {
         if self.work.stage.works_on() != WorksOn::Objects {
             return;
@@ -126,7 +126,7 @@ impl<'a> Notes<'a> {
                 if differs.iter().filter(|d| **d).count() == 1
                     && let Some(side) = self.side([corners[i], corners[j]])
                 {
-                    // Forced, an object outside the volume is drawn too; the test drops it all the same.
+                    // If forced, an object outside the volume is drawn too, but the test still drops it.
                     let is_left = matches!(planned.containment, Containment::Crosses(_));
                     let sides = if is_left { &mut self.work.after } else { &mut self.work.before };
                     sides.push(side);
@@ -195,7 +195,7 @@ impl<'a> Notes<'a> {
                         self.work.dropped.push(polygon);
                     }
                 }
-                // Outside of a plane: that is clipping's.
+                // Faces outside a plane belong to clipping.
                 None => {}
             }
         }

@@ -22,21 +22,21 @@ use crate::pipeline::stage::reflection::{Lights, ObjectLight};
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
-/// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,
+/// The part of `scene` in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`. NDC are left-handed,
 /// with z away from the eye, and this is their display in a right-handed space.
 ///
-/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise), but for
-/// textured objects and those in the reach of shadows: light stays apart there, and shadows fall where they fall in the
-/// world. The result takes no light, so the meshes have no normals. No face is culled. The observer of the result is
-/// elsewhere than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays
-/// closed, and convex if it was.
+/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise). On
+/// textured objects and those in the reach of shadows light stays apart, and shadows fall where they fall in the world.
+/// The result takes no light, so the meshes have no normals. No face is culled. The observer of the result is elsewhere
+/// than the camera. An object that was cut is open, so both sides of its faces show. An uncut one stays closed, and
+/// convex if it was.
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     clipped_by(scene, &Projector::new(camera), shading).0
 }
 
-/// [`clipped_scene`], unless all of it together is thinner along z_n than a picture of the volume can show: with an F
-/// or a B that is far from the scene, NDC make it a sheet, in which nothing is in front of anything else. It is shown a
-/// pixel or two thick then.
+/// [`clipped_scene`], unless the whole scene is thinner along z_n than a picture of the volume can show. With an F or a
+/// B that is far from the scene, NDC make it a sheet, in which nothing is in front of anything else. It's then shown a
+/// pixel or two thick.
 pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     let mut projector = Projector::new(camera);
     let (clipped, in_view) = clipped_by(scene, &projector, shading);
@@ -86,7 +86,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
     (clipped, in_view)
 }
 
-/// The point at which `p_world` is shown; `None` if it cannot be projected (w ≤ 0).
+/// The point at which `p_world` is shown. `None` if it can't be projected (w ≤ 0).
 pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
     let projector = Projector::new(camera);
     let p = clip_from_world(&projector, WorldPoint(p_world));
@@ -196,7 +196,7 @@ fn clipped_object(
     let (paint, in_world) = colored.paint(lights.filter(|_| object.lit));
     let Projected { positions, remake: Remake { triangles, edges, shared, .. }, in_view, whole, borders, .. } =
         projected;
-    // An object with edges or an outline has them along its cuts too; a wireframe shows only edges.
+    // An object with edges or an outline has them along its cuts too. A wireframe shows only edges.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
     let cuts = border
         .map_or_else(Vec::new, |style| borders.into_iter().map(|ends| Line { points: ends.to_vec(), style }).collect());
@@ -221,7 +221,7 @@ fn clipped_object(
     Some((clipped, in_view, cuts))
 }
 
-/// An object whose mesh is made, and its paint is not yet.
+/// An object with its mesh but not yet its paint.
 struct Colored<'a> {
     object: &'a Object,
     vertices: Vertices<'a>,
@@ -273,7 +273,7 @@ impl Colored<'_> {
         matches!(self.shading, Shading::Gouraud | Shading::Phong)
     }
 
-    /// The colours as they are seen in the world, or their own colours and the light of the world on them.
+    /// The colours as seen in the world, or the objects' own colours and the light of the world on them.
     fn paint(&self, world: Option<WorldLight>) -> (ObjectPaint, Option<InWorld>) {
         let Self { object, vertices, cut_open, .. } = *self;
         let old = &object.mesh;
@@ -297,7 +297,7 @@ impl Colored<'_> {
         (paint, None)
     }
 
-    /// Own colours and the light of the world apart.
+    /// The objects' own colours, and the light of the world apart.
     fn in_world(
         &self,
         world: Option<WorldLight>,
@@ -319,7 +319,7 @@ impl Colored<'_> {
                 casting.iter().map(|&light| (light, of(&world.lights.only(light)))).collect()
             }),
         };
-        // Flat faces have one colour, that of their light too.
+        // Flat faces have one colour, and so has their light.
         let paint = match &object.paint {
             ObjectPaint::Vertices(_) if !self.is_smooth() => ObjectPaint::Faces(self.face_colors()),
             _ => self.own_paint(),

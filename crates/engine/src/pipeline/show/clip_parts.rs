@@ -1,7 +1,7 @@
 //! The scene in two parts, cut at the planes of the view volume in world space: the parts that clipping keeps and
 //! removes, and the vertices that it makes.
 //!
-//! Pictures are drawn without this. It shows the effect of clipping. The corners and the cuts are those of `clip`.
+//! No picture needs this. It shows the effect of clipping. The corners and the cuts are those of `clip`.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -23,8 +23,8 @@ use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
 use crate::pipeline::stage::transform::view_point;
 use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
-/// The bits of an outcode, `true` if a point is outside: left, right, bottom, top, near, far. `None` for a point
-/// with a coordinate that is not a number.
+/// The bits of an outcode, `true` if a point is outside: left, right, bottom, top, near, far. `None` for a point with a
+/// coordinate that isn't a number.
 pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     let projector = Projector::new(camera);
     let code = outcode(&projector, clip_from_world(&projector, WorldPoint(p_world)));
@@ -56,13 +56,13 @@ pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64;
 /// A scene in two parts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// The parts in the volume. An object that was cut is open, so both sides of its faces show.
+    /// The parts in the volume. A cut object is open, so both sides of its faces show.
     pub inside: Scene,
     /// The parts outside, without the lights.
     pub outside: Scene,
     /// The vertices that clipping makes, in the world, each once.
     pub cuts: Vec<DVec3>,
-    /// The sides that it gives to faces, in the planes.
+    /// The sides that clipping gives to faces, in the planes.
     pub sides: Vec<[DVec3; 2]>,
 }
 
@@ -221,7 +221,7 @@ impl Splitter {
         }
     }
 
-    /// True for the first of points that are the same up to rounding: faces of different objects may meet.
+    /// True for the first of points that are the same up to rounding, because faces of different objects may meet.
     fn is_new(&mut self, p: DVec3) -> bool {
         const CELLS: f64 = 1e9;
         let size = p.abs().max_element().max(f64::MIN_POSITIVE).log2().ceil().exp2();
@@ -260,7 +260,7 @@ impl Splitter {
     }
 }
 
-/// The polylines that are left of one.
+/// The polylines that remain of one after the cuts.
 struct Polylines {
     style: LineStyle,
     lines: Vec<Line>,
@@ -271,7 +271,7 @@ impl Polylines {
         Self { style: line.style, lines: Vec::new() }
     }
 
-    /// Adds a segment; `end`: it ends where the whole polyline does, and has its arrow head.
+    /// Adds a segment. `end` means that it ends where the whole polyline does, and has its arrow head.
     fn add(&mut self, [a, b]: [DVec3; 2], end: bool) {
         match self.lines.last_mut().filter(|line| line.points.last() == Some(&a)) {
             Some(line) => line.points.push(b),

@@ -1,4 +1,4 @@
-//! The result of culling an object, for showing the faces that are not drawn.
+//! The result of culling an object, for showing the faces that aren't drawn.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! The result of dividing by w before clipping: the mistake that homogeneous clipping avoids `[2]`.
+//! The result of dividing by w before clipping, the mistake that homogeneous clipping avoids `[2]`.
 //!
 //! Behind the eye w < 0, and the divide moves a point there through the eye to the front, upside down. An edge that
 //! passes the plane w = 0 leads to the wrong place, although both its ends have coordinates. Clipping comes too late to
@@ -18,7 +18,7 @@ use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
 use crate::pipeline::stage::transform::view_point;
 use crate::scene::{Line, Mesh, Object, PointMark, Scene};
 
-/// Farther than this a point divided by a w near 0 is nowhere.
+/// A point divided by a w near 0 that lies farther away than this is nowhere.
 const MAX_DIVIDED: f64 = 1e100;
 
 /// A scene, divided before it is clipped.
@@ -198,7 +198,7 @@ impl Wrong {
     }
 }
 
-/// The part of a convex polygon, or of a segment, where `distance` is not negative.
+/// The part of a convex polygon, or of a segment, where `distance` isn't negative.
 fn half(polygon: &[Corner], distance: impl Fn(DVec3) -> f64) -> Vec<Corner> {
     let mut kept = Vec::new();
     let keep = |origin| {

@@ -1,7 +1,7 @@
-//! One triangle step by step, as every triangle goes: its corners in each space, their sides of each plane, the cut of
-//! each plane, and the rest, on the image.
+//! One triangle step by step, as every triangle goes: its corners in each space, the side of each plane on which they
+//! lie, the cut of each plane, and the rest on the image.
 //!
-//! Pictures are drawn without this. It shows the steps. The numbers are those of the functions that draw.
+//! No picture needs this. It shows the steps. The numbers are those of the functions that draw.
 
 use glam::{DVec2, DVec3};
 
@@ -28,7 +28,7 @@ pub struct TriangleSteps {
     pub corners: [CornerSteps; 3],
     /// The normal times the way to the eye, in view space: positive if it's seen from its front.
     pub facing: f64,
-    /// All corners are outside of one plane, or one is not a number. Nothing of it is left.
+    /// All corners are outside one plane, or one isn't a number. Nothing of it is left.
     pub is_outside: bool,
     /// The planes that it crosses, in the order in which they cut.
     pub cuts: Vec<PlaneCut>,
@@ -39,7 +39,7 @@ pub struct TriangleSteps {
 /// A corner before clipping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CornerSteps {
-    /// In the space of the object.
+    /// Object.
     pub local: DVec3,
     /// World.
     pub world: DVec3,
@@ -52,7 +52,7 @@ pub struct CornerSteps {
     /// Homogeneous distances from left, right, bottom, top, near, far, positive inside: w + x, w − x, w + y, w − y, d −
     /// F, B − d.
     pub distances: [f64; PLANES],
-    /// The bits of the outcode: outside of which planes it is.
+    /// The bits of the outcode, one for each plane that it's outside of.
     pub outside: [bool; PLANES],
 }
 
@@ -99,7 +99,7 @@ pub struct CornerLeft {
     pub image: [f32; 2],
 }
 
-/// Steps a triangle of an object. `target` is the image. `None` if there is no such triangle.
+/// Takes a triangle of an object through the steps. `target` is the image. `None` if there is no such triangle.
 pub fn one_triangle(object: &Object, triangle: usize, camera: &Camera, target: Target) -> Option<TriangleSteps> {
     let (projector, screen) = (Projector::new(camera), Screen::new(target));
     let view_from_object = projector.view_from_object(object.world_from_object);

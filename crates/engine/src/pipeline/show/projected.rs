@@ -30,7 +30,7 @@ pub(crate) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
     DVec3::new(p.x / p.w, p.y / p.w, z)
 }
 
-/// All of a mesh that is in the volume.
+/// The part of a mesh in the volume.
 pub(crate) struct Projected<'a> {
     vertices: Vertices<'a>,
     outcodes: Vec<PlaneSet>,
@@ -119,7 +119,7 @@ impl<'a> Projected<'a> {
         Some(std::array::from_fn(|k| {
             let (point, cut) = kept[k];
             let own = ends[k];
-            // An edge has no colour: the origin of its new ends does not matter.
+            // An edge has no colour, so the origin of its new ends doesn't matter.
             let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
             self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) })
         }))

@@ -1,5 +1,5 @@
-//! Shadows by rays: whether a light sees a point, in `f64`, on the triangles of the scene. The truth that shadow maps
-//! are compared with. No picture is made so.
+//! Shadows by rays: decides in `f64`, on the triangles of the scene, if a light sees a point. Shadow maps are compared
+//! with this truth. No picture is made this way.
 
 use glam::DVec3;
 
@@ -11,20 +11,20 @@ use crate::scene::{Light, LightKind, Object, Scene};
 /// The part of a point's size within which a face touches it and hides nothing.
 const TOUCHING: f64 = 1e-9;
 
-/// The opaque triangles of a scene in the world: what hides light, and what light falls on.
+/// The opaque triangles of a scene in the world. They hide light, and light falls on them.
 #[derive(Clone, Debug)]
 pub struct Solids {
     tree: TriangleTree,
-    /// Of each triangle its object's.
+    /// The facts of each triangle's object.
     facts: Vec<Facts>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Facts {
     lit: bool,
-    /// Backs are not drawn: those of an open object with one side.
+    /// Backs aren't drawn, as those of an open object with one side.
     fronts_only: bool,
-    /// Its place in the world is a reflection: seen from the front, its corners run clockwise.
+    /// Its place in the world is a reflection, so its corners run clockwise seen from the front.
     mirrored: bool,
 }
 
@@ -47,7 +47,7 @@ impl Solids {
         Scenes::from(scene).occluders().map(|object| object.mesh.triangles.len()).sum()
     }
 
-    /// Those of a scene.
+    /// Collects the triangles of a scene.
     pub fn of(scene: &Scene) -> Self {
         let (mut triangles, mut facts) = (Vec::new(), Vec::new());
         for object in Scenes::from(scene).occluders() {
@@ -64,7 +64,7 @@ impl Solids {
         Self { tree: TriangleTree::new(triangles), facts }
     }
 
-    /// Whether a light sees a point of a triangle.
+    /// True if a light sees a point of a triangle.
     pub fn is_lit(&self, p: DVec3, triangle: usize, light: &Light) -> bool {
         let touching = TOUCHING * (1.0 + p.length());
         let (ray, until) = to_light(p, light);
@@ -85,7 +85,7 @@ impl Solids {
     }
 }
 
-/// The unit vector from a point to a light, and how far it is.
+/// The unit vector from a point to a light, and the distance.
 pub fn to_light(p: DVec3, light: &Light) -> (DVec3, f64) {
     match light.kind {
         LightKind::Directional => (-light.vector.normalize_or_zero(), f64::INFINITY),

@@ -8,8 +8,8 @@ use crate::drawing::single;
 /// is more than this share of the depths in view, the depths are spread over those alone.
 const ENOUGH: f64 = 0.01;
 
-/// Relative thickness below which a scene is not resolved further. It would be rounding of the numbers from which it is
-/// computed.
+/// Relative thickness below which a scene isn't resolved further. Anything thinner would be rounding of the numbers
+/// from which it is computed.
 const THINNEST: f64 = 1e-13;
 
 /// The unit of depth in perspective is no smaller than this share of the farthest distance in view: small differences
@@ -19,21 +19,21 @@ const UNIT: f64 = 0.01;
 /// Fits in single precision with all that is made of it.
 const GREATEST: f64 = 1e15;
 
-/// From a distance to the depth of the display list, and back: affine in the picture, and greater if it's nearer.
+/// From a distance to the depth of the display list, and back. Depths are affine in the picture, and greater if nearer.
 ///
-/// In parallel projection (far − d)/(far − near); in perspective the same times unit/d. With F, B and the unit F this
-/// is 1 at F and 0 at B.
+/// The depth is (far − d)/(far − near) in parallel projection, and the same times unit/d in perspective. With F, B and
+/// the unit F this is 1 at F and 0 at B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthScale {
     perspective: bool,
     /// The nearest distance from the plane of the eye that is resolved, in scene units.
     pub near: f64,
-    /// The farthest: points beyond have the depth 0.
+    /// The farthest. Points beyond have the depth 0.
     pub far: f64,
     unit: f64,
 }
 
-/// The distances from the plane of the eye between which there is something to see, in scene units.
+/// The distances from the plane of the eye between which anything is visible, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InView {
     /// Depth of the nearest point.
@@ -81,14 +81,14 @@ impl DepthScale {
     #[must_use]
     pub fn resolving(self, in_view: InView) -> Self {
         let InView { nearest, farthest, magnitude } = in_view;
-        // No more than the distance itself: beyond that nothing is known of it.
+        // No more than the distance itself, because nothing is known beyond that.
         let thinnest = (THINNEST * magnitude).min(farthest.abs());
         let depth = farthest - nearest;
         if !(depth >= 0.0 && depth.is_finite() && thinnest.is_finite()) {
             return self;
         }
         let same = self.same(nearest).max(self.same(farthest));
-        // Faces in one plane parallel to the view plane do not hide each other.
+        // Faces in one plane parallel to the view plane don't hide each other.
         if (same <= ENOUGH * depth || depth <= thinnest) && self.far - self.near >= thinnest {
             return self;
         }
@@ -104,7 +104,7 @@ impl DepthScale {
         }
     }
 
-    /// The depth of a distance from the plane of the eye: no difference of nearly equal numbers.
+    /// The depth of a distance from the plane of the eye, without a difference of nearly equal numbers.
     #[inline(always)]
     pub fn depth(&self, distance: f64) -> f64 {
         let share = (self.far - distance) / (self.far - self.near);
@@ -140,7 +140,7 @@ impl DepthScale {
         if self == other { depth } else { other.depth(self.distance(depth)) }
     }
 
-    /// By how much a distance may differ from this one, and still count as the same, in scene units.
+    /// The greatest difference of a distance from this one that still counts as the same, in scene units.
     pub fn same(&self, distance: f64) -> f64 {
         let across = self.far - self.near;
         let by_depth = if self.perspective { distance * distance * across / (self.far * self.unit) } else { across };
@@ -148,8 +148,8 @@ impl DepthScale {
     }
 }
 
-/// A scene that is thin along z_n, as the canonical volume shows it: at behind + slope · (farthest − d)/w, for the
-/// distance d.
+/// A scene that is thin along z_n, as the canonical volume shows it. The distance d is shown at behind + slope ·
+/// (farthest − d)/w.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sheet {
     pub(crate) farthest: f64,
@@ -158,7 +158,7 @@ pub(crate) struct Sheet {
 }
 
 impl Sheet {
-    /// So thick at least is a scene shown, in units of NDC.
+    /// The least thickness at which a scene is shown, in units of NDC.
     const THICKNESS: f64 = 0.01;
 
     /// `None` if a scene is thicker, or has no thickness in the world either. `volume`: 1 at F, 0 at B.

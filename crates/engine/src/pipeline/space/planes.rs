@@ -18,7 +18,7 @@ pub const NEAR: PlaneSet = 1 << 4;
 /// The bit of an outcode for "not a number": such a point is drawn nowhere.
 pub(crate) const NOT_A_NUMBER: PlaneSet = 0b100_0000;
 
-/// Near and far first: then w is positive for all that follows.
+/// Near and far first, so that w is positive for all planes that follow.
 pub(crate) const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
 
 /// The six homogeneous distances, positive inside: w + x, w − x, w + y, w − y, and, up to a positive factor, w + z and
@@ -31,8 +31,8 @@ pub(crate) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
     [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
 }
 
-/// Bit `i` is set if the point is outside plane `i`; [`NOT_A_NUMBER`] if a coordinate is not a number, or too
-/// large to be cut.
+/// Bit `i` is set if the point is outside plane `i`; [`NOT_A_NUMBER`] if a coordinate isn't a number, or is too large
+/// to be cut.
 #[inline(always)]
 pub(crate) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     let size = p.x.abs() + p.y.abs() + p.depth.abs();

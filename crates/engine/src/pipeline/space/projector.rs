@@ -45,7 +45,7 @@ impl Projector {
         }
     }
 
-    /// A world point in view space; C is subtracted before anything is rotated.
+    /// A world point in view space. C is subtracted before anything is rotated.
     pub(crate) fn view(&self, p: WorldPoint) -> ViewPoint {
         ViewPoint(self.view_vector(p.0 - self.position))
     }
@@ -57,7 +57,7 @@ impl Projector {
 
     /// The direction in view space in which the distance from a plane of the volume grows, and how fast.
     pub(crate) fn gradient(&self, plane: usize) -> DVec3 {
-        // Of w, which is −z_c or constant.
+        // The part of w, which is −z_c or constant.
         let w = if self.perspective { DVec3::NEG_Z } else { DVec3::ZERO };
         let across = |axis: usize, unit: DVec3| unit * self.scale[axis] - w * self.shift[axis];
         match plane {

@@ -13,8 +13,8 @@ pub(crate) struct Screen {
     pub(crate) half_height: f64,
 }
 
-/// Corners of triangles lie on this grid of the pixel, so that decisions about a triangle (its orientation, its
-/// coverage) are exact arithmetic on the very numbers that are drawn.
+/// Corners of triangles lie on this grid of the pixel, so decisions about a triangle (its orientation, its coverage)
+/// are exact arithmetic on the very numbers that are drawn.
 pub(crate) const SUBPIXELS: f64 = 256.0;
 
 impl Screen {

@@ -5,7 +5,7 @@
 //! behind the eye has w < 0, and the divide would put it in front. *Textbook*: Sutherland and Hodgman, every polygon
 //! against six planes. *Here*: the same for the few triangles that an outcode says cross a plane, and only against
 //! those planes; leaving out the others changes no bit. A cut is computed from the end inside to the end outside and
-//! set exactly onto its plane, so two triangles that share an edge get the same corner to the last bit, and no crack
+//! set exactly onto its plane. So two triangles that share an edge get the same corner to the last bit, and no crack
 //! opens. [`distances`] tells the side of a plane, [`cut`] the point where an edge crosses it.
 
 use super::divide::divide;
@@ -59,7 +59,7 @@ pub(crate) struct ClippedCorner {
     /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from. Every attribute
     /// of the corner is the sum of the triangle's attributes with these weights.
     pub(crate) weights: [f64; 3],
-    /// From each plane, positive inside; 0 from those that it was cut at.
+    /// The distance from each plane, positive inside, and 0 for planes that it was cut at.
     pub(crate) distances: [f64; PLANES],
 }
 
@@ -141,7 +141,7 @@ impl Clipper {
     /// the order of the triangle's corners, or nothing.
     ///
     /// *Guarantees*: an edge that lies in a plane stays whole; a triangle that only touches a plane from outside is
-    /// dropped; planes that the triangle does not cross may be left out of `planes` or put into it without changing a
+    /// dropped; planes that the triangle doesn't cross may be left out of `planes` or put into it without changing a
     /// bit of the result; a corner on an edge has the same bits for every triangle that has the edge.
     pub(crate) fn triangle(
         &mut self,
@@ -230,7 +230,7 @@ mod tests {
         let corners = points.map(|p| clip_from_view(&eye, ViewPoint(DVec3::from_array(p))));
         let mut clipper = Clipper::default();
         let out = clipper.triangle(&eye, corners, ALL_PLANES).to_vec();
-        // Leaving out the planes that are not crossed changes no bit.
+        // Leaving out the planes that aren't crossed changes no bit.
         let crossed = corners.iter().fold(0, |codes, &c| codes | outcode(&eye, c));
         assert_eq!(clipper.triangle(&eye, corners, crossed), out);
         out.iter().map(|c| [c.point.x, c.point.y, -c.point.depth]).collect()
@@ -313,7 +313,7 @@ mod tests {
 
     #[test]
     fn cuts_stay_accurate_when_the_ends_are_worlds_apart() {
-        // From 1e6 units away to just before the near plane: the cut is one part in 1e6 from the near end.
+        // From 1e6 units away to just before the near plane. The cut is one part in 1e6 from the near end.
         let polygon = clip([[0.25, 0.0, 0.0], [0.25, 0.0, -1e6], [0.25, 0.5, -1e6]]);
         for p in polygon.iter().filter(|p| p[2] == -1.0) {
             assert!((p[0] - 0.25).abs() < 1e-16, "{p:?}");
@@ -323,7 +323,7 @@ mod tests {
 
     #[test]
     fn a_cut_lies_exactly_in_its_plane() {
-        // Numbers of which no mean is exact.
+        // Numbers whose means are never exact.
         for projection in [Projection::Perspective, Projection::Parallel] {
             let parameters = Parameters { near: 0.3, far: 7.7, projection, ..Parameters::default() };
             let eye = Projector::new(&Camera::new(&parameters).unwrap());

@@ -24,9 +24,9 @@ pub(crate) struct FaceTask {
     pub(crate) cull_back: bool,
     /// Count the triangles that turn over on the grid ([`Faces::turned_over`]).
     pub(crate) watch_turning: bool,
-    /// Say which triangle of the mesh each one comes from.
+    /// Record which triangle of the mesh each one comes from.
     pub(crate) want_source: bool,
-    /// Say which vertices are used.
+    /// Record which vertices are used.
     pub(crate) want_used: bool,
 }
 
@@ -101,7 +101,7 @@ pub(crate) fn facing(projector: &Projector, [a, b, c]: [ViewPoint; 3]) -> f64 {
     if projector.perspective { -normal.dot(a) } else { normal.z }
 }
 
-/// All that decides about a triangle.
+/// The data that decides about a triangle.
 struct Culling<'a> {
     image: &'a OnImage,
     vertices: &'a Vertices<'a>,
@@ -118,7 +118,7 @@ impl Culling<'_> {
             let mut bits = 0;
             let [every, any] = self.outcodes(eight);
             if every != 0 {
-                // All of them are outside of the same plane.
+                // All of them are outside the same plane.
             } else if self.task.watch_turning || any != 0 {
                 for (l, &triangle) in eight.iter().enumerate() {
                     bits |= u8::from(self.classify(chunk, k + to_u32(l), triangle)) << l;
@@ -137,7 +137,7 @@ impl Culling<'_> {
         }
     }
 
-    /// Up to eight triangles, none of which crosses a plane. The bits of those to draw.
+    /// The bits of the triangles to draw, among up to eight of which none crosses a plane.
     #[inline(always)]
     fn facing_bits(&self, eight: &[[u32; 3]]) -> u8 {
         let positions = &self.image.positions[..];
@@ -192,7 +192,7 @@ impl Culling<'_> {
         }
     }
 
-    /// Classifies any triangle: true if it stays whole. One that crosses a plane is put aside.
+    /// Classifies any triangle. True if it stays whole. One that crosses a plane is put aside.
     fn classify(&self, chunk: &mut CulledChunk, source: u32, triangle: [u32; 3]) -> bool {
         let Vertices { projector, view_from_object, .. } = *self.vertices;
         let [a, b, c] = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];

@@ -122,8 +122,8 @@ mod tests {
 
     #[test]
     fn the_slack_is_the_size_of_the_terms_that_a_distance_is_summed_up_from() {
-        // 4 wide and 6 high on F = 1: x_r = ½ x − ½ w, y_r = ⅓ y − ⅓ w. Of coordinates no larger than 6, in perspective
-        // w too: x: 3 + (1 + ½) · 6, y: 2 + (1 + ⅓) · 6, z: 6 + 9.
+        // 4 wide and 6 high on F = 1: x_r = ½ x − ½ w, y_r = ⅓ y − ⅓ w. The coordinates are at most 6, and in
+        // perspective w is too. So x: 3 + (1 + ½) · 6, y: 2 + (1 + ⅓) · 6, z: 6 + 9.
         let near = |found: [f64; 3], expected: [f64; 3]| {
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-12 * expected, "{found} is not {expected}");
@@ -132,10 +132,10 @@ mod tests {
         let window = ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 4.0 };
         let perspective = eye(DVec3::ZERO, Projection::Perspective, window, [1.0, 9.0]);
         near(slack(&perspective, 1e-3, 6.0), [0.012, 0.010, 0.015]);
-        // In parallel projection w = 1.
+        // w = 1 in parallel projection.
         let parallel = eye(DVec3::ZERO, Projection::Parallel, window, [1.0, 9.0]);
         near(slack(&parallel, 1e-3, 6.0), [0.0045, 0.001 * (2.0 + 4.0 / 3.0), 0.015]);
-        // To the other side it is as far.
+        // It's as far to the other side.
         let window = ViewWindow { left: -3.0, right: 1.0, bottom: -4.0, top: 2.0 };
         near(slack(&eye(DVec3::ZERO, Projection::Perspective, window, [1.0, 9.0]), 1e-3, 6.0), [0.012, 0.010, 0.015]);
     }
@@ -161,7 +161,7 @@ mod tests {
         DVec3::new(projector.shift[0] * w / projector.scale[0], projector.shift[1] * w / projector.scale[1], -depth)
     }
 
-    /// Cameras whose slack differs by orders of magnitude between the axes, one time so, the other time so.
+    /// Cameras whose slack differs by orders of magnitude between the axes, each in its own way.
     fn uneven() -> [Projector; 3] {
         let narrow = ViewWindow { left: -1e-6, right: 3e-6, bottom: -4.0, top: 2.0 };
         let low = ViewWindow { left: -4.0, right: 2.0, bottom: -1e-6, top: 3e-6 };

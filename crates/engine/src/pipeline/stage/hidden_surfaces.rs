@@ -4,8 +4,8 @@
 //! rasterizer, or the painter's algorithm: faces sorted by the depth of their centroids, which fails if they interlock.
 //! *Here*: pixels have their depth buffer in [`raster`](crate::raster), and this function hands the surfaces on as they
 //! are. Vectors have no pixels, so their faces are sorted by a tree of planes and split where they cross
-//! ([`bsp`](crate::pipeline::order::bsp)). That is exact, but may make too many pieces; then a depth buffer has to
-//! decide after all, and the frame says so. The painter is there to be seen failing.
+//! ([`bsp`](crate::pipeline::order::bsp)). That's exact, but may make too many pieces. A depth buffer then has to
+//! decide after all, and the frame says so. The painter is there to show how it fails.
 
 use super::divide::divide;
 use super::project::clip_from_view;
@@ -37,9 +37,9 @@ pub(crate) struct Unordered<'a> {
 #[derive(Default)]
 pub(crate) struct Ordered {
     pub(crate) surfaces: Vec<Surface>,
-    /// How many faces were put in order, and into how many pieces they were split.
+    /// The number of faces put in order, and of pieces they were split into.
     pub(crate) pieces: Option<(usize, usize)>,
-    /// How many pieces had been made when there were too many: a depth buffer decides.
+    /// The number of pieces made when there were too many, so that a depth buffer decides.
     pub(crate) given_up: Option<(usize, OverBudget)>,
 }
 

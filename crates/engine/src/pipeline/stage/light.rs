@@ -38,7 +38,7 @@ pub(crate) struct Shaded<'a> {
     pub(crate) shadows: &'a [ShadowLight],
     /// Its picture has more than one colour.
     pub(crate) textured: bool,
-    /// Both sides of the faces may be seen, and are lit.
+    /// Both sides of the faces may be seen and are lit.
     pub(crate) both_sides: bool,
     /// The surfaces test depth, or write it.
     pub(crate) depth_test: bool,
@@ -198,7 +198,8 @@ impl Shaded<'_> {
         shares
     }
 
-    /// The light of the only lamp of the scene, if its shadow falls here: with the ambient share it is all there is.
+    /// The light of the only lamp of the scene, if its shadow falls here. Together with the ambient share it's all the
+    /// light.
     fn of_only_lamp<'s>(&self, shadows: &'s [Shadow]) -> Option<&'s BlockedLight> {
         match shadows {
             [only] if self.lights.is_one() => Some(&only.taken),
@@ -213,7 +214,7 @@ impl Shaded<'_> {
         Base::Faces(faces.source.iter().map(color).collect())
     }
 
-    /// The shadows of one light; `None` if the object is lit in the world, and not by this light.
+    /// The shadows of one light. `None` if the object is lit in the world, and not by this light.
     fn shadow(&self, shadow: &ShadowLight, faces: &Faces) -> Option<Shadow> {
         let mesh = &self.object.mesh;
         let (world_from_object, positions) = match &self.object.in_world {
@@ -226,7 +227,7 @@ impl Shaded<'_> {
         };
         let seen: SeenByLight = shadow.sees(world_from_object);
         let place = |i: u32| seen.place(ObjectPoint(positions[i as usize]));
-        // Six faces share a vertex: its exact place, which their planes are made of, is found once.
+        // Six faces share a vertex, so its exact place, which their planes are made of, is found once.
         let exact = self.at_vertices(place);
         let mut places = self.at_vertices(|i| exact[i as usize].as_vec3().to_array());
         let inverse_w = self.inverse_w();
@@ -234,7 +235,7 @@ impl Shaded<'_> {
             if inverse_w.is_empty() {
                 return cut.of(place);
             }
-            // What is affine between the vertices is divided by w.
+            // Values that are affine between the vertices are divided by w.
             let q = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
             cut.of(|i| place(i) * q(i)) / cut.of(q)
         };
@@ -307,8 +308,7 @@ impl Shaded<'_> {
         values
     }
 
-    /// Gouraud shading of faces that have colours of their own. No vertex is shared any more, so that each has one
-    /// colour.
+    /// Gouraud shading of faces that have colours of their own. Vertices are no longer shared, so each has one colour.
     fn unshared(&self, faces: &Faces, light: &ObjectLight, colors: &[Rgba]) -> Surface {
         let own = self.vertices.len();
         let mut paint = Vec::with_capacity(3 * faces.triangles.len());

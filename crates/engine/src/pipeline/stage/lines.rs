@@ -4,9 +4,8 @@
 //! ours. *Textbook*: clip each segment (Cohen and Sutherland), project its ends, draw it pixel by pixel (Bresenham).
 //! *Here*: clipped by the clipper of the faces, in homogeneous coordinates too, and projected like every vertex, but
 //! not onto the grid of the image: a stroke has a width of its own and no neighbour to agree with. The vertices of a
-//! mesh are projected once for all its edges. Strokes of one style are collected in one set, and whether a face hides
-//! a part of them is decided pixel by pixel, or exactly for vectors
-//! ([`stroke_runs`](crate::pipeline::stroke_runs)).
+//! mesh are projected once for all its edges. Strokes of one style are collected in one set, and the hidden parts are
+//! found pixel by pixel, or exactly for vectors ([`stroke_runs`](crate::pipeline::stroke_runs)).
 
 use std::ops::Range;
 

@@ -42,7 +42,7 @@ pub(crate) struct Lights {
 }
 
 impl Lights {
-    /// The lights of a scene. Without any, the ambient share is all, and lit faces show their own colour.
+    /// The lights of a scene. Without lights only the ambient share remains, and lit faces show their own colour.
     pub(crate) fn new(lights: &[Light], projector: &Projector, shading: Shading) -> Self {
         let (scale, is_dark) = (1.0 / projector.far, lights.is_empty());
         let in_view = |light: &Light| match light.kind {
@@ -69,12 +69,12 @@ impl Lights {
         Self { lighting, of_scene, scale }
     }
 
-    /// For the faces of one object, lit on both sides or on the outer one.
+    /// The lights for the faces of one object, lit on both sides or on the outer one.
     pub(crate) fn lighting(&self, two_sided: bool) -> Lighting {
         Lighting { two_sided, ..self.lighting.clone() }
     }
 
-    /// The place here of a light of the scene.
+    /// The index in this list of a light of the scene.
     pub(crate) fn place_of(&self, light: usize) -> usize {
         self.of_scene.iter().position(|of| *of == light).unwrap_or(usize::MAX)
     }
@@ -115,7 +115,7 @@ pub(crate) struct ObjectLight<'a> {
 /// Points of a surface that are to be lit, coordinate by coordinate.
 #[derive(Clone, Copy, Default)]
 struct Points {
-    /// Of any length, in object space.
+    /// Normals of any length, in object space.
     normals: [[f32; LANES]; 3],
     /// Offsets in their unit.
     offsets: [[f32; LANES]; 3],
@@ -124,7 +124,7 @@ struct Points {
 }
 
 impl<'a> ObjectLight<'a> {
-    /// `both_sides`: faces are lit on the side that is seen, rather than on the outer one.
+    /// `both_sides` means that faces are lit on the visible side rather than on the outer one.
     pub(crate) fn new(lights: &Lights, mesh: &'a Mesh, vertices: Vertices<'a>, both_sides: bool) -> Self {
         let lighting = lights.lighting(both_sides);
         let needs_positions = lighting.needs_positions();
@@ -157,8 +157,8 @@ impl<'a> ObjectLight<'a> {
                 let [a, b, c] = triangle;
                 let [a, b, c] = [positions[a as usize], positions[b as usize], positions[c as usize]];
                 let (ab, ac) = (b - a, c - a);
-                // The cofactors take the normal of the object to that of the view, whatever the transform; the length
-                // is of no matter, but must fit in single precision.
+                // The cofactors take the normal of the object to that of the view, whatever the transform. The length
+                // doesn't matter, but must fit in single precision.
                 let normal = ab.cross(ac);
                 points.set_normal(l, normal * power_of_two_below_inverse(normal.abs().max_element()));
                 points.colors[l] = packed(color);
@@ -219,8 +219,8 @@ impl<'a> ObjectLight<'a> {
         }
     }
 
-    /// Lights `count` points, some at a time: `points` is given the index of the first and how many, and says whether
-    /// they are wanted.
+    /// Lights `count` points, some at a time. `points` takes the index of the first and their number, and returns true
+    /// if they are wanted.
     fn lit<L: OfLight>(
         &self,
         count: usize,

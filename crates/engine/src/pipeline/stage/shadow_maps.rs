@@ -33,7 +33,7 @@ pub(crate) struct ShadowLight {
     pub(crate) map: Arc<ShadowMap>,
     /// Its place among the lights of the scene.
     pub(crate) light: usize,
-    /// How far from the map's depths the shadow begins, in steps of the map.
+    /// The distance from the map's depths at which the shadow begins, in steps of the map.
     pub(crate) bias: f32,
     /// The camera of parallel light, or that of the first view of a lamp.
     projector: Projector,
@@ -41,7 +41,7 @@ pub(crate) struct ShadowLight {
 
 /// The shadow maps of a scene. A clone has the same ones, so that pictures of one scene share them.
 ///
-/// Those of another scene, and of lights that a picture does not have any more, go when the next picture is made.
+/// Maps of another scene, and of lights that a picture no longer has, go when the next picture is made.
 #[derive(Clone, Debug, Default)]
 pub struct ShadowMaps(Arc<Mutex<Kept>>);
 
@@ -51,7 +51,7 @@ struct Kept {
     made: Vec<(Light, ShadowLight)>,
 }
 
-/// A thing that hides light.
+/// An occluder: an object that hides light.
 #[derive(Clone, Debug)]
 struct Occluder {
     mesh: Arc<Mesh>,
@@ -78,7 +78,7 @@ impl ShadowMaps {
         let (occluders, known) = self.kept().known(scenes);
         let mut lights = Vec::new();
         for ((index, light), known) in casting(scenes).zip(known) {
-            // The pool may begin another picture meanwhile, which asks for maps too: nothing is locked here.
+            // Nothing is locked here, because the pool may begin another picture meanwhile, which asks for maps too.
             let found = match known {
                 Some(known) => known,
                 None => {
@@ -123,7 +123,7 @@ impl Kept {
         (Arc::clone(&self.occluders), casting(scenes).map(|(_, light)| found(light)).collect())
     }
 
-    /// Keeps a map of these things, unless another picture has kept one meanwhile, or one of another scene.
+    /// Keeps a map of these occluders, unless another picture has meanwhile kept one, or one of another scene.
     fn keep(&mut self, light: Light, made: ShadowLight, occluders: &Arc<[Occluder]>) -> ShadowLight {
         if let Some((_, known)) =
             self.made.iter().find(|(of, _)| Arc::ptr_eq(&self.occluders, occluders) && *of == light)
@@ -136,7 +136,7 @@ impl Kept {
         made
     }
 
-    /// True if the things that hide light are those of the last picture.
+    /// True if the occluders are those of the last picture.
     fn holds(&self, scenes: Scenes) -> bool {
         let same = self.occluders.iter().map(Some).chain(std::iter::repeat(None));
         let mut count = 0;
@@ -148,7 +148,7 @@ impl Kept {
     }
 }
 
-/// The cameras of a light in a scene, whose pictures are its shadow map: one for parallel light, six around a lamp;
+/// The cameras of a light in a scene, whose pictures are its shadow map: one for parallel light, six around a lamp.
 /// `None` if nothing hides its light.
 pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     let scenes = Scenes::from(scene);
@@ -161,7 +161,7 @@ fn world_points<'a>(mesh: &'a Mesh, world_from_object: &'a DMat4) -> impl Iterat
     mesh.positions.iter().map(|&p| world_from_object.transform_point3(p)).filter(|p| p.is_finite())
 }
 
-/// The cameras of a light: one that holds all that hides light, or six around a lamp; `None` if there is none.
+/// The cameras of a light: one that holds all occluders, or six around a lamp. `None` if there is no occluder.
 fn cameras(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Camera>> {
     match light.kind {
         LightKind::Directional => Some(vec![parallel(light, points)?]),
@@ -169,7 +169,7 @@ fn cameras(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Cam
     }
 }
 
-/// Half the width of a map at distance 1. Its inner part, of half width 1, holds the scene, the rest is for the soft
+/// Half the width of a map at distance 1. Its inner part, of half width 1, holds the scene. The rest is for the soft
 /// edge.
 fn reach(shadows: Shadows) -> f64 {
     let shadows = shadows.held();
@@ -178,12 +178,12 @@ fn reach(shadows: Shadows) -> f64 {
     size / (size - 2.0 * beyond)
 }
 
-/// A direction that is not along `d`, to be up.
+/// A direction for up that isn't along `d`.
 fn up(d: DVec3) -> DVec3 {
     if d.y.abs() > 0.9 * d.length() { DVec3::Z } else { DVec3::Y }
 }
 
-/// The camera of parallel light: a box along its direction that holds all occluders.
+/// The camera of parallel light. Its volume is a box along the light's direction that holds all occluders.
 fn parallel(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Camera> {
     let d = try_unit(light.vector)?;
     let up = up(d);
@@ -253,7 +253,7 @@ fn made(light: &Light, occluders: &[Occluder]) -> Option<ShadowLight> {
     Some(ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector })
 }
 
-/// A hash of a light and of the things that hide it.
+/// A hash of a light and of its occluders.
 fn recipe(light: &Light, occluders: &[Occluder]) -> u64 {
     let mut hash = DefaultHasher::new();
     (light.kind == LightKind::Point, light.vector.to_array().map(f64::to_bits)).hash(&mut hash);
@@ -263,7 +263,7 @@ fn recipe(light: &Light, occluders: &[Occluder]) -> u64 {
     hash.finish()
 }
 
-/// Faces and nothing else, without light, seen from both sides.
+/// Only faces, without light, seen from both sides.
 fn alone(Occluder { mesh, world_from_object }: &Occluder) -> Object {
     let paint = ObjectPaint::Solid(Rgba::rgb(0, 0, 0));
     Object { lit: false, two_sided: true, ..Object::new("", Arc::clone(mesh), *world_from_object, paint) }

@@ -1,10 +1,10 @@
-//! The loop over the vertices of an object. The stages Transform, Oblique window, Divide and Viewport in one go.
+//! The loop over the vertices of an object: the stages Transform, Oblique window, Divide and Viewport in one go.
 //!
 //! *Notes*: `[0]` §5.3, object → world → view → clip by M_m, M_v and M_p, then NDC by Eq. (5.6), and §5.5 for the
 //! pixel. `[2]`, *Transformações de um vértice*, draws the same way. *Textbook*: a pass over all vertices for each
 //! stage, or one 4 × 4 matrix for all of them up to the divide. *Here*: each vertex goes through all spaces while it's
 //! in registers, [`BLOCK`] vertices at a time with an array for each coordinate, so that the compiler makes vector
-//! instructions of every step (eight lanes of `f32`, four or eight of `f64`). That is why the four stages have one time
+//! instructions of every step (eight lanes of `f32`, four or eight of `f64`). That's why the four stages have one time
 //! in the report, and why a vertex outside the volume is divided too. Each vertex is worked on once, however many
 //! triangles share it.
 
@@ -23,7 +23,7 @@ use crate::pipeline::space::projector::{BLOCK, Projector, ViewFromObject};
 use crate::pipeline::space::screen::Screen;
 use crate::simd::with_vectors;
 
-/// The vertices of an object, and the way that they go.
+/// The vertices of an object, and the transforms that they go through.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vertices<'a> {
     pub(crate) projector: &'a Projector,

@@ -4,7 +4,7 @@
 //! pieces overlap: at joints, crossings, arrow heads. Here all pieces of a layer (the visible or the hidden parts of a
 //! set of strokes) meet in one mask, in which a pixel keeps the greatest share, and the colour is blended once at the
 //! end, eight pixels at a time. A layer that no depth can put behind another is painted as soon as its mask is
-//! complete. Of the others each pixel keeps share and depth, as in an A-buffer (Carpenter 1984). They are painted from
+//! complete. For the others each pixel keeps share and depth, as in an A-buffer (Carpenter 1984). They are painted from
 //! back to front when all are known. So strokes are as smooth where one passes in front of another as anywhere else.
 
 use std::ops::Range;
@@ -25,7 +25,7 @@ pub(super) struct Coverage {
     rows: Range<usize>,
     /// Values from one row to the next. There is room for a vector beyond the last column.
     pitch: usize,
-    /// Of the layer at hand 255 times the share of each pixel, and ½; in a layer with a rank, the whole number below.
+    /// 255 times the share of each pixel in the current layer, plus ½. In a layer with a rank, the whole number below.
     shares: Vec<f32>,
     /// The depth of a stroke's middle line where it is nearest to the pixel, and its [`Fragment::reach`]. Arbitrary
     /// if the share is 0. Only in layers with a rank.
@@ -40,7 +40,7 @@ pub(super) struct Coverage {
 }
 
 impl Coverage {
-    /// Makes the mask fit some rows of a picture.
+    /// Fits the mask to some rows of a picture.
     pub(super) fn fit(&mut self, width: usize, rows: Range<usize>) {
         if (self.width, self.rows.len()) != (width, rows.len()) {
             self.pitch = width.next_multiple_of(LANES) + LANES;
@@ -52,8 +52,8 @@ impl Coverage {
         (self.width, self.rows) = (width, rows);
     }
 
-    /// Begins a layer: the following pieces are painted in this colour, over all that has been painted, or, with a
-    /// rank, where their depths are in front of others.
+    /// Begins a layer. The following pieces are painted in this colour, over all earlier ones or, with a rank, where
+    /// their depths are in front of others.
     pub(super) fn begin(&mut self, color: Rgba, rank: Option<Rank>) {
         (self.color, self.rank) = (premultiply(color), rank);
         if rank.is_some() {
@@ -80,7 +80,7 @@ impl Coverage {
 
     #[inline(always)]
     fn segments_of<K: Simd, const DEPTH: bool>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
-        // Nothing of its width is left beside half a pixel, or it isn't a number.
+        // Its width is lost beside half a pixel, or isn't a number.
         let is_wide = radius + 0.5 > 0.5;
         if !is_wide {
             return;
@@ -95,7 +95,7 @@ impl Coverage {
                 let segment = set_up.one(lane);
                 let reach = if DEPTH { set_up.depth_reach(lane) } else { 0.0 };
                 if columns.len() <= LANES {
-                    // So short that beyond its reach its share is less than a step, whatever is rounded.
+                    // So short that beyond its reach its share is less than a step, however it's rounded.
                     let eight = segment.columns(simd, columns.start);
                     for row in rows {
                         let at = (row - self.rows.start) * self.pitch + columns.start;
@@ -147,14 +147,14 @@ impl Coverage {
         };
         let share = share.floor();
         let (own_depth, own_reach) = (f32x8::from_slice(simd, depths), f32x8::from_slice(simd, reaches));
-        // Of pieces that cover the same share the nearer one tells the depth.
+        // If pieces cover the same share, the nearer one decides the depth.
         let more = share.simd_gt(own) | (share.simd_eq(own) & depth.simd_gt(own_depth));
         more.select(share, own).store_slice(shares);
         more.select(depth, own_depth).store_slice(depths);
         more.select(f32x8::splat(simd, reach), own_reach).store_slice(reaches);
     }
 
-    /// Covers a triangle, an arrow head; `depths`: the least and the greatest in it.
+    /// Covers a triangle, an arrow head. `depths` are the least and the greatest in it.
     pub(super) fn triangle(&mut self, corners: [[f32; 2]; 3], depths: [f32; 2]) {
         let [a, b, c] = corners;
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -195,7 +195,7 @@ impl Coverage {
         }
     }
 
-    /// Ends a layer: paints it on `pixels` (the rows of the mask), or, with a rank, keeps what it covers.
+    /// Ends a layer: paints it on `pixels` (the rows of the mask) or, with a rank, keeps its fragments.
     #[inline(never)]
     pub(super) fn end<K: Simd>(&mut self, simd: K, pixels: &mut [[u8; 4]]) {
         simd.vectorize(
@@ -245,7 +245,7 @@ impl Coverage {
         }
     }
 
-    /// Keeps what the layer covers of eight columns, and empties the mask there.
+    /// Keeps the layer's fragments in eight columns, and empties the mask there.
     fn keep(&mut self, row: usize, column: usize) {
         let at = row * self.pitch + column;
         let here = at..at + LANES.min(self.width - column);
@@ -296,7 +296,7 @@ mod tests {
             self.capsule([a[0], a[1], 0.5], [b[0], b[1], 0.5], radius);
         }
 
-        /// Of a pixel the share by the layer at hand, and the depth, in a layer with a rank.
+        /// The share of a pixel that the current layer covers, and the depth, in a layer with a rank.
         #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
         fn at(&self, row: usize, column: usize) -> (u8, f32) {
             let at = (row - self.rows.start) * self.pitch + column;
@@ -307,7 +307,7 @@ mod tests {
             with_vectors!(simd => self.end(simd, pixels));
         }
 
-        /// Coverage of each pixel by the layer at hand.
+        /// Coverage of each pixel by the current layer.
         #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
         fn shares(&self) -> Vec<u8> {
             let rows = self.shares.chunks(self.pitch).take(self.rows.len());
@@ -457,14 +457,14 @@ mod tests {
         assert_eq!(pixels[MIDDLE], [0, 0, 255, 255]);
         // Beside its middle line the near stroke covers half a pixel; the rest is the far one's.
         assert_eq!(pixels[MIDDLE + 1], [127, 0, 128, 255]);
-        // Where they don't meet, each is the same as alone.
+        // Each is the same as alone where they don't meet.
         assert_eq!(pixels[5 * 20 + 10], painted(&[near])[5 * 20 + 10]);
         assert_eq!(pixels[10 * 20 + 5], painted(&[far])[10 * 20 + 5]);
     }
 
     #[test]
     fn a_stroke_passes_through_another_where_their_depths_do() {
-        // From behind to before: at the left end of the picture under it, at the right end over it.
+        // From behind to before. At the left end of the picture it's under the other, at the right end over it.
         let slanting = [[2.0, 10.5, 0.1], [18.0, 10.5, 0.9]];
         let post = |x: f32| (BLUE, [[x, 2.0, 0.5], [x, 18.0, 0.5]], 2.0, true);
         let pixels = painted(&[(RED, slanting, 2.0, true), post(5.0), post(15.0)]);
@@ -479,7 +479,7 @@ mod tests {
         assert_eq!(middle(&[(RED, level(0.5), 2.0, true), (BLUE, upright(0.5), 2.0, true)]), blue);
         assert_eq!(middle(&[(RED, level(0.5), 3.0, true), (BLUE, upright(0.5), 2.0, true)]), red);
         assert_eq!(middle(&[(RED, level(0.5), 2.0, true), (BLUE, upright(0.5), 3.0, false)]), red);
-        // A line on the ground that runs up to an edge and on under it: it is nearer on this side of the edge, and yet
+        // A line on the ground that runs up to an edge and on under it. It's nearer on this side of the edge, and yet
         // the edge is whole.
         let towards = [[10.5, 2.0, 0.42], [10.5, 18.0, 0.58]];
         let pixels = painted(&[(RED, level(0.5), 3.0, true), (BLUE, towards, 1.5, true)]);

@@ -20,7 +20,7 @@ impl TouchedColumns {
         self.bits.resize(self.words * rows, 0);
     }
 
-    /// Adds those between two columns of a row, the second one included.
+    /// Adds the eights between two columns of a row, the second one included.
     #[inline(always)]
     pub(super) fn add(&mut self, row: usize, first: usize, last: usize) {
         let (first, last) = (first / LANES, last / LANES);
@@ -39,7 +39,7 @@ impl TouchedColumns {
         self.bits.iter().all(|&bits| bits == 0)
     }
 
-    /// 64 of a row, which are no longer in the set.
+    /// Takes 64 eights of a row out of the set.
     #[inline(always)]
     pub(super) fn take(&mut self, row: usize, word: usize) -> u64 {
         self.bits.get_mut(row * self.words + word).map_or(0, std::mem::take)

@@ -1,4 +1,4 @@
-//! The order of strokes in depth: what layers cover of each pixel, painted from back to front when all are known.
+//! The order of strokes in depth: the fragments of each pixel, painted from back to front when all are known.
 //!
 //! An A-buffer (Carpenter 1984) keeps a list for each pixel. Here all fragments of a band are in one array, in which
 //! each points to the one before it in the same pixel, so that a fragment costs no allocation. Most pixels have one
@@ -9,17 +9,17 @@ use crate::drawing::order::{StrokePoint, later_is_over};
 use super::eights::{TouchedColumns, next_column};
 use crate::raster::pixel::{LANES, Pixel, over, scale};
 
-/// The pixels of some rows of a picture with all that layers of strokes cover of them. Empty once it is painted.
+/// The pixels of some rows of a picture, with the fragments that layers of strokes cover. Empty once it's painted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Fragments {
     width: usize,
     rows: usize,
     layers: Vec<Layer>,
     fragments: Vec<Fragment>,
-    /// For each pixel the fragment that came last, counted from 1; 0 if there is none.
+    /// The fragment of each pixel that came last, counted from 1. 0 if there is none.
     last: Vec<u32>,
     touched: TouchedColumns,
-    /// The fragments of the pixel at hand, from back to front.
+    /// The fragments of the current pixel, from back to front.
     order: Vec<Fragment>,
 }
 
@@ -35,7 +35,7 @@ struct Layer {
 pub(super) struct Rank {
     /// No face hides it.
     pub(super) visible: bool,
-    /// Of the stroke, in pixels.
+    /// Width of the stroke, in pixels.
     pub(super) width: f32,
 }
 
@@ -48,12 +48,12 @@ struct Fragment {
     share: u8,
     /// Depth of the stroke's middle line where it is nearest to the pixel.
     depth: f32,
-    /// By how much depths may differ between there and the places on the stroke around that touch the pixel.
+    /// The greatest difference between that depth and those of the places on the stroke around that touch the pixel.
     reach: f32,
 }
 
 impl Fragments {
-    /// Makes room for some rows of a picture. Only when it is empty.
+    /// Makes room for some rows of a picture. Only when it's empty.
     pub(super) fn fit(&mut self, width: usize, rows: usize) {
         (self.width, self.rows) = (width, rows);
         self.last.clear();
@@ -66,8 +66,8 @@ impl Fragments {
         self.layers.push(Layer { color, rank });
     }
 
-    /// Adds what the layer covers of a pixel, one of eight that [have some](Self::touch): its share, the depth there,
-    /// and the reach of that.
+    /// Adds the layer's fragment in a pixel, one of eight that were [touched](Self::touch): its share, the depth there,
+    /// and the reach of that depth.
     #[inline]
     pub(super) fn add(&mut self, [row, column]: [usize; 2], share: u8, depth: f32, reach: f32) {
         let layer = number(self.layers.len().wrapping_sub(1));
@@ -76,7 +76,7 @@ impl Fragments {
         *last = number(self.fragments.len());
     }
 
-    /// Tells that pixels among the eight columns from this one have fragments.
+    /// Marks that pixels among the eight columns from this one have fragments.
     #[inline]
     pub(super) fn touch(&mut self, row: usize, column: usize) {
         self.touched.add(row, column, column);
@@ -128,7 +128,7 @@ impl Fragments {
 }
 
 /// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front. Each goes below those
-/// that it is behind. ("Of the same depth" isn't an order, since it is within bounds; so each is compared with one
+/// that it's behind. ("Of the same depth" isn't an order, because it means within bounds, so each is compared with one
 /// after the other.)
 fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
     for k in 1..fragments.len() {

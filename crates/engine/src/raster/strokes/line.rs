@@ -28,7 +28,7 @@ const MOST_STEPS: f32 = 60_000.0;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lines {
     line: Polyline,
-    /// Of the polyline at hand.
+    /// The arc lengths of the current polyline.
     runs: Vec<ArcRun>,
 }
 
@@ -46,7 +46,7 @@ struct Polyline {
 }
 
 impl Lines {
-    /// Adds the pieces of some polylines of a set. `faces`: those that may hide any of it.
+    /// Adds the pieces of some polylines of a set. `faces` are those that may hide any of it.
     pub(super) fn cut(
         &mut self,
         set: &StrokeSet,
@@ -89,11 +89,11 @@ impl Lines {
     }
 }
 
-/// The whole of a polyline of two points, as [`Polyline::pieces`] would have it; `None` if that would have nothing.
+/// The whole of a polyline of two points, as [`Polyline::pieces`] would return it. `None` if that would return nothing.
 #[inline(always)]
 fn whole_segment(a: Point, b: Point) -> Option<[Point; 2]> {
     let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    // Of zero length, it is its first point; false if anything isn't a number.
+    // A polyline of zero length is its first point. False if anything isn't a number.
     let is_near = way[0].abs() + way[1].abs() < 0.9 * LONGEST;
     let is_short = (is_near || length(way[0], way[1]) < LONGEST) && a[2].is_finite() && b[2].is_finite();
     let end = if way[0] == 0.0 && way[1] == 0.0 { a } else { [a[0] + way[0], a[1] + way[1], a[2] + way[2]] };
@@ -101,7 +101,7 @@ fn whole_segment(a: Point, b: Point) -> Option<[Point; 2]> {
 }
 
 impl Polyline {
-    /// Measures a polyline. Its length.
+    /// Measures a polyline and returns its length.
     fn measure(&mut self, points: &[[f32; 3]]) -> f32 {
         self.arcs.clear();
         let mut arc = 0.0;
@@ -191,7 +191,7 @@ impl Polyline {
     }
 }
 
-/// Adds a run of a polyline. One that goes on as the last did makes that longer.
+/// Adds a run of a polyline. A run of the same kind as the last one makes that longer.
 fn push(runs: &mut Vec<ArcRun>, run: ArcRun) {
     match runs.last_mut() {
         Some(last) if last.behind == run.behind => last.range.end = run.range.end,
@@ -208,7 +208,7 @@ fn smooth(runs: &mut Vec<ArcRun>) {
     let last = all.len() - 1;
     for (k, run) in all.iter().enumerate() {
         let length = run.range.end - run.range.start;
-        // At the ends of a line there is only one neighbour to rely on: a shorter run is enough.
+        // At the ends of a line there is only one neighbour to rely on, so a shorter run is enough.
         let shortest = if k == 0 || k == last { 0.5 * SHORTEST } else { SHORTEST };
         let before = runs.last().map_or(all[1].behind, |p| p.behind);
         let behind = if length < shortest { before } else { run.behind };
@@ -239,7 +239,7 @@ fn dashes(range: Range<f32>, style: LineStyle, mut draw: impl FnMut(f32, f32)) {
     let mut lengths = pattern.iter().cycle();
     while start < range.end {
         let (Some(on), Some(off)) = (lengths.next(), lengths.next()) else { return };
-        // A dot is a dash of length 0: rounding must not make it less.
+        // A dot is a dash of length 0, and rounding mustn't make it less.
         let first = start + 0.5 * width;
         let last = (start + on * width - 0.5 * width).max(first);
         let (from, to) = (first.max(range.start), last.min(range.end));
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn dashes_with_their_round_ends_have_the_lengths_of_the_pattern() {
-        // 8 on, 6 off; a round end adds 1 at each side.
+        // 8 on, 6 off. A round end adds 1 at each side.
         assert_eq!(drawn(0.0..30.0, Dash::Dashed), [(1.0, 7.0), (15.0, 21.0), (29.0, 30.0)]);
         assert_eq!(drawn(0.0..15.0, Dash::Dotted), [(1.0, 1.0), (8.0, 8.0), (15.0, 15.0)]);
         assert_eq!(drawn(0.0..18.0, Dash::DashDot), [(1.0, 7.0), (14.0, 14.0)]);

@@ -30,13 +30,13 @@ use fragments::Rank;
 use line::Lines;
 use pieces::{Bands, Bin, Pieces};
 
-/// Polylines that are made into pieces as one piece of work: so many at least, and a share of all, so that no thread
+/// Polylines that are made into pieces as one piece of work: at least this many, and a share of all, so that no thread
 /// waits long for the last.
 const CHUNK: usize = 16;
 const CHUNKS_OF_A_THREAD: usize = 8;
 /// Fewer polylines than this aren't worth a second thread.
 const FEW: usize = 64;
-/// The masks of a band should stay in a processor's own cache: this many pixels, with twelve bytes each.
+/// The pixels of a band, whose masks, with twelve bytes each, should stay in a processor's own cache.
 const BAND_PIXELS: usize = 1 << 16;
 /// Rows of the lowest and of the highest band. Powers of two.
 const BAND_ROWS: (usize, usize) = (8, 64);
@@ -65,7 +65,7 @@ struct Layer {
     chunks: Range<usize>,
     behind: Occlusion,
     style: LineStyle,
-    /// `None` means painted over all that have one.
+    /// `None` means painted over all layers with a rank.
     rank: Option<Rank>,
 }
 
@@ -119,7 +119,7 @@ impl Strokes {
         each_band(&mut self.coverages[..threads], jobs, progress, paint).await;
     }
 
-    /// Divides sets into chunks of so many polylines, and lists their layers. Gives the number of chunks.
+    /// Divides sets into chunks of this many polylines, and lists their layers. Returns the number of chunks.
     fn divide(&mut self, sets: &[StrokeSet], size: usize) -> usize {
         self.layers.clear();
         let mut used = 0;
@@ -135,7 +135,7 @@ impl Strokes {
             for behind in [Occlusion::Opaque, Occlusion::Translucent, Occlusion::None] {
                 let rank = Rank { visible: behind != Occlusion::Opaque, width: set.style.width };
                 let rank = (!on_top).then_some(rank);
-                // What is shown although hidden is never found to be behind anything.
+                // A stroke shown although hidden is never found to be behind anything.
                 if let Some(style) = set.style.behind(behind).filter(|_| !on_top || behind == Occlusion::None) {
                     self.layers.push(Layer { chunks: first..used, behind, style, rank });
                 }
@@ -170,7 +170,7 @@ impl<'a> SharedByBands<'a> {
         }
         for layer in self.layers {
             if layer.rank.is_some() && self.is_in(layer, band) {
-                // One alone is behind none of them.
+                // A stroke alone is behind none of them.
                 coverage.begin(layer.style.color, layer.rank.filter(|_| ranked > 1));
                 self.cover(simd, coverage, layer, band);
                 coverage.end(simd, pixels);

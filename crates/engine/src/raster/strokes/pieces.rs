@@ -116,7 +116,7 @@ impl Pieces {
     }
 }
 
-/// The visible parts first: of what nothing hides there are no others.
+/// The visible parts first. A stroke that nothing hides has no others.
 fn layer(behind: Occlusion) -> usize {
     match behind {
         Occlusion::None => 0,

@@ -39,7 +39,7 @@ pub(super) struct Segments {
 }
 
 impl Segments {
-    /// Sets up eight segments at most. The others have no pixels. `DEPTH`: depths are wanted.
+    /// Sets up eight segments at most. The others have no pixels. `DEPTH` means that depths are wanted.
     #[inline(always)]
     pub(super) fn new<K: Simd, const DEPTH: bool>(
         simd: K,
@@ -95,7 +95,7 @@ impl Segments {
             (rise / whole.max(1e-6)).store_slice(&mut result.rise);
         }
         let [first, mut end] = pixels_of_eight(top, bottom, rows);
-        // What isn't a number, or too long, has no rows; nor has what isn't there.
+        // A segment that isn't a number, or too long, or missing, has no rows.
         let mut some = whole.simd_lt(f32::INFINITY);
         if list.len() < TOGETHER {
             some &= f32x8::from_slice(simd, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]).simd_lt(list.len() as f32);
@@ -131,7 +131,7 @@ impl Segments {
         }
     }
 
-    /// By how much depths may differ along it, within its own width.
+    /// The greatest difference of depths along it, within its own width.
     #[inline(always)]
     pub(super) fn depth_reach(&self, lane: usize) -> f32 {
         stroke_reach(self.radius, self.to_depth[lane] - self.from[2][lane], self.length[lane])
@@ -151,7 +151,7 @@ pub(super) struct Segment {
     right: f32,
 }
 
-/// Eight columns next to one another: how far their centres lie along and beside a segment in the row of its beginning.
+/// Eight adjacent columns, by how far their centres lie along and beside a segment in the row of its beginning.
 #[derive(Clone, Copy)]
 pub(super) struct Columns<K: Simd> {
     along: f32x8<K>,
@@ -166,8 +166,8 @@ impl Segment {
         Columns { along: x * self.ux, beside: x * self.uy }
     }
 
-    /// At each of the pixels of a row: 255 times its share and ½, or less than ½ if it has none; and the depth of
-    /// the nearest point of the middle line.
+    /// At each of the pixels of a row: 255 times its share plus ½, or less than ½ if it has none, and the depth of the
+    /// nearest point of the middle line.
     #[inline(always)]
     pub(super) fn at<K: Simd>(&self, columns: Columns<K>, row: usize) -> [f32x8<K>; 2] {
         let y = center(row) - self.from[1];
@@ -180,7 +180,8 @@ impl Segment {
         [share.min(1.0) * 255.0 + 0.5, nearest * self.rise + self.from[2]]
     }
 
-    /// The columns of a row in which it may cover anything: along a row the distance to its line grows by |uy| a pixel.
+    /// The columns of a row in which it may cover anything, because the distance to its line grows by |uy| a pixel
+    /// along a row.
     #[inline(always)]
     pub(super) fn columns_of(&self, row: usize, width: usize) -> Range<usize> {
         let (mut from, mut to) = (self.left, self.right);

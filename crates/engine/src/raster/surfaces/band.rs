@@ -25,7 +25,7 @@ pub(super) struct Band<'a> {
     /// Values from one plane to the next.
     pub(super) plane: u32,
     pub(super) colors: &'a mut [Pixel],
-    /// Empty if nothing writes depths: then no test can fail.
+    /// Empty if nothing writes depths, since no test can fail then.
     pub(super) depths: &'a mut [f32],
     /// The slope of the face whose depth was written at the first sample (packed). Empty if not requested.
     pub(super) slopes: &'a mut [u32],
@@ -33,7 +33,7 @@ pub(super) struct Band<'a> {
     pub(super) in_order: bool,
     /// Nothing of the surface at hand is painted behind the stored depths.
     pub(super) hides: bool,
-    /// The greatest number of the format of the depths; 0: they are stored as they are.
+    /// The greatest number of the format of the depths. 0 if they are stored as they are.
     pub(super) greatest: f32,
     /// If requested.
     pub(super) counts: Option<&'a mut Counts>,
@@ -91,7 +91,7 @@ impl Band<'_> {
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
-            // Not `<=`: a depth that isn't a number is behind everything, as in `Painter`.
+            // Not `<=`, because a depth that isn't a number is behind everything, as in `Painter`.
             if !(depth > *old || self.in_order) {
                 return;
             }
@@ -112,7 +112,7 @@ impl Band<'_> {
 /// The start of a tile in the arrays of a band, and the distance from there to the next row.
 #[derive(Clone, Copy)]
 pub(super) struct TileStart {
-    // 32 bits: then the compiler knows that a sum in 64 doesn't overflow.
+    // 32 bits, so that the compiler knows that a sum in 64 doesn't overflow.
     pub(super) start: u32,
     pub(super) pitch: u32,
 }

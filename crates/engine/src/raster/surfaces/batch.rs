@@ -30,15 +30,15 @@ pub(super) struct Batch<K: Simd> {
     pub(super) right: i32x8<K>,
     pub(super) top: i32x8<K>,
     pub(super) bottom: i32x8<K>,
-    /// Those that may own a pixel at all.
+    /// The triangles that may own a pixel at all.
     pub(super) some: mask32x8<K>,
-    /// Those that 32 bits are enough for.
+    /// The triangles that 32 bits are enough for.
     pub(super) small: mask32x8<K>,
-    /// Those that may own one pixel only.
+    /// The triangles that may own only one pixel.
     pub(super) one: mask32x8<K>,
 }
 
-/// The indices of the vertices of up to eight triangles; [`INVALID`] for those that aren't there.
+/// The indices of the vertices of up to eight triangles, [`INVALID`] for missing ones.
 pub(super) type Corners = [[u32; BATCH]; 3];
 
 /// An index beyond the vertices of any surface.
@@ -74,7 +74,7 @@ pub(super) fn corners_at(corners: &Corners, lane: usize) -> [usize; 3] {
     [corners[0][lane] as usize, corners[1][lane] as usize, corners[2][lane] as usize]
 }
 
-/// The value at each corner; NaN if there is none.
+/// The value at each corner. NaN if there is none.
 #[inline(always)]
 pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f32x8<K>; 3] {
     let mut result = [f32x8::splat(simd, f32::NAN); 3];
@@ -88,7 +88,7 @@ pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f3
     result
 }
 
-/// The points at each corner, by component; NaN if there is none.
+/// The points at each corner, by component. NaN if there is none.
 #[inline(always)]
 pub(super) fn gather_points<K: Simd>(simd: K, points: &[[f32; 3]], corners: &Corners) -> [[f32x8<K>; 3]; 3] {
     let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 3];
@@ -124,7 +124,7 @@ fn last_point<K: Simd>(simd: K, points: &[[f32; 3]], index: usize) -> f32x4<K> {
 }
 
 impl<K: Simd> Batch<K> {
-    /// From the coordinates of the vertices in pixels. `many`: several samples in a pixel.
+    /// Makes a batch from the coordinates of the vertices in pixels. `many` means several samples in a pixel.
     #[inline(always)]
     pub(super) fn new(simd: K, x: &[f32x8<K>; 3], y: &[f32x8<K>; 3], many: bool, size: Size) -> Self {
         let zero = i32x8::splat(simd, 0);
@@ -161,7 +161,7 @@ impl<K: Simd> Batch<K> {
         self.top[lane].max(band.start)..end
     }
 
-    /// Those that may own pixels in so many columns and rows only.
+    /// The triangles that may own pixels only in this many columns and rows.
     #[inline(always)]
     pub(super) fn few(&self, side: u32) -> mask32x8<K> {
         let end = side.cast_signed() + 1;
@@ -176,7 +176,7 @@ impl<K: Simd> Batch<K> {
         Triangle::new(&pick(positions, corners)?)
     }
 
-    /// Makes ready those that are small. `first_row`: where the band begins.
+    /// Prepares the small triangles. `first_row` is the row where the band begins.
     #[inline(always)]
     pub(super) fn set_up(&self, first_row: i32) -> SetUp<K> {
         let [mut x, mut y] = [self.x, self.y];
@@ -240,7 +240,7 @@ pub(super) struct SetUp<K: Simd> {
 }
 
 impl<K: Simd> SetUp<K> {
-    /// Those that own the centre of the first pixel of their box.
+    /// The triangles that own the centre of the first pixel of their box.
     #[inline(always)]
     pub(super) fn own_first(&self) -> mask32x8<K> {
         (self.edges[0] | self.edges[1] | self.edges[2]).simd_gt(-1) & self.has_area
@@ -253,7 +253,8 @@ impl<K: Simd> SetUp<K> {
         [left + 0.5 - self.origin[0], top + 0.5 - self.origin[1]]
     }
 
-    /// Of each edge function of one the change to the right, the change down and the value at the first pixel's centre.
+    /// For each edge function of one triangle, the change to the right, the change down and the value at the first
+    /// pixel's centre.
     #[inline(always)]
     pub(super) fn edges_of(&self, lane: usize) -> [[i32; 3]; 3] {
         let [a, b, e] = [&self.a, &self.b, &self.edges];
@@ -329,7 +330,7 @@ impl<K: Simd> Planes<K> {
         self.high - self.low
     }
 
-    /// The value at a point of each, not held to its range.
+    /// The value of each triangle at a point, not held to its range.
     #[inline(always)]
     pub(super) fn at(&self, x: f32x8<K>, y: f32x8<K>) -> f32x8<K> {
         x * self.dx + (y * self.dy + self.value)

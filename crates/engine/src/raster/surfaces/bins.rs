@@ -88,7 +88,8 @@ struct Translucent {
 }
 
 impl Bins {
-    /// Sorts all triangles of a drawing. `many`: several samples per pixel; `height`: rows of a band, a power of two.
+    /// Sorts all triangles of a drawing. `many` means several samples per pixel. `height` is the rows of a band, a
+    /// power of two.
     pub(super) fn sort(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize, bands: usize) {
         self.used = 0;
         let listed = |s: &Surface| drawing.painted_in_order || !s.translucent;
@@ -132,8 +133,8 @@ impl Bins {
                 });
             });
         }
-        // Untested triangles lie over all tested ones, whatever their depths. Stable: of equal depths the first in the
-        // drawing is drawn first.
+        // Untested triangles lie over all tested ones, whatever their depths. The sort is stable, so the first in the
+        // drawing is drawn first if depths are equal.
         let is_over = |t: &Translucent| !drawing.surfaces[t.surface].depth_test;
         self.translucent.sort_by(|a, b| is_over(a).cmp(&is_over(b)).then(a.depth.total_cmp(&b.depth)));
     }
@@ -236,8 +237,8 @@ fn eight_boxes<K: Simd>(
     let batch = Batch::new(simd, &x, &y, many, size);
     let mut some = batch.some;
     if !many && (batch.one & some).any_true() {
-        // Of the triangles of a fine mesh most have one pixel in their box and don't own it: dropped here, once for
-        // all.
+        // Most triangles of a fine mesh have one pixel in their box and don't own it. They are dropped here, once for
+        // all bands.
         some &= !batch.one | batch.set_up(0).own_first();
     }
     let mut result = [[0; 4]; BATCH];

@@ -10,9 +10,9 @@ use crate::raster::pixel::LANES;
 /// Counts of processed samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counts {
-    /// Those inside of triangles.
+    /// Samples inside triangles.
     pub(super) covered: u64,
-    /// Those of them that nothing nearer has hidden.
+    /// Samples that nothing nearer has hidden.
     pub(super) written: u64,
     lanes: [[i32; LANES]; 2],
 }
@@ -32,7 +32,7 @@ impl Counts {
         (i32x8::from_slice(simd, lanes) + mask.select(one, one - 1)).store_slice(lanes);
     }
 
-    /// Adds up the lanes. To be called before they run over: after at most 2³¹ tiles.
+    /// Adds up the lanes. Must be called before they overflow, after at most 2³¹ tiles.
     pub(super) fn sum(&mut self) {
         let [covered, written] =
             std::mem::take(&mut self.lanes).map(|lanes| lanes.iter().map(|&n| n as u64).sum::<u64>());

@@ -3,9 +3,9 @@
 //! The standard algorithm goes through the pixels of one triangle. In a triangle of three pixels, five of eight lanes
 //! of a vector would be idle. Here each lane has a triangle of its own, and all eight go through their boxes in step:
 //! pixel (0, 0) of eight boxes, then pixel (1, 0), and so on. Pixels are written afterwards, one triangle after the
-//! other, because of two triangles that own the same pixel the first one in the list has to come first. If colours cost
-//! much (light at each pixel, textures), coverage comes first for the whole box, and each lane then goes on to its next
-//! pixel inside, wherever it lies. So few lanes wait, and boxes of 11 × 11 pixels count as tiny.
+//! other, because if two triangles own the same pixel the first one in the list has to come first. If colours cost much
+//! (light at each pixel, textures), coverage comes first for the whole box, and each lane then goes on to its next
+//! pixel inside, wherever it lies. Few lanes wait that way, and boxes of 11 × 11 pixels count as tiny.
 
 use crate::simd::prelude::*;
 
@@ -17,7 +17,7 @@ use crate::raster::pixel::Pixel;
 
 /// Largest number of columns and rows of triangles that are filled together.
 pub(super) const FEW: u32 = 4;
-/// The same if colours cost much: a lane that waits costs more then than a larger box.
+/// The same if colours cost much, when a lane that waits costs more than a larger box.
 pub(super) const FEW_COSTLY: u32 = 11;
 
 /// Pixels of the largest box.
@@ -27,9 +27,9 @@ const MOST: usize = (FEW_COSTLY * FEW_COSTLY) as usize;
 /// find them.
 #[derive(Clone, Debug)]
 pub(super) struct TinyBatch {
-    /// How many pixels each triangle owns.
+    /// The number of pixels that each triangle owns.
     owned: [usize; BATCH],
-    /// Which of its box they are, row by row.
+    /// The pixels of its box that it owns, row by row.
     places: [[u32; BATCH]; MOST],
     /// By the pixel's place in its box, or if colours cost much, by its number among those that the triangle owns.
     depths: [[f32; BATCH]; MOST],
@@ -59,8 +59,8 @@ impl TinyBatch {
         })
     }
 
-    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant, of at most
-    /// `SIDE` columns and rows.
+    /// Goes through the boxes of the eight triangles of a batch together. `tiny` marks the triangles to fill, of at
+    /// most `SIDE` columns and rows.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn find<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,
@@ -90,7 +90,7 @@ impl TinyBatch {
                 if !own.any_true() {
                     break;
                 }
-                // Inside of all three edges no sign bit is set.
+                // No sign bit is set inside all three edges.
                 own &= (edges[0] | edges[1] | edges[2]).simd_gt(-1);
                 if own.any_true() {
                     let k = SIDE * j + i;
@@ -155,7 +155,7 @@ impl TinyBatch {
         let pixels = self.places.iter().zip(self.depths.iter_mut().zip(&mut self.colors));
         for (n, (places, (depths_here, colors_here))) in (0..).zip(pixels.take(most)) {
             let own = number.simd_gt(n);
-            // The whole part of k / SIDE: half a pixel more, so that no rounding goes below a whole number.
+            // The whole part of k / SIDE, with half a pixel more, so that no rounding goes below a whole number.
             let k = u32x8::from_slice(simd, places).bitcast::<i32x8<K>>();
             let down = ((k.to_float::<f32x8<K>>() + 0.5) * (1.0 / SIDE as f32)).to_int::<i32x8<K>>();
             let across = k - down * SIDE.cast_signed();

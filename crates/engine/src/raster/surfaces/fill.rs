@@ -32,8 +32,8 @@
 //!
 //! These are twelve copies of [`all`], each a function of its own, called once for a surface in a band. In it
 //! everything is inlined, since vectors pass through memory from one function to another: without that, frames take 20
-//! times as long. What isn't optimised keeps its longest functions apart, because one function would ask for megabytes
-//! of stack.
+//! times as long. Unoptimised builds keep the longest functions apart, because one function would ask for megabytes of
+//! stack.
 
 use std::ops::Range;
 
@@ -115,8 +115,8 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     let depths = set_up.planes(&z);
     let small = batch.small & set_up.has_area & colors.simple();
     let tiny = if S == 1 { batch.few(SIDE) & small } else { mask32x8::splat(simd, 0) };
-    // First the coverage of the tiny ones, for all eight at once; it is written below, one triangle after the other,
-    // because of two that own the same pixel the first one in the list must come first.
+    // First the coverage of the tiny ones, for all eight at once. It's written below, one triangle after the other,
+    // because if two own the same pixel the first one in the list must come first.
     if tiny.any_true() {
         few.find::<K, SIDE, C>(tiny, &batch, &set_up, band, &depths, &colors);
     }
@@ -126,11 +126,11 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
             continue;
         }
         if tiny[l] != 0 {
-            // Found above: the pixels are few, so each is set on its own.
+            // Its pixels were found above. They are few, so each is set on its own.
             let start = band.place(rows.start, batch.left[l]).start;
             band.set_each(surface, start, [depths.dx[l], depths.dy[l]], few.pixels::<K, SIDE, C>(l, band.pitch));
         } else if small[l] != 0 {
-            // Its edge functions fit in 32 bits: it is scanned tile by tile over its box.
+            // Its edge functions fit in 32 bits, so it's scanned tile by tile over its box.
             let columns = batch.left[l]..batch.right[l];
             let origin = [set_up.origin[0][l], set_up.origin[1][l]];
             let painter = Painter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
@@ -141,11 +141,11 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
                 painter.small::<false>(band, columns, rows, &set_up.edges_of(l));
             }
         } else {
-            // Large, a sliver, or with colours that perspective bends: on its own, in 64 bits, row by row.
+            // It's large, a sliver, or has colours that perspective bends. Painted on its own, in 64 bits, row by row.
             let corners = corners_at(&corners, l);
             let Some(triangle) = batch.alone(l, &surface.positions, corners) else { continue };
             let borders = Borders::new(simd, &triangle.v, band.samples, band.size.width);
-            // Of slivers most own no pixel.
+            // Most slivers own no pixel.
             if borders.are_empty(rows.clone(), ROWS / S) {
                 continue;
             }
@@ -201,7 +201,7 @@ struct Painter<K: Simd, const S: usize, P> {
     simd: K,
     origin: [f32; 2],
     z: AffineValue,
-    /// From the depth at the centre to that at each sample.
+    /// The change from the depth at the centre to that at each sample.
     depth_steps: [f32; S],
     depth_test: bool,
     in_order: bool,
@@ -223,8 +223,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         Self { simd, origin, z, depth_steps, depth_test, in_order, greatest, translucent, shader }
     }
 
-    /// Fills a triangle by its edge functions: for each its change to the right, its change down, and its value at the
-    /// centre of the first pixel. A `SQUARE` tile does for four columns at most.
+    /// Fills a triangle by its edge functions, each given by its change to the right, its change down, and its value at
+    /// the centre of the first pixel. A `SQUARE` tile does for four columns at most.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn small<const SQUARE: bool>(
         mut self,
@@ -294,8 +294,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     /// Fills any triangle, row by row between its borders.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn wide(mut self, band: &mut Band, rows: Range<i32>, borders: &Borders<K>) {
-        // Of a large triangle most tiles of the box would be empty: its borders say where each row begins and ends.
-        // With one sample per pixel, four rows are bounded together.
+        // Most tiles of a large triangle's box would be empty, so its borders say where each row begins and ends. With
+        // one sample per pixel, four rows are bounded together.
         for four in rows.clone().step_by(ROWS / S) {
             let (from, to) = borders.rows(four);
             if S > 1 {
@@ -342,8 +342,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         }
     }
 
-    /// Paints the covered part of a tile. `center`: its depths at the centres of pixels; `own`: the pixels that are
-    /// counted.
+    /// Paints the covered part of a tile. `center` has its depths at the centres of pixels, and `own` the pixels that
+    /// are counted.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn paint<const SQUARE: bool>(
         &self,
@@ -358,7 +358,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 counts.add(self.simd, Kind::Covered, *covered & own);
             }
         }
-        // Depth comes before colour, sample by sample: a sample that fails is no longer covered.
+        // Depth comes before colour, sample by sample. A sample that fails is no longer covered.
         if self.depth_test {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };
@@ -387,8 +387,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if !any(covered) {
             return;
         }
-        // One colour for all samples of a pixel (only coverage and depth are sampled), and none if nothing is left
-        // to paint: light and textures cost more than all tests before.
+        // One colour for all samples of a pixel (only coverage and depth are sampled), and none if nothing is left to
+        // paint, because light and textures cost more than all tests before.
         let mut wanted = covered[0];
         for covered in &covered[1..] {
             wanted |= *covered;

@@ -151,8 +151,8 @@ fn texels<K: Simd>(level: &Level, wanted: mask32x8<K>, x: i32x8<K>, y: i32x8<K>)
     u32x8::from_slice(wanted.witness(), &texels)
 }
 
-/// The colours between four texels: upper left, lower left, upper right, lower right. `s` and `t`: the shares of the
-/// right and of the lower ones. `opaque`: none lets anything through.
+/// The colours between four texels: upper left, lower left, upper right, lower right. `s` and `t` are the shares of the
+/// right and of the lower ones. `opaque` means that no texel lets anything through.
 #[inline(always)]
 fn mixed<K: Simd>(texels: [u32x8<K>; 4], opaque: bool, s: f32x8<K>, t: f32x8<K>) -> Channels<K> {
     // The means of 255 are 255.
@@ -172,7 +172,7 @@ fn mixed_channel<K: Simd>([a, c, b, d]: [u32x8<K>; 4], shift: u32, s: f32x8<K>, 
 #[inline(always)]
 fn nearest_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> i32x8<K> {
     let index = (folded(t, wrap) * size.to_float::<f32x8<K>>()).to_int::<i32x8<K>>();
-    // What isn't a number, or too large for one, is at either end.
+    // A coordinate that isn't a number, or too large for one, is at either end.
     index.max(0).min(size - 1)
 }
 

@@ -39,7 +39,7 @@ use few::TinyBatch;
 use fill::fill;
 use setup::Size;
 
-/// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).
+/// The samples of a band, each with colour and depth (8 bytes), should stay in a processor's own cache.
 const BAND_SAMPLES: usize = 1 << 16;
 /// Rows of the highest and of the lowest band. Powers of two.
 const BAND_ROWS: (usize, usize) = (64, 8);
@@ -52,11 +52,11 @@ pub(super) struct Surfaces {
     scratch: Vec<Scratch>,
 }
 
-/// The samples of the band at hand.
+/// The samples of the current band.
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     colors: Vec<Pixel>,
-    /// Depths of the samples, with more than one sample in a pixel, else they go straight to the depth buffer.
+    /// Depths of the samples if a pixel has more than one. Otherwise they go straight to the depth buffer.
     depths: Vec<f32>,
     few: TinyBatch,
     counts: Counts,
@@ -152,8 +152,8 @@ impl Surfaces {
     }
 }
 
-/// Paints as the textbook does, on one thread: a machine so old that it has no vectors doesn't get kernels of its own.
-/// What textures reveal of their work isn't shown.
+/// Paints as the textbook does, on one thread, because a machine so old that it has no vectors doesn't get kernels of
+/// its own. The inner work of textures isn't shown.
 fn paint_plainly(drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer, want_slopes: bool) {
     let Some(painted) = textbook::paint(drawing) else { return };
     pixmap.data_mut().copy_from_slice(painted.image.data());
@@ -170,7 +170,7 @@ impl Scratch {
             return;
         }
         let rows = job.pixels.len() / width;
-        // One row more: a tile may reach below the last.
+        // One more row, because a tile may reach below the last.
         let plane = (rows + 1) * pitch;
         fit(&mut self.colors, samples.len() * plane, frame.background);
         let sample_rows = || (0..samples.len()).flat_map(|s| (0..rows).map(move |row| s * plane + row * pitch));
@@ -236,12 +236,13 @@ impl Scratch {
     }
 }
 
-/// Makes a buffer that large at least, whatever it holds.
+/// Makes a buffer at least that large, whatever it holds.
 fn fit<T: Copy>(buffer: &mut Vec<T>, length: usize, new: T) {
     buffer.resize(buffer.len().max(length), new);
 }
 
-/// Writes the means of the samples of each pixel, whose planes lie `plane` apart. Beyond some columns the background.
+/// Writes the means of the samples of each pixel, whose planes lie `plane` apart. Beyond some columns it writes the
+/// background.
 #[inline(always)]
 fn resolve<const S: usize>(
     pixels: &mut [[u8; 4]],

@@ -55,11 +55,11 @@ enum BaseColors<'a, K: Simd> {
 /// The light on eight triangles.
 #[derive(Clone)]
 enum Light<'a, K: Simd> {
-    /// In their colours.
+    /// It's in their colours.
     InBase,
-    /// Found at their vertices.
+    /// It's found at their vertices.
     Vertices(Attribute<K, 2>),
-    /// Computed at each pixel, from attributes that are interpolated between the vertices.
+    /// It's computed at each pixel, from attributes that are interpolated between the vertices.
     Pixels { normals: Attribute<K, 3>, positions: Attribute<K, 3>, lighting: &'a Lighting },
 }
 
@@ -72,8 +72,8 @@ struct ShadowOn<K: Simd> {
     taken: Option<Attribute<K, 2>>,
 }
 
-// All that light, textures and shadows need is long, and would be there once more for each way of filling: these are
-// functions of their own, each for all of them.
+// The code for light, textures and shadows is long, and would be copied for each way of filling. So these are functions
+// of their own, which all ways share.
 impl<'a, K: Simd> PerPixel<'a, K> {
     #[inline(never)]
     fn apart(
@@ -238,7 +238,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             let on = self.on(simd, number, shadow);
             let Some(taken) = on.taken else { continue };
             let taken = mix(w, &taken);
-            // Where the lamp gives no light there is no shadow to look for.
+            // If the lamp gives no light there is no shadow to look for.
             let lit = wanted & (taken[0].simd_gt(0.0) | taken[1].simd_gt(0.0));
             if let Some(arriving) = arriving(shadow, lit, mix(w, &on.places), on.planes) {
                 let missing = f32x8::splat(simd, 1.0) - arriving;
@@ -248,7 +248,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         left
     }
 
-    /// The share of one light that no shadow takes away; `None` means all of it.
+    /// The share of one light that no shadow takes away. `None` means all of it.
     #[inline(always)]
     fn arriving_of(&self, light: usize, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
         for (number, shadow) in self.surface.shadows.iter().enumerate() {
@@ -371,7 +371,7 @@ impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
     }
 }
 
-/// The triangles for which the arrays of the surface have all that is read.
+/// The triangles for which the arrays of the surface have all values that are read.
 #[inline(always)]
 fn present<K: Simd>(simd: K, surface: &Surface, triangles: &[u32], corners: &Corners) -> mask32x8<K> {
     let (mut vertices, mut faces) = (surface.positions.len(), surface.triangles.len());
@@ -399,7 +399,7 @@ fn present<K: Simd>(simd: K, surface: &Surface, triangles: &[u32], corners: &Cor
 }
 
 impl<K: Simd> ShadowOn<K> {
-    /// Where nothing is known of a triangle it is lit, as what isn't a number is.
+    /// A triangle without known values is lit, as one whose values aren't numbers.
     #[inline(always)]
     fn new(simd: K, shadow: &Shadow, triangles: &[u32; BATCH], corners: &Corners) -> Self {
         let taken = match &shadow.taken {
@@ -422,7 +422,7 @@ fn all_of<K: Simd, const N: usize>(attribute: &Attribute<K, N>, lane: usize) -> 
     one
 }
 
-/// Pairs at each corner, by component; NaN if there are none.
+/// Pairs at each corner, by component. NaN if there are none.
 #[inline(always)]
 fn gather_pairs<K: Simd>(simd: K, pairs: &[[f32; 2]], corners: &Corners) -> Attribute<K, 2> {
     let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 2];

@@ -87,7 +87,8 @@ pub(super) struct Borders<K: Simd> {
 pub(super) const ROWS: usize = 4;
 
 impl<K: Simd> Borders<K> {
-    /// Of a triangle whose edge functions are positive inside. `samples`: one or four; `width`: that of the picture.
+    /// Finds the borders of a triangle whose edge functions are positive inside. `samples` is one or four, `width` that
+    /// of the picture.
     #[inline(always)]
     pub(super) fn new(simd: K, v: &[[i32; 2]; 3], samples: &[[i32; 2]], width: i32) -> Self {
         let sample: [[i32; 2]; ROWS] = std::array::from_fn(|l| samples[l % samples.len()]);
@@ -101,7 +102,7 @@ impl<K: Simd> Borders<K> {
                 // A level edge bounds rows, and no columns.
                 continue;
             }
-            // Only a left edge, whose a is positive, owns its points; the other is moved inwards by the least there is.
+            // Only a left edge, whose a is positive, owns its points. The other is moved inwards by the least step.
             let place = |l: usize, c: usize| i64::from(HALF + sample[l][c] - from[c]);
             let c = |l: usize| i64::from(a) * place(l, 0) + i64::from(b) * place(l, 1) - i64::from(a < 0);
             let inverse = -1.0 / f64::from(a);
@@ -117,7 +118,7 @@ impl<K: Simd> Borders<K> {
         if right == 3 {
             lines[3] = lines[2];
         }
-        // Rows with a sample in the box; those on its lower border belong to no one.
+        // Rows with a sample in the box. Samples on its lower border belong to no one.
         let rows = |y: i32| {
             let row = |l: usize| f64::from((y - HALF - sample[l][1] + STEPS - 1) >> 8);
             f64x4::from_slice(simd, &[row(0), row(1), row(2), row(3)])
@@ -143,8 +144,8 @@ impl<K: Simd> Borders<K> {
         true
     }
 
-    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width. Those of
-    /// rows that have no pixel inside are equal or the wrong way round. `first`: the first row, or the only one.
+    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width. They are
+    /// equal or the wrong way round for rows without a pixel inside. `first` is the first row, or the only one.
     #[inline(always)]
     pub(super) fn rows(&self, first: i32) -> ([i32; ROWS], [i32; ROWS]) {
         let j = self.down + f64::from(first);
@@ -176,7 +177,7 @@ pub(super) struct AffineValue {
 /// numbers below.
 const WHOLE: f32 = 8_388_608.0;
 
-/// Depths as a format stores them, whose greatest number is `greatest`; 0: as they are.
+/// Depths as stored by a format whose greatest number is `greatest`. 0 leaves them as they are.
 #[inline(always)]
 pub(super) fn stored<K: Simd>(z: f32x8<K>, greatest: f32) -> f32x8<K> {
     if greatest <= 0.0 {

@@ -2,7 +2,7 @@
 //!
 //! The standard way divides by w at each pixel. Between two vertices that makes no difference of half a step in a byte
 //! unless their w differ enough for their colours, and in a fine mesh they hardly ever do. So colours are affine on the
-//! picture if that gives the same within half a step, which saves a division and three products for a pixel. Of large
+//! picture if that gives the same within half a step, which saves a division and three products for a pixel. For large
 //! triangles that perspective bends, the channels divided by w are interpolated, and w once for all three.
 
 use crate::appearance::Rgba;
@@ -34,7 +34,7 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     /// The shader of a triangle on its own.
     type Shader: Shader<K>;
 
-    /// `outside`: whether colours are needed at centres that lie outside their triangle.
+    /// `outside` is true if colours are needed at centres outside their triangle.
     fn new(
         simd: K,
         surface: &'a Surface,
@@ -43,13 +43,13 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
         set_up: &SetUp<K>,
         outside: bool,
     ) -> Self;
-    /// Those for which the batch will do. The others must be done on their own.
+    /// The triangles that the batch can paint. The others must be painted on their own.
     fn simple(&self) -> mask32x8<K>;
     /// The colour of each at a point relative to its origin. Only those wanted need be right.
     fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
     /// The shader of one.
     fn of(&self, lane: usize) -> Self::Simple;
-    /// The shader of a triangle of any kind; `None` if the surface has no colours for it.
+    /// The shader of a triangle of any kind. `None` if the surface has no colours for it.
     fn alone(
         simd: K,
         surface: &'a Surface,
@@ -270,7 +270,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         if !surface.inverse_w.is_empty() {
             let w = gather(simd, &surface.inverse_w, corners);
             let (far, near) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
-            // Not so if one is missing and therefore not a number.
+            // False if one is missing and therefore not a number.
             simple &= !perspective_matters(spread, far, near) & near.simd_eq(near);
         }
         Self { simd, planes, simple, outside }
@@ -309,8 +309,8 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
     }
 }
 
-/// True if it makes a difference of half a step or more whether the colours of a triangle, which differ by up to
-/// `spread` (steps of 255), are interpolated with regard to perspective; 1/w goes from `far` to `near`.
+/// True if interpolating the colours of a triangle with regard to perspective makes a difference of half a step or
+/// more. They differ by up to `spread` (steps of 255), and 1/w goes from `far` to `near`.
 ///
 /// Between two vertices whose w have the ratio r, the perspective share of one differs from the affine share by at most
 /// (√r − 1)/(√r + 1) ≤ (r − 1)/4.
@@ -319,7 +319,7 @@ fn perspective_matters<K: Simd>(spread: f32x8<K>, far: f32x8<K>, near: f32x8<K>)
     (spread * (near - far)).simd_gt(far * 2.0)
 }
 
-/// Planes of red, green, blue, whether they are divided by w, and the plane of 1/w.
+/// Planes of red, green and blue, true if they are divided by w, and the plane of 1/w.
 fn gouraud_alone<K: Simd>(
     simd: K,
     surface: &Surface,

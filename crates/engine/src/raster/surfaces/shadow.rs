@@ -11,14 +11,14 @@ use crate::simd::prelude::*;
 
 use crate::raster::pixel::LANES;
 
-/// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies
-/// over the plane of its neighbour within a texel.
+/// The part of a texel's length that a bias of 1 allows beside the plane, because surfaces that meet in a corner, or
+/// are round, lie over the plane of their neighbour within a texel.
 const STEP: f32 = 0.5;
-/// The part of the plane's change within a texel that counts as equal: vertices of the map lie on a grid of 1/256 of a
-/// texel, and depths are single.
+/// The part of the plane's change within a texel that counts as equal, because vertices of the map lie on a grid of
+/// 1/256 of a texel, and depths are single.
 const UNSURE: f32 = 1.0 / 32.0;
 
-/// The greatest number of texels along one side that is looked at. Beyond, a place is no number.
+/// The greatest number of texels along one side that is looked at. A place beyond it doesn't count as a number.
 const FAR: f32 = 1e6;
 
 /// Places on a map: x and y in texels, the depth, its change from texel to texel, and the step of the bias.
@@ -32,8 +32,8 @@ struct OnMap<K: Simd> {
     view: i32x8<K>,
 }
 
-/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own; 1 if it isn't wanted, and
-/// if a place isn't a number. `None` before the map is painted.
+/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own. It's 1 if it isn't wanted or
+/// the place isn't a number. `None` before the map is painted.
 #[inline(always)]
 pub(super) fn arriving<K: Simd>(
     shadow: &Shadow,
@@ -54,7 +54,7 @@ pub(super) fn arriving<K: Simd>(
             // The view in whose direction it is farthest.
             let mut view = i32x8::splat(simd, 0);
             let mut distance = f32x8::splat(simd, f32::NEG_INFINITY);
-            // Of the view so far: the place to the right and up, and how the plane rises there.
+            // In the view so far: the place to the right and up, and how the plane rises there.
             let mut along = [f32x8::splat(simd, 0.0); 4];
             for (k, [right, up, forwards]) in (0..).zip(&**axes) {
                 let new = dot(*forwards, places);

@@ -26,7 +26,7 @@ pub(super) struct Textured<'a, K: Simd> {
 }
 
 impl<'a, K: Simd> Textured<'a, K> {
-    /// `change`: that of the share of each vertex along x and y, before it is divided by the sum of all three.
+    /// `change` is that of the share of each vertex along x and y, before it's divided by the sum of all three.
     #[inline(always)]
     pub(super) fn new(
         image: &'a Texture,
@@ -70,7 +70,7 @@ impl<'a, K: Simd> Textured<'a, K> {
         let (mut x, mut y, mut detail) = ([zero; 2], [zero; 2], zero);
         if let Some([change_x, change_y]) = &self.change {
             (x, y) = (squares(change_x, uv, w, sides), squares(change_y, uv, w, sides));
-            // Of the longer change: the root is taken by halving the logarithm.
+            // Of the longer change. The root is taken by halving the logarithm.
             detail = log2((x[0] + x[1]).max(y[0] + y[1])) * 0.5;
         }
         let texel = match self.sampler.reveal {
@@ -110,7 +110,7 @@ impl<'a, K: Simd> Textured<'a, K> {
         mixed
     }
 
-    /// The nearest texels, and lines between texels. `width`: that of a pixel in texels, along u and along v.
+    /// The nearest texels, and lines between texels. `width` is that of a pixel in texels, along u and along v.
     #[inline(always)]
     fn with_lines(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], width: [f32x8<K>; 2]) -> Channels<K> {
         let simd = wanted.witness();
@@ -182,7 +182,7 @@ fn near_zero<K: Simd>(q: [f32x8<K>; 3], wrap: Wrap) -> [f32x8<K>; 3] {
     [q[0] - whole, q[1] - whole, q[2] - whole]
 }
 
-/// Those that lie within half a pixel of a line between texels, along one axis. `width`: that of a pixel in texels.
+/// The points within half a pixel of a line between texels, along one axis. `width` is that of a pixel in texels.
 #[inline(always)]
 fn near_line<K: Simd>(t: f32x8<K>, size: u32, width: f32x8<K>) -> mask32x8<K> {
     /// Texels of fewer pixels would be all lines.

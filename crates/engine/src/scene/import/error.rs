@@ -5,10 +5,10 @@ use crate::limits::MAX_OBJECTS;
 use crate::scene::ReadError;
 use crate::scene::TextureError;
 
-/// Why a mesh file cannot be used.
+/// The reason why a mesh file can't be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshError {
-    /// The file could not be read.
+    /// The file couldn't be read.
     #[error(transparent)]
     Unreadable(Box<ReadError>),
     /// The extension of its name is unknown.
@@ -34,7 +34,7 @@ pub enum MeshError {
         /// The rule of the format that this line breaks.
         fault: ObjFault,
     },
-    /// The JSON of a glTF file does not parse.
+    /// The JSON of a glTF file doesn't parse.
     #[error("line {line}, column {column}: {fault}")]
     Json {
         /// From 1. Within the JSON part of a GLB file.
@@ -44,10 +44,10 @@ pub enum MeshError {
         /// The rule of JSON that the file breaks.
         fault: JsonFault,
     },
-    /// A glTF file is not as it should be.
+    /// A glTF file is faulty.
     #[error("{place}{}{fault}", if place.is_empty() { "" } else { ": " })]
     Gltf {
-        /// Such as `accessors[3]`. Empty when it is the file as a whole.
+        /// Such as `accessors[3]`. Empty if it's the file as a whole.
         place: String,
         /// The rule of glTF that the file breaks.
         fault: GltfFault,
@@ -55,7 +55,7 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// The text that follows the path of the mesh as it is shown, which is not repeated.
+    /// The text that follows the displayed path of the mesh, which isn't repeated.
     pub(crate) fn after(&self, path: &str) -> String {
         match self {
             Self::Unreadable(error) if error.file == path => format!(" {}", error.problem),
@@ -63,7 +63,7 @@ impl MeshError {
         }
     }
 
-    /// Whether a file lies outside the folder that the figure may read from. The user can allow it.
+    /// True if a file lies outside the folder that the figure may read from. The user can allow it.
     pub fn is_outside(&self) -> bool {
         match self {
             Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),
@@ -93,13 +93,13 @@ pub enum ObjFault {
         /// The number found.
         found: usize,
     },
-    /// A corner is not written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    /// A corner isn't written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     #[error("\"{found}\" is not a corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
     Corner {
         /// The text found.
         found: String,
     },
-    /// A corner names a point that is not there.
+    /// A corner names a missing point.
     #[error("\"{found}\" names a point that does not exist; there are {points} points")]
     Index {
         /// The corner.
@@ -113,7 +113,7 @@ pub enum ObjFault {
 /// surface is the same.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshNotice {
-    /// Corners of faces name normals or texture coordinates that do not exist. One of them is reported.
+    /// Corners of faces name normals or texture coordinates that don't exist. One of them is reported.
     #[error(
         "line {line}: \"{found}\" names a normal or texture coordinate that does not exist; such indices are ignored"
     )]
@@ -141,13 +141,13 @@ pub enum MeshNotice {
         /// Number of such faces.
         count: usize,
     },
-    /// A texture cannot be used. The object's colour is shown in its place.
+    /// A texture can't be used. The object's colour is shown in its place.
     #[error("the texture {0}; the object's colour is shown instead")]
     Texture(TextureError),
-    /// The photograph under the image cannot be used.
+    /// The photograph under the image can't be used.
     #[error("the photograph {0}; the image is shown without it")]
     Photograph(TextureError),
-    /// A texture was asked for, and the mesh has no texture coordinates.
+    /// The figure asks for a texture, but the mesh has no texture coordinates.
     #[error("the mesh has no texture coordinates; its colour is shown instead of the texture")]
     NoCoordinates,
     /// A material would make its faces fully invisible.
@@ -167,7 +167,7 @@ pub enum JsonFault {
     /// The text ends before it is complete.
     #[error("the JSON ends early")]
     End,
-    /// A key that must be there is not.
+    /// A required key is missing.
     #[error("the key \"{key}\" is missing in the object that ends here")]
     MissingKey {
         /// The key that is missing.
@@ -184,13 +184,13 @@ pub enum GlbFault {
     /// The twelve bytes at its start.
     #[error("its header is truncated or gives a wrong length")]
     Header,
-    /// A version of the frame that is not 2.
+    /// A version of the frame other than 2.
     #[error("its version is not 2")]
     Version,
     /// A chunk goes beyond the end.
     #[error("it ends early")]
     End,
-    /// The JSON does not come first, or a part is of an unknown kind.
+    /// The JSON doesn't come first, or a part is of an unknown kind.
     #[error("its parts are not those of a GLB file")]
     Parts,
 }
@@ -213,25 +213,25 @@ pub enum GltfFault {
     /// A value breaks a rule of glTF.
     #[error("a value that glTF does not allow")]
     Value,
-    /// A value that must be there is not.
+    /// A required value is missing.
     #[error("it is missing")]
     Missing,
-    /// A reference to something that does not exist.
+    /// A reference to something that doesn't exist.
     #[error("it names something that does not exist")]
     Reference,
-    /// Something that this program does not read.
+    /// A feature that this program doesn't read.
     #[error("{what} cannot be read by this program")]
     Unsupported {
         /// The feature, in the words of glTF.
         what: String,
     },
-    /// A buffer's bytes are not there.
+    /// A buffer's bytes are missing.
     #[error("the buffer's bytes are missing")]
     NoBytes,
     /// A buffer's data URI is broken.
     #[error("the data URI is not valid base64")]
     DataUri,
-    /// A file beside the glTF file cannot be read.
+    /// A file beside the glTF file can't be read.
     #[error("\"{uri}\": {error}")]
     File {
         /// As the file names it.
@@ -242,7 +242,7 @@ pub enum GltfFault {
     /// An accessor goes beyond its buffer.
     #[error("the data lies beyond the end of its buffer")]
     OutOfBuffer,
-    /// An index names a vertex that is not there.
+    /// An index names a missing vertex.
     #[error("index {found} names a vertex that does not exist; there are {vertices}")]
     Index {
         /// The index of a vertex.
@@ -250,7 +250,7 @@ pub enum GltfFault {
         /// The number of vertices.
         vertices: usize,
     },
-    /// A sparse accessor names an item that is not there, or not in rising order.
+    /// A sparse accessor names an item that is missing, or not in rising order.
     #[error("a sparse accessor's index {found} is not among its {count} items, or does not rise")]
     SparseIndex {
         /// The index of an item.
@@ -258,7 +258,7 @@ pub enum GltfFault {
         /// The number of items.
         count: usize,
     },
-    /// Accessors that make far more of the bytes than there are.
+    /// Accessors that hold far more bytes than the file has.
     #[error("its accessors hold more than any mesh")]
     OverBudget,
     /// A coordinate or matrix is infinite or not a number.

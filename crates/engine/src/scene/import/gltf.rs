@@ -1,4 +1,4 @@
-//! glTF 2.0 and GLB, through the crate `gltf`: it reads and checks the JSON; the bytes behind the accessors are read
+//! glTF 2.0 and GLB, through the crate `gltf`, which reads and checks the JSON. The bytes behind the accessors are read
 //! here, with every address checked.
 
 use std::borrow::Cow;
@@ -210,7 +210,7 @@ fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
     })
 }
 
-/// The fault found by the JSON parser, without its words: they repeat the place, and the contents of the file, at any
+/// The fault found by the JSON parser, without its words, which repeat the place and the contents of the file at any
 /// length.
 fn json_fault(error: &serde_json::Error) -> JsonFault {
     match error.classify() {
@@ -325,7 +325,7 @@ fn matrix(node: &::gltf::Node<'_>) -> DMat4 {
     }
 }
 
-/// The base colour; glTF's factors are linear light.
+/// The base colour. glTF's factors are linear light.
 fn color(material: &::gltf::Material<'_>) -> Rgba {
     let [r, g, b, a] = material.pbr_metallic_roughness().base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
     let byte = |share: f64| {
@@ -361,7 +361,7 @@ impl Items<'_> {
 }
 
 impl Reader {
-    /// The triangles of a primitive; `None` for points and lines.
+    /// The triangles of a primitive. `None` for points and lines.
     fn surface(&self, primitive: &Primitive<'_>, mesh: &str) -> Result<Option<Surface>, MeshError> {
         let mesh = format!("{mesh}.primitives[{}]", primitive.index());
         if !matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
@@ -431,7 +431,7 @@ impl Reader {
         Ok(self.items::<2>(accessor)?.iter().map(|b| [read(&b[..width]), read(&b[width..])]).collect())
     }
 
-    /// The bytes of the items of an accessor with `N` components, each as long as the other.
+    /// The bytes of the items of an accessor with `N` components, all of equal length.
     fn items<const N: usize>(&self, accessor: &Accessor<'_>) -> Result<Items<'_>, MeshError> {
         let fault = |f| of_accessor(accessor, f);
         let item = N * accessor.data_type().size();
@@ -473,7 +473,7 @@ impl Reader {
         let data = self.buffers.get(view.buffer().index()).and_then(|bytes| {
             let end = view.offset().checked_add(view.length())?;
             let data = bytes.get(view.offset()..end)?.get(offset..)?;
-            // The last item need not be padded to the stride.
+            // The last item needn't be padded to the stride.
             let before_last = count.saturating_sub(1).checked_mul(stride)?;
             data.get(..if count == 0 { 0 } else { before_last.checked_add(item)? })
         });

@@ -1,4 +1,4 @@
-//! Mesh files: which reader reads them, and those that have been read.
+//! Mesh files: the choice of their reader, and a cache of the read ones.
 
 mod error;
 mod gltf;
@@ -17,7 +17,7 @@ pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault}
 pub use part::{Imported, Part, PartTexture};
 
 /// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN). A material
-/// library that cannot be read is left out, and its materials have no colour then. Pauses after each stretch of the
+/// library that can't be read is left out, and its materials then have no colour. Pauses after each stretch of the
 /// file.
 ///
 /// # Errors
@@ -48,8 +48,8 @@ fn companion(path: &str, name: &str) -> String {
     }
 }
 
-/// Mesh files that have been read, and primitives that have been made, so that a scene that is built again and again
-/// does each of this once. Whoever wants a file to be read anew starts with a new one.
+/// A cache of read mesh files and finished primitives, so that a scene that is built again and again needs each only
+/// once. To read a file anew, start with a new cache.
 #[derive(Clone, Debug, Default)]
 pub struct MeshFiles {
     known: BTreeMap<String, Arc<Imported>>,
@@ -67,7 +67,7 @@ pub struct MeshFiles {
 }
 
 impl MeshFiles {
-    /// The contents of a file. A file that could not be read is tried again each time.
+    /// The contents of a file. A file that couldn't be read is tried again each time.
     ///
     /// # Errors
     /// [`MeshError`].
@@ -80,7 +80,7 @@ impl MeshFiles {
         Ok(imported)
     }
 
-    /// True for a file that has been read as a texture of a figure, whatever came of it.
+    /// True for a file that has been read as a texture of a figure, with or without success.
     pub fn knows_texture(&self, path: &str) -> bool {
         self.textures.knows(path)
     }
@@ -95,7 +95,7 @@ impl MeshFiles {
         self.photograph = path.map(str::to_owned);
     }
 
-    /// None yet; `progress` follows the reading.
+    /// An empty cache. `progress` follows the reading.
     pub fn watched(progress: &Progress) -> Self {
         Self { progress: progress.clone(), ..Self::default() }
     }
@@ -118,8 +118,8 @@ impl MeshFiles {
     }
 }
 
-/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things. It
-/// pauses where [`import`] does.
+/// Reads a mesh file, the slow part of building a scene, for callers that do it in the background. It pauses where
+/// [`import`] does.
 ///
 /// # Errors
 /// [`MeshError`].
@@ -128,7 +128,7 @@ pub async fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress)
     Ok(Arc::new(import(path, &bytes, read_file, progress).await?))
 }
 
-/// Reads a texture that a figure names: the other part of building a scene that takes long.
+/// Reads a texture that a figure names, the other slow part of building a scene.
 ///
 /// # Errors
 /// [`TextureError`].

@@ -1,6 +1,6 @@
 //! Wavefront OBJ: points, normals, texture coordinates, faces, objects, and the colours and textures of their
-//! materials. All that is neither of these is left out. What other programs write wrong without harm to the surface is
-//! left out with a [`MeshNotice`].
+//! materials. All other content is left out. Faults of other programs that don't harm the surface are left out with a
+//! [`MeshNotice`].
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
@@ -134,7 +134,7 @@ struct ObjFile {
     points_ahead: Ahead,
     normals_ahead: Ahead,
     texture_coordinates_ahead: Ahead,
-    /// The first corner whose normal or texture coordinate cannot be there: line, corner.
+    /// The first corner whose normal or texture coordinate can't exist: line, corner.
     impossible: Option<(usize, String)>,
     /// The first face with fewer than three corners (its line and their number), and how many such faces there are.
     skipped: Option<(usize, usize)>,
@@ -150,7 +150,7 @@ struct ObjFile {
     open: Faces,
 }
 
-/// Of the corners that name something later in the file, the one that looks farthest ahead.
+/// The corner that looks farthest ahead, among those that name something later in the file.
 #[derive(Default)]
 struct Ahead(Option<(usize, usize, String)>);
 
@@ -230,7 +230,7 @@ impl Map {
 }
 
 impl Material {
-    /// Whether nothing of its objects would be seen. Several programs write `Tr 1` for opaque materials.
+    /// True if its objects would be invisible. Several programs write `Tr 1` for opaque materials.
     fn is_invisible(&self) -> bool {
         byte(self.opacity.unwrap_or(1.0)) == 0
     }
@@ -299,7 +299,7 @@ impl ObjFile {
         }
     }
 
-    /// Reads a material library; without one that can be read, its materials have no colour.
+    /// Reads a material library. If it can't be read, its materials have no colour.
     fn library(&mut self, name: &str, read_file: &mut Beside<'_>) {
         if !self.libraries.insert(name.to_owned()) {
             return;
@@ -399,8 +399,8 @@ impl ObjFile {
     }
 }
 
-/// An index of the file, counted from 1: indices begin with 1, and negative ones count back from the last one so far.
-/// `None` for indices that can never exist.
+/// An index of the file. Indices begin with 1, and negative ones count back from the last one so far. `None` for
+/// indices that can never exist.
 fn from_one(index: i64, so_far: usize) -> Option<usize> {
     let index = if index < 0 {
         usize::try_from(index.unsigned_abs()).ok().and_then(|back| (so_far + 1).checked_sub(back))
@@ -430,7 +430,7 @@ impl ObjCorner {
     }
 }
 
-/// A point: three coordinates, and a fourth number is its weight. More are the colour of the vertex.
+/// A point: three coordinates. A fourth number is its weight, and more numbers are the colour of the vertex.
 fn point(values: &str) -> Result<DVec3, ObjFault> {
     let words: Vec<&str> = values.split_whitespace().collect();
     let point = vector(values)?;
@@ -439,7 +439,7 @@ fn point(values: &str) -> Result<DVec3, ObjFault> {
     if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: escaped(weight) }) }
 }
 
-/// The first two numbers, v downwards. What is none is 0: the surface is the same.
+/// The first two numbers, v downwards. Anything else counts as 0, which leaves the surface the same.
 fn texture_coordinate(values: &str) -> [f32; 2] {
     let mut numbers = values.split_whitespace().map(|word| word.parse().ok().filter(|v: &f32| v.is_finite()));
     let mut next = || numbers.next().flatten().unwrap_or(0.0);

@@ -17,7 +17,7 @@ pub struct Imported {
     pub notices: Vec<MeshNotice>,
 }
 
-/// Notes something once.
+/// Adds a notice once.
 pub(super) fn note(notices: &mut Vec<MeshNotice>, notice: MeshNotice) {
     if !notices.contains(&notice) {
         notices.push(notice);

@@ -14,7 +14,7 @@ use crate::scene::mesh::adjacency::places;
 use crate::scene::mesh::polygon::{self, Triangulator};
 use crate::scene::texture::CornerUv;
 
-/// The threshold for missing normals: faces that meet at less than this angle are smoothed together: cos 45°.
+/// The threshold for missing normals, cos 45°. Faces that meet at less than this angle are smoothed together.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Number of vertices at one place that are compared before a new one is made. More come only from meshes made to
@@ -46,7 +46,7 @@ pub(crate) struct Soup {
 pub(crate) struct TooLarge;
 
 impl Soup {
-    /// Makes points with equal coordinates one: in some formats a point is there once for each of its normals.
+    /// Merges points with equal coordinates, because some formats repeat a point for each of its normals.
     pub(crate) fn weld(&mut self) {
         let first_of = places(&self.positions);
         if self.corner_normals.is_empty() && !self.normals.is_empty() {
@@ -61,7 +61,7 @@ impl Soup {
     /// keep fewer than three. Given normals are taken unless one has no length. Missing ones are means over the faces
     /// that meet at a point (weighted by area), with creases at 45° and more.
     ///
-    /// *Edges* are the sides of the polygons; *closed* says that each side is met by another one in the other
+    /// *Edges* are the sides of the polygons; *closed* means that each side is met by another one in the other
     /// direction.
     ///
     /// With it come the texture coordinates of the corners of each triangle, if there are any.

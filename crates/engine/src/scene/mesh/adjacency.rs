@@ -20,7 +20,7 @@ pub struct SharedEdge {
     pub ends: [u32; 2],
     /// Indices into [`Adjacency::planes`].
     pub faces: [u32; 2],
-    /// The surface has an edge here, however fine its tessellation. The faces do not share the vertices of either end.
+    /// The surface has an edge here, however fine its tessellation. The faces don't share the vertices of either end.
     pub crease: bool,
 }
 
@@ -35,7 +35,7 @@ struct Side {
 }
 
 impl Adjacency {
-    /// Of the triangles of a mesh. Vertices are at one place if their coordinates are equal.
+    /// The adjacency of the triangles of a mesh. Vertices are at one place if their coordinates are equal.
     pub fn of(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let places = places(positions);
         let mut sides: Vec<Side> = Vec::with_capacity(3 * triangles.len());
@@ -81,6 +81,6 @@ pub(crate) fn places(positions: &[DVec3]) -> Vec<u32> {
 
 fn plane([a, b, c]: [DVec3; 3]) -> DVec4 {
     let normal = (b - a).cross(c - a).normalize_or_zero();
-    // From the middle: no corner is more exact than another.
+    // Measured from the middle, because no corner is more exact than another.
     normal.extend(-normal.dot((a + b + c) / 3.0))
 }

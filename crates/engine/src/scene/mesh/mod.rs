@@ -29,7 +29,7 @@ pub struct Mesh {
     pub edges: Vec<[u32; 2]>,
     /// Adjacency of the faces of curved solids, from which their outline is found. Empty for other meshes.
     pub adjacency: Adjacency,
-    /// The surface has no border: from outside no back face can be seen.
+    /// The surface has no border, so no back face can be seen from outside.
     pub closed: bool,
     /// The surface is convex (and closed).
     pub convex: bool,
@@ -82,7 +82,7 @@ impl Mesh {
         mesh
     }
 
-    /// The box around all vertices; `None` for an empty mesh.
+    /// The box around all vertices. `None` for an empty mesh.
     pub fn bounds(&self) -> Option<Aabb> {
         Aabb::around(self.positions.iter().copied())
     }

@@ -20,7 +20,7 @@ pub(crate) fn doubled_area(corners: impl IntoIterator<Item = DVec3>) -> DVec3 {
     sum
 }
 
-/// The unit normal of a polygon; `None` without area.
+/// The unit normal of a polygon. `None` without area.
 pub(crate) fn normal(corners: impl IntoIterator<Item = DVec3>) -> Option<DVec3> {
     try_unit(doubled_area(corners))
 }
@@ -123,7 +123,7 @@ mod tests {
         triangles
     }
 
-    /// The triangles turn as the polygon does, and their areas add up to its area: so they do not overlap.
+    /// The triangles turn as the polygon does, and their areas add up to its area, so they don't overlap.
     fn assert_exact_cover(corners: &[DVec3]) {
         let whole = doubled_area(corners.iter().copied());
         let mut sum = 0.0;

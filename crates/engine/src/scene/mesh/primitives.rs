@@ -186,7 +186,7 @@ pub fn cone(segments: u32) -> Mesh {
         let (cos, sin) = turn(k, n);
         mesh.add_vertex(DVec3::new(cos, 0.0, -sin), normal((cos, sin)));
     }
-    // The apex has no normal of its own: one vertex for each side, with the normal of the side's middle.
+    // The apex has no normal of its own, so it has one vertex for each side, with the normal of the side's middle.
     for k in 0..n {
         let apex = mesh.add_vertex(DVec3::Y * HEIGHT, normal(turn(2 * k + 1, 2 * n)));
         mesh.triangles.push([k, (k + 1) % n, apex]);
@@ -253,7 +253,7 @@ pub fn grid_lines(cells: u32) -> Vec<[DVec3; 2]> {
 }
 
 /// A tiled square on y = 0, seen from above: `nx` × `nz` tiles between two corners, two triangles a tile, row by row
-/// along x. Not closed: from below it is not there unless it is drawn on two sides.
+/// along x. It isn't closed, so it's invisible from below unless drawn on two sides.
 pub fn tiles(min: [f64; 2], max: [f64; 2], nx: u32, nz: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let at = |t: u32, n: u32, a: f64, b: f64| a + (b - a) * f64::from(t) / f64::from(n.max(1));

@@ -4,8 +4,8 @@ use std::sync::{Arc, LazyLock};
 
 use crate::appearance::Texture;
 
-/// Light and dark of the chequers and of the grid with letters: far apart in a grey print, and not so dark that light
-/// on them could not be seen.
+/// Light and dark of the chequers and of the grid with letters. They're far apart in a grey print, and not so dark that
+/// light on them couldn't be seen.
 const LIGHT: [u8; 4] = [0xf4, 0xf4, 0xf0, 255];
 const DARK: [u8; 4] = [0x4a, 0x52, 0x5c, 255];
 

@@ -12,7 +12,7 @@ use crate::sanitize;
 use crate::scene::ReadError;
 use crate::scene::read_error::Beside;
 
-/// Why a picture cannot be used as a texture: the file, and the fault.
+/// The reason why a picture can't be used as a texture: the file, and the fault.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{file} {fault}")]
 pub struct TextureError {
@@ -23,12 +23,12 @@ pub struct TextureError {
 }
 
 impl TextureError {
-    /// Whether the file lies outside the folder that the figure may read from. The user can allow it.
+    /// True if the file lies outside the folder that the figure may read from. The user can allow it.
     pub const fn is_outside(&self) -> bool {
         matches!(&self.fault, TextureFault::Unreadable(error) if error.is_outside())
     }
 
-    /// Whether the file could not be read at all.
+    /// True if the file couldn't be read at all.
     pub(in crate::scene) const fn is_unread(&self) -> bool {
         matches!(self.fault, TextureFault::Unreadable(_))
     }
@@ -37,16 +37,16 @@ impl TextureError {
 /// A fault of a picture. Displayed, it follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TextureFault {
-    /// The file could not be read.
+    /// The file couldn't be read.
     #[error("{}", .0.problem)]
     Unreadable(Box<ReadError>),
     /// Another format.
     #[error("is no known image; allowed: PNG, JPEG and WebP")]
     Format,
-    /// The file is not whole, or not as its format asks for.
+    /// The file is incomplete, or breaks the rules of its format.
     #[error("is damaged, or not whole")]
     Damaged,
-    /// It is wider or higher than a texture may be.
+    /// It's wider or higher than a texture may be.
     #[error("has {width} × {height} pixels; allowed: at most {MAX_TEXTURE_SIDE} a side and {MAX_TEXELS} in all")]
     TooLarge {
         /// In pixels.
@@ -64,7 +64,7 @@ pub enum TextureFault {
 pub(in crate::scene) enum Alpha {
     /// Opacity.
     Kept,
-    /// None: it is opaque.
+    /// None. The picture is opaque.
     Ignored,
     /// Clear below this share, opaque from there on.
     Mask(f32),
@@ -80,7 +80,7 @@ impl Textures {
     /// The picture in a file.
     ///
     /// # Errors
-    /// [`TextureError`]. A file that could not be read is tried again the next time.
+    /// [`TextureError`]. A file that couldn't be read is tried again the next time.
     pub(in crate::scene) fn get(
         &mut self,
         file: &str,
@@ -126,7 +126,7 @@ impl Textures {
         if held + texels(&texture) > MAX_TEXELS { Err(TextureFault::Budget) } else { Ok(texture) }
     }
 
-    /// True for a file that has been read as a texture of a figure, whatever came of it.
+    /// True for a file that has been read as a texture of a figure, with or without success.
     pub(in crate::scene) fn knows(&self, file: &str) -> bool {
         self.known.contains_key(&key(file, Alpha::Kept))
     }
@@ -152,7 +152,7 @@ fn key(file: &str, alpha: Alpha) -> String {
 /// The picture in the bytes of a file, with its levels of detail.
 ///
 /// # Errors
-/// [`TextureFault`]. What is too large is refused before it is unpacked.
+/// [`TextureFault`]. A picture that is too large is refused before it's unpacked.
 pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, TextureFault> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| TextureFault::Damaged)?;
     if reader.format().is_none() {
@@ -266,7 +266,8 @@ mod tests {
     #[test]
     fn a_bomb_is_refused_by_what_it_says_of_itself() {
         let mut bytes = png(1, 1, &[0], ExtendedColorType::L8);
-        // Width and height are the first numbers after the name of the first chunk; its sum is no longer right then.
+        // Width and height are the first numbers after the name of the first chunk, whose checksum is no longer right
+        // then.
         for (width, height) in [(65_535_u32, 1_u32), (16_000, 16_000)] {
             bytes[16..20].copy_from_slice(&width.to_be_bytes());
             bytes[20..24].copy_from_slice(&height.to_be_bytes());

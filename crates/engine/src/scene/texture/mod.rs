@@ -23,7 +23,7 @@ pub struct UvMesh {
     pub uv: Arc<Vec<[f32; 2]>>,
 }
 
-/// The built-in texture of a source; `None` for files, and if there's to be none.
+/// The built-in texture of a source. `None` for files, and if there's to be none.
 pub(super) fn builtin(source: &TextureSource) -> Option<Arc<crate::appearance::Texture>> {
     match source {
         TextureSource::Chequer => Some(Arc::clone(&builtin::CHEQUER)),

@@ -45,7 +45,7 @@ fn corners(shape: &Shape, mesh: &Mesh, triangle: [u32; 3]) -> CornerUv {
             let tube = |p: DVec3| (-p.y).atan2(TORUS_RADIUS - p.x.hypot(p.z)) / TAU;
             DVec2::new(around(p, middle), near(tube(p) + 0.5, tube(middle) + 0.5))
         }
-        // From a vertex on, so that no side has the border of the picture in its middle.
+        // Counted from a vertex, so that no side has the border of the picture in its middle.
         Shape::Prism if !is_end => {
             let from_vertex = |p: DVec3| DVec3::new(-p.z, p.y, p.x);
             DVec2::new(around(from_vertex(p), from_vertex(middle)), 0.5 * p.y)
@@ -77,7 +77,7 @@ fn on_ball(p: DVec3, middle: DVec3, half_axes: DVec3) -> DVec2 {
     DVec2::new(around(p / half_axes, middle / half_axes), latitude / std::f64::consts::PI + 0.5)
 }
 
-/// The angle about y, in turns; on the axis, and behind the seam, that of the middle of the triangle goes on.
+/// The angle about y, in turns. On the axis, and behind the seam, that of the middle of the triangle goes on.
 fn around(p: DVec3, middle: DVec3) -> f64 {
     let turns = |p: DVec3| {
         let turns = (-p.z).atan2(p.x) / TAU;
@@ -91,8 +91,8 @@ fn near(turns: f64, other: f64) -> f64 {
     turns - (turns - other).round()
 }
 
-/// A mesh in which each vertex is there once for each of its texture coordinates. `uv`: those of the corners of each
-/// triangle; missing ones are (0, 0).
+/// A mesh in which each vertex is there once for each of its texture coordinates. `uv` has those of the corners of each
+/// triangle. Missing ones are (0, 0).
 pub(in crate::scene) fn split(old: &Mesh, uv: &[CornerUv]) -> UvMesh {
     let mut mesh = Mesh { closed: old.closed, convex: old.convex, ..Mesh::default() };
     let mut all = Vec::new();
@@ -128,7 +128,7 @@ pub(in crate::scene) fn split(old: &Mesh, uv: &[CornerUv]) -> UvMesh {
     UvMesh { mesh: Arc::new(mesh), uv: Arc::new(all) }
 }
 
-/// Adds the vertex of an edge that is not there yet.
+/// Adds the vertex of an edge if it's missing.
 fn vertex_of_edge(mesh: &mut Mesh, uv: &mut Vec<[f32; 2]>, first: &mut [Option<u32>], old: &Mesh, i: u32) {
     if let Some(first @ None) = first.get_mut(i as usize) {
         *first = Some(index_u32(mesh.positions.len()));

@@ -1,7 +1,7 @@
 //! Edits of the scene of a figure: objects moved to another parent, renamed and removed, a preset expanded into a list.
 //!
 //! An object is known by its name. Parents are looked for among a figure's own objects, then among those of its preset.
-//! A change here never leaves an object whose parent does not exist.
+//! A change here never leaves an object whose parent doesn't exist.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,18 +14,18 @@ use crate::scene::SceneError;
 use crate::scene::palette::SceneColors;
 use crate::scene::{ObjectSpec, Preset, SceneSpec};
 
-/// The fate of the children of an object that is removed.
+/// The fate of the children of a removed object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Children {
     /// They are removed with it, and theirs with them.
     Removed,
-    /// Its parent is theirs then. In the world they stay where they are, if translation, rotation and scale can say
+    /// Its parent becomes theirs. They stay where they are in the world, if translation, rotation and scale can express
     /// that.
     HungHigher,
 }
 
-/// The matrix world ← object of every object of a scene, by name. Of a figure's object and one of the preset with the
-/// same name it is the figure's.
+/// The matrix world ← object of every object of a scene, by name. If a figure's object and one of the preset have the
+/// same name, it's the figure's.
 ///
 /// # Errors
 /// [`SceneError`], as for building the scene.
@@ -44,8 +44,8 @@ pub fn object_named(spec: &SceneSpec, name: &str) -> Option<ObjectSpec> {
     own.or_else(|| of_preset().find(|object| object.name == name))
 }
 
-/// As [`placements`], of one object alone, and without a look at objects that it does not hang on; `None` if there
-/// is none of this name.
+/// Like [`placements`], for one object alone, without a look at objects that it doesn't hang on. `None` if there is
+/// none of this name.
 ///
 /// # Errors
 /// [`SceneError`] of the object, or of one that it hangs on.
@@ -67,7 +67,7 @@ pub fn placement(spec: &SceneSpec, name: &str) -> Result<Option<DMat4>, SceneErr
     Ok(place(&chain, &placed_preset)?.first().map(|placed| placed.world_from_object))
 }
 
-/// The name that is wanted if no object has it, else with the first number that makes it free.
+/// The requested name if no object has it, else with the first number that makes it free.
 pub fn free_name(spec: &SceneSpec, wanted: &str) -> String {
     let taken = names(spec);
     let numbered = (2..).map(|k| format!("{wanted} {k}"));
@@ -100,8 +100,8 @@ pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
 /// Renames an object of a figure. Its children follow.
 ///
 /// # Errors
-/// [`SceneError::DuplicateName`] if another object already has this name, also one of the preset: its children would
-/// become children of this one. Nothing has changed then.
+/// [`SceneError::DuplicateName`] if another object, also one of the preset, already has this name, because its children
+/// would become children of this one. Nothing has changed then.
 pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneError> {
     if from == to {
         return Ok(());
@@ -126,11 +126,11 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
 /// Gives a figure's object another parent, or none. With `stay` it gets the numbers that keep it in place in the world.
 /// Otherwise it keeps its numbers and moves with its new parent.
 ///
-/// Returns true if `stay` could be satisfied: a scale along axes that the new parent has turned is a shear, which
-/// translation, rotation and scale cannot express. The numbers stay then.
+/// Returns true if `stay` could be satisfied. A scale along axes that the new parent has turned is a shear, which
+/// translation, rotation and scale can't express. The numbers stay then.
 ///
 /// # Errors
-/// [`SceneError`] if the parent does not exist or is below the object. Nothing has changed then.
+/// [`SceneError`] if the parent doesn't exist or is below the object. Nothing has changed then.
 pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) -> Result<bool, SceneError> {
     let before = placements(spec)?;
     let mut changed = spec.clone();
@@ -150,7 +150,7 @@ pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) 
     Ok(stayed)
 }
 
-/// Removes a figure's object. True if everything that is left stays where it is in the world.
+/// Removes a figure's object. True if all remaining objects stay where they are in the world.
 ///
 /// # Errors
 /// [`SceneError`] if the scene could not be built before. Nothing has changed then.
@@ -184,9 +184,9 @@ pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
     }
 }
 
-/// Writes the preset's objects into the figure's list, before its own, so that they can be edited. The preset is empty
-/// then. In the colours of `theme`, and with the names that `called` gives them, numbered if others are called so.
-/// What [`Preset::beyond_objects`] names is lost. Returns the new name of each.
+/// Writes the preset's objects into the figure's list, before its own, so that they can be edited. The preset is then
+/// empty. The objects have the colours of `theme` and the names that `called` gives them, numbered if a name is taken.
+/// The features that [`Preset::beyond_objects`] names are lost. Returns the new name of each.
 pub fn write_out_preset(
     spec: &mut SceneSpec,
     theme: Theme,
@@ -219,8 +219,8 @@ pub fn write_out_preset(
     names
 }
 
-/// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done,
-/// if there are none.
+/// Gives an object the translation, rotation and scale that make this matrix parent ← object. False if there are none,
+/// and then nothing changes.
 pub(crate) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
     let wanted = DMat3::from_mat4(*parent_from_object_wanted);
     let mut lengths = DVec3::new(wanted.x_axis.length(), wanted.y_axis.length(), wanted.z_axis.length());
@@ -249,15 +249,15 @@ pub(crate) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) ->
     exact
 }
 
-/// Without the last digits that rounding has made: 12 of the largest component's digits stay.
+/// Drops the last digits, which are rounding. 12 of the largest component's digits stay.
 pub(crate) fn tidy(v: DVec3) -> DVec3 {
     let unit = 10_f64.powi(12 - magnitude(v.abs().max_element()));
     let rounded = v.map(|x| (x * unit).round() / unit + 0.0);
     if rounded.is_finite() && (rounded - v).abs().max_element() <= 1e-11 * v.abs().max_element() { rounded } else { v }
 }
 
-/// Of the angles (degrees about x, y, z) that express the same rotation as these, those nearest to the ones before. A
-/// rotation about one axis alone stays so, and nothing jumps by whole turns.
+/// The angles (degrees about x, y, z) nearest to the ones before that express the same rotation as these. A rotation
+/// about one axis alone stays so, and nothing jumps by whole turns.
 fn nearest_angles(angles: DVec3, before: DVec3) -> DVec3 {
     let other = DVec3::new(angles.x + 180.0, 180.0 - angles.y, angles.z + 180.0);
     let near = |a: DVec3| a - 360.0 * ((a - before) / 360.0).round();

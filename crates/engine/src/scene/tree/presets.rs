@@ -1,4 +1,4 @@
-//! The named scenes. Each is a list of objects like those of a figure file, with additions that such a list cannot
+//! The named scenes. Each is a list of objects like those of a figure file, with additions that such a list can't
 //! express: colours of single faces, marks, labels.
 
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::scene::marks::{point_mark, point_name};
 use crate::scene::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 
-/// A feature of a preset that a list of objects cannot express.
+/// A feature of a preset that a list of objects can't express.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LostFeature {
     /// A colour for each face, and a number on it.
@@ -60,7 +60,7 @@ pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
     }
 }
 
-/// Adds the features that objects alone cannot express. `scene` holds the results of [`objects`], in their order, and
+/// Adds the features that objects alone can't express. `scene` holds the results of [`objects`], in their order, and
 /// nothing else.
 pub(crate) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
     match preset {
@@ -116,7 +116,7 @@ fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
 }
 
 /// A house 2.6 wide with its door to the left and its window to the right of the front, chimney at the back right, and
-/// a tree: no mirror image of it looks the same.
+/// a tree, so that no mirror image of it looks the same.
 fn house(colors: &SceneColors) -> Vec<ObjectSpec> {
     let ground = ObjectSpec::new("ground", Shape::Box);
     // The roof is a prism of three sides that lies along x: √3 sx wide, 1.5 sz high, its ridge at the vertex.
@@ -208,7 +208,7 @@ fn pyramid() -> Vec<ObjectSpec> {
     ]
 }
 
-/// In the cube: a ball before, a cone behind, and the letter of [`letter_f`].
+/// The contents of the cube: a ball before, a cone behind, and the letter of [`letter_f`].
 fn ndc_cube() -> Vec<ObjectSpec> {
     vec![
         ObjectSpec::new("cube", Shape::Box),

@@ -1,5 +1,4 @@
-//! The tree of a scene: names resolved, transforms multiplied out, `[3]` "Descrição da cena"; and whether all of it is
-//! allowed.
+//! The tree of a scene: names resolved, transforms multiplied out, `[3]` "Descrição da cena", and all of it checked.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -49,7 +48,7 @@ pub(crate) struct Placed<'a> {
 /// T · R · S of one object.
 ///
 /// # Errors
-/// A value that is not finite, or a scale of 0.
+/// A value that isn't finite, or a scale of 0.
 pub(crate) fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError> {
     for (key, v) in [("translate", spec.translate), ("rotate", spec.rotate), ("scale", spec.scale)] {
         if !v.is_finite() {
@@ -65,7 +64,7 @@ pub(crate) fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError>
 
 /// Rz · Ry · Rx for angles in degrees.
 fn rotation(degrees: DVec3) -> DMat3 {
-    // Most objects are not turned, and sines to the last digit take their time.
+    // Most objects aren't turned, and sines to the last digit take their time.
     if degrees == DVec3::ZERO {
         return DMat3::IDENTITY;
     }
@@ -175,7 +174,7 @@ mod tests {
         assert_eq!(lights(&[sun; 9]), Err(SceneError::ShadowMaps { texels: 9 << 24 }));
         assert!(lights(&[lamp, sun, sun]).is_ok(), "exactly the limit");
         assert_eq!(lights(&[lamp, lamp]), Err(SceneError::ShadowMaps { texels: 12 << 24 }));
-        // What casts none has no map.
+        // A light without shadows has no map.
         let plain = Light { shadows: Shadows { cast: false, ..shadows }, ..sun };
         assert!(lights(&[lamp, sun, sun, plain]).is_ok());
     }

@@ -9,7 +9,7 @@ use super::edit::{descendants, free_name, placements, put, tidy};
 use crate::geometry::{Angle, try_unit};
 use crate::scene::{ObjectSpec, SceneError, SceneSpec};
 
-/// Number of descendants of these objects that are not among them.
+/// Number of descendants of these objects that aren't among them.
 pub fn below(spec: &SceneSpec, names: &BTreeSet<String>) -> usize {
     names
         .iter()
@@ -33,7 +33,7 @@ pub enum Transform {
         /// The angle.
         angle: Angle,
     },
-    /// Each is scaled along its own axes, from its own place. No factor is 0.
+    /// A scale of each along its own axes, from its own place. No factor is 0.
     Scale(DVec3),
 }
 
@@ -56,11 +56,11 @@ impl Default for Trs {
 }
 
 /// Puts a figure's object at the end of a chain. It gets the last of `chain`, and between its parent and itself a group
-/// for each of the others, called `group`, numbered if something is called so. Without a chain, or without the
-/// object, nothing changes.
+/// for each of the others, called `group`, numbered if the name is taken. Without a chain, or without the object,
+/// nothing changes.
 ///
 /// # Errors
-/// [`SceneError`] if the scene cannot be built afterwards. Nothing has changed then.
+/// [`SceneError`] if the scene can't be built afterwards. Nothing has changed then.
 pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str) -> Result<(), SceneError> {
     let Some((own, above)) = chain.split_last() else { return Ok(()) };
     let mut changed = spec.clone();
@@ -81,7 +81,7 @@ pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str
     Ok(())
 }
 
-/// Those of `names` without an ancestor among them: a transform of these transforms all.
+/// The `names` without an ancestor among them. A transform of these transforms all.
 pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
     let below: BTreeSet<String> = names.iter().flat_map(|name| descendants(spec, name)).collect();
     let own = spec.objects.iter().map(|o| &o.name);
@@ -90,11 +90,11 @@ pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
 
 /// Moves, turns or scales a figure's objects. Their descendants go along.
 ///
-/// Returns true if each could be transformed: turned below a parent with unequal scales an object would be sheared,
-/// which translation, rotation and scale cannot express. Such an object stays as it was.
+/// Returns true if each could be transformed. Turned below a parent with unequal scales an object would be sheared,
+/// which translation, rotation and scale can't express. Such an object stays as it was.
 ///
 /// # Errors
-/// [`SceneError`] if the scene cannot be built, before or afterwards. Nothing has changed then.
+/// [`SceneError`] if the scene can't be built, before or afterwards. Nothing has changed then.
 pub fn transform(spec: &mut SceneSpec, names: &BTreeSet<String>, transform: Transform) -> Result<bool, SceneError> {
     let placed = placements(spec)?;
     let mut changed = spec.clone();
@@ -159,7 +159,7 @@ fn stem(name: &str) -> &str {
     if stem.is_empty() { name } else { stem }
 }
 
-/// The unit vectors along an object's own axes in the world, and where it is; `None` if one has no length.
+/// The unit vectors along an object's own axes in the world, and its place. `None` if one has no length.
 pub fn frame(world_from_object: &DMat4) -> Option<(DVec3, [DVec3; 3])> {
     let axis = |v: DVec3| try_unit(world_from_object.transform_vector3(v));
     let origin = world_from_object.w_axis.truncate();
@@ -226,7 +226,7 @@ mod tests {
         assert_near(&places(&after, DVec3::ONE), &wanted);
         assert_eq!(after.objects[0].rotate, DVec3::new(0.0, 180.0, 0.0), "without digits that rounding makes");
 
-        // A shear cannot be stored.
+        // A shear can't be stored.
         let mut flat = before.clone();
         flat.objects[0].scale = DVec3::new(3.0, 1.0, 1.0);
         let untouched = flat.clone();
@@ -268,7 +268,7 @@ mod tests {
         let parent = placements(&before).unwrap()["arm"];
         let wanted = parent.transform_point3(DVec3::new(1.0 + 2.0 * 3.0, 0.0, 0.0));
         assert_near(&[placements(&spec).unwrap()["box"].w_axis.truncate()], &[wanted]);
-        // One link alone is the object's own; one that is scaled to nothing is refused.
+        // One link alone is the object's own. One that is scaled to nothing is refused.
         let mut one = before.clone();
         put_on_chain(&mut one, "ball", &[along(7.0)], "group").unwrap();
         assert!(one.objects.len() == 4 && one.objects[3].translate.x == 7.0);

@@ -22,14 +22,14 @@ use crate::camera::recovery::{Axes, MatrixKind, Order};
 use numbers::Segment;
 pub(crate) use words::Word;
 
-/// A camera of a text: its numbers, and the parts of their reading that the format or the words say.
+/// A camera of a text: its numbers, and the parts of their reading that the format or the words state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pasted {
     /// Its name in the file, such as that of its image. Empty if it has none.
     pub name: String,
     /// The matrix, or the three vectors; `None` if the file only has a lens.
     pub(crate) entries: Option<MatrixEntries>,
-    /// The part of the reading that the text says.
+    /// The part of the reading that the text states.
     pub(crate) word: Option<Word>,
     /// The lens that goes with it.
     pub(crate) lens: Option<GivenLens>,
@@ -44,19 +44,19 @@ pub(crate) enum GivenLens {
     Pixels { focal_lengths: [f64; 2], principal_point: [f64; 2] },
     /// The angle from left to right, in radians.
     AngleX(f64),
-    /// The angle from bottom to top in degrees. What isn't there stays.
+    /// The angle from bottom to top in degrees. Missing values stay.
     AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
     /// A parallel projection: H, and A, F and B if they are there.
     Parallel { height: f64, aspect: Option<f64>, planes: Option<[f64; 2]> },
 }
 
-/// Why a text holds no camera.
+/// The reason why a text holds no camera.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MatrixTextError {
     /// Another count of numbers.
     #[error("{0} numbers; a matrix has 16, four rows of four, or 12: K [R | t], or 9: K, or 7: a quaternion and t")]
     Count(usize),
-    /// A part of it is not a number.
+    /// A part of it isn't a number.
     #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
     Part(String),
     /// Numbers that the program left out when it printed them.
@@ -114,7 +114,7 @@ impl GivenLens {
     }
 }
 
-/// The cameras of a file, or of a text that was pasted; at least one.
+/// The cameras of a file, or of a pasted text. At least one.
 ///
 /// # Errors
 /// [`MatrixTextError`] if there is none.
@@ -158,7 +158,7 @@ impl MatrixEntries {
     /// ```
     ///
     /// # Errors
-    /// [`MatrixTextError`] names the part that is not a number, or their count.
+    /// [`MatrixTextError`] names the part that isn't a number, or the count of numbers.
     pub fn read(text: &str) -> Result<Self, MatrixTextError> {
         let first = read_cameras(text.as_bytes())?.into_iter().next();
         first.and_then(|camera| camera.entries).ok_or(MatrixTextError::Count(0))
@@ -262,7 +262,7 @@ fn of_parts(segments: &[Segment]) -> Option<Pasted> {
         _ => return None,
     };
     let open = Pasted { lens, ..Pasted::new("", entries) };
-    // K, R and t are those of computer vision.
+    // K, R and t have the axes of computer vision.
     let is_vision = lens.is_some() || rvec.is_some();
     Some(Pasted { word: (is_vision && matrix.is_none()).then_some(VISION), ..open })
 }
@@ -286,7 +286,7 @@ fn values(segment: &Segment) -> Vec<f64> {
     segment.numbers.iter().map(|number| number.value).collect()
 }
 
-/// Whether nine numbers have the zeros and the one of K.
+/// True if nine numbers have the zeros and the one of K.
 #[expect(clippy::float_cmp, reason = "K has 0 and 1 themselves")]
 fn is_intrinsics(k: &[f64]) -> bool {
     k[3] == 0.0 && k[6] == 0.0 && k[7] == 0.0 && k[8] == 1.0 && k[0] > 0.0 && k[4] > 0.0 && k[2] != 0.0

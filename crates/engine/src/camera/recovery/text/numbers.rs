@@ -14,14 +14,14 @@ pub(crate) struct Segment {
 }
 
 impl Segment {
-    /// The count of numbers in each line, if it is the same in several.
+    /// The count of numbers in each line, if it's the same in several.
     pub(crate) fn in_line(&self) -> Option<usize> {
         let first = *self.lines.first()?;
         (self.lines.len() > 1 && first > 1 && self.lines.iter().all(|line| *line == first)).then_some(first)
     }
 }
 
-/// Names after which numbers are no entries: the shape of an array, and the like.
+/// Names after which numbers aren't entries, such as the shape of an array.
 const SHAPES: &str = "rows cols dt dtype shape size step channels device type version layout length prototype";
 
 fn is_shape(name: &str) -> bool {
@@ -93,7 +93,7 @@ struct Reader {
     line: usize,
     /// The first part that is neither a number nor a name.
     stray: Option<String>,
-    /// Of all numbers that follow.
+    /// A factor of all numbers that follow.
     factor: f64,
     /// A number came before.
     has_numbers: bool,
@@ -269,7 +269,7 @@ fn begins_number(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '−' | '.' | '+'))
 }
 
-/// Whether commas stand inside the numbers: no more than one in each part, between digits.
+/// True if commas stand inside the numbers, no more than one in each part, between digits.
 fn has_decimal_commas(text: &str) -> bool {
     let is_decimal = |part: &str| {
         part.split_once(',').is_none_or(|(whole, decimals)| {

@@ -10,7 +10,7 @@ use crate::camera::recovery::{Axes, MatrixKind, Order};
 /// The camera of a text, if it has the position of one.
 pub(crate) fn camera(text: &str) -> Option<Pasted> {
     let position = numbers(text, "CameraPosition")?;
-    // A trace leaves out what is as usual.
+    // A trace leaves out default values.
     let focal_point = numbers(text, "CameraFocalPoint").unwrap_or_else(|| vec![0.0; 3]);
     let view_up = numbers(text, "CameraViewUp").unwrap_or_else(|| vec![0.0, 1.0, 0.0]);
     let nine: Vec<f64> =

@@ -19,7 +19,7 @@ impl Word {
         Self { order: Some(order), ..with_axes(word, kind, axes) }
     }
 
-    /// Whether it means a reading in each of its parts.
+    /// True if it means a reading in each of its parts.
     pub(crate) fn means(&self, reading: &Reading, order: Order) -> bool {
         self.kind.is_none_or(|kind| kind == reading.kind)
             && self.axes.is_none_or(|axes| axes == reading.axes)

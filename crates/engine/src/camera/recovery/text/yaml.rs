@@ -18,7 +18,7 @@ use crate::camera::recovery::text::values::{list, number};
 use crate::camera::recovery::text::{GivenLens, Pasted, VISION, image_size, is_intrinsics, of_rotation, rotation_of};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
-/// The depth of nesting that is read: no camera needs more.
+/// The depth of nesting that is read. No camera needs more.
 const DEPTH: usize = 32;
 
 /// The cameras of a text, if it is YAML with the keys of one of these programs.

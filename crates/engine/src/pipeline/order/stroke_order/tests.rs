@@ -59,7 +59,7 @@ fn the_nearer_of_two_that_cross_comes_later_in_any_order_of_the_list() {
 
 #[test]
 fn a_thin_one_and_a_thick_one_touch_beside_the_border_of_a_square_too() {
-    // Squares end at x = 32: half way between the two lies in one that the thin stroke does not reach.
+    // Squares end at x = 32: the point half way between the two lies in one that the thin stroke doesn't reach.
     for (thin, thick) in [(31.4, 34.5), (32.6, 29.5), (31.0, 33.0)] {
         let (thin, thick) = (upright(thin, 0.8), upright(thick, 0.3));
         assert_eq!(order(&[(&thin, tested(1.0)), (&thick, tested(8.0))]), [1, 0]);
@@ -156,8 +156,7 @@ fn an_arrow_head_touches_with_its_width() {
 
 #[test]
 fn two_that_go_along_each_other_and_change_their_order_are_cut_there() {
-    // One leans away from the eye, the other does not: their depths are equal at x = 50, and their ways nearly
-    // parallel.
+    // One leans away from the eye, the other doesn't. Their depths are equal at x = 50, and their ways nearly parallel.
     let level = [[5.0, 50.0, 0.5], [95.0, 50.0, 0.5]];
     let leaning = [[5.0, 49.5, 0.9], [95.0, 50.5, 0.1]];
     for (first, second) in [(&level, &leaning), (&leaning, &level)] {
