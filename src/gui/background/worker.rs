@@ -34,7 +34,7 @@ fn one_by_one<Job: 'static, Outcome: 'static>(
         let kept = Rc::clone(&kept);
         Box::pin(async move {
             // It's there because no job begins before the last one has ended, and after a panic all of it is created
-            // anew.
+            // again.
             let mut work = kept.take()?;
             let outcome = work(job, &progress).await;
             kept.set(Some(work));
@@ -440,7 +440,7 @@ mod tests {
         worker.cancel();
         assert_eq!(frame(&mut worker), [None, Some((22, 40))]);
         assert!(!worker.is_pending(1) && worker.running().is_none());
-        // A cancelled job is done when it's requested anew. No slice of it took long, so it needn't be announced.
+        // A cancelled job is done when it's requested again. No slice of it took long, so it needn't be announced.
         worker.ask(&ctx, 1, 30);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running().map(|running| running.time.as_millis()), Some(40));

@@ -108,7 +108,7 @@ impl Default for Gallery {
 }
 
 impl Gallery {
-    /// Collects the figures anew. `beside` is the folder of the open figure, which is `here` and chosen in any part.
+    /// Collects the figures again. `beside` is the folder of the open figure, which is `here` and chosen in any part.
     pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>, here: Option<&Source>) {
         if here.is_some() {
             self.chosen.fill(here.cloned());

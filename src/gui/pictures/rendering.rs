@@ -207,7 +207,7 @@ impl Rendering {
         self.worker.running()
     }
 
-    /// Cancels all running pictures. A new hover doesn't begin them anew, only a new shot does.
+    /// Cancels all running pictures. A new hover doesn't begin them again, only a new shot does.
     pub(super) fn cancel(&mut self) {
         for i in (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)) {
             self.given_up[i].clone_from(&self.asked[i]);

@@ -204,7 +204,7 @@ impl Progress {
         kept.solved = kept.solved.max(1);
     }
 
-    /// Begins the exercise anew, with the numbers of a seed.
+    /// Begins the exercise again, with the numbers of a seed.
     pub fn begin(&mut self, id: &str, seed: u64) {
         let kept = self.of(id);
         let Tried { tries, solved, alone, solved_at, last, .. } = *kept;

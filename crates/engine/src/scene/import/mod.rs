@@ -49,7 +49,7 @@ fn companion(path: &str, name: &str) -> String {
 }
 
 /// A cache of read mesh files and finished primitives, so that a scene that is built again and again needs each only
-/// once. To read a file anew, start with a new cache.
+/// once. To read a file again, start with a new cache.
 #[derive(Clone, Debug, Default)]
 pub struct MeshFiles {
     known: BTreeMap<String, Arc<Imported>>,

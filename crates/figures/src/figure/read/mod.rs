@@ -11,6 +11,7 @@ mod section;
 mod show;
 mod stacked;
 mod syntax;
+mod value;
 
 use std::ops::Range;
 
