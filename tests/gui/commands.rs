@@ -283,13 +283,7 @@ fn pictures_are_hidden_and_shown_and_looked_at() {
 fn a_window_that_is_left_alone_does_not_repaint() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "2");
-    window.harness.remove_cursor();
-    window.run();
-    for _ in 0..3 {
-        window.harness.step();
-        let delay = window.harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
-        assert_eq!(delay, std::time::Duration::MAX);
-    }
+    window.assert_rests();
 }
 
 #[test]

@@ -100,15 +100,7 @@ fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
 fn a_window_with_the_strip_that_is_left_alone_does_not_repaint() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F10);
-    window.harness.remove_cursor();
-    window.run();
-    let drawn = window.app_mut().canvas.drawn();
-    for _ in 0..3 {
-        window.harness.step();
-        let delay = window.harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay;
-        assert_eq!(delay, std::time::Duration::MAX);
-    }
-    assert_eq!(window.app_mut().canvas.drawn(), drawn);
+    window.assert_rests();
 }
 
 fn cell<'a>(window: &'a Window, name: &str) -> egui_kittest::Node<'a> {

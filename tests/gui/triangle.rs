@@ -118,13 +118,5 @@ fn a_triangle_that_is_left_alone_does_not_repaint() {
     let mut window = staged(Lang::En);
     click_image(&mut window);
     window.click(step(texts(Lang::En), TriangleStep::Depth));
-    window.harness.remove_cursor();
-    window.run();
-    let drawn = window.app_mut().canvas.drawn();
-    for _ in 0..3 {
-        window.harness.step();
-        let delay = window.harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay;
-        assert_eq!(delay, std::time::Duration::MAX);
-    }
-    assert_eq!(window.app_mut().canvas.drawn(), drawn);
+    window.assert_rests();
 }

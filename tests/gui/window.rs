@@ -191,6 +191,21 @@ impl Window {
         self.run();
     }
 
+    /// Leaves the window alone, and checks that it then neither draws nor requests frames.
+    #[track_caller]
+    pub(crate) fn assert_rests(&mut self) {
+        self.harness.remove_cursor();
+        // The check of the camera requests a frame when it ends, and that may be after the last one of `run`.
+        self.wait(|window| window.state().model.coach.advice().is_some());
+        let drawn = self.app_mut().canvas.drawn();
+        for _ in 0..3 {
+            self.harness.step();
+            let delay = self.harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay;
+            assert_eq!(delay, Duration::MAX, "{:?}", self.harness.ctx.repaint_causes());
+        }
+        assert_eq!(self.app_mut().canvas.drawn(), drawn);
+    }
+
     /// Frames until a label contains this text.
     #[track_caller]
     pub(crate) fn wait_for(&mut self, text: &str) {

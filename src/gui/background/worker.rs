@@ -303,12 +303,12 @@ fn work<Job, Outcome, const SLOTS: usize>(
 
         let mut mailbox = shared.mailbox();
         mailbox.end(slot, Done { outcome, time });
-        let waited_for = mailbox.waited_for;
-        drop(mailbox);
-        shared.done.notify_one();
-        if !waited_for {
+        if !mailbox.waited_for {
+            // Before a frame can take the outcome: afterwards, it would be one frame too many.
             ctx.request_repaint();
         }
+        drop(mailbox);
+        shared.done.notify_one();
     }
 }
 
