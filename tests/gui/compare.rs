@@ -189,7 +189,7 @@ fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
     assert_eq!(window.state().model.document.figure().camera, first);
     window.key(Key::F4);
     assert_eq!(window.state().model.document.figure().camera, second);
-    // A stays as it was while the camera goes on.
+    // A stays as it was while the camera continues.
     window.enter("C y", "1.5");
     assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
     window.compare();

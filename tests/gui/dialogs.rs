@@ -152,7 +152,7 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
     assert!(window.harness.get_by_role_and_label(Role::TextInput, "file").is_focused());
     assert!(window.says("near < far"));
     assert!(window.state().model.message.is_none(), "it is said once");
-    // What is typed goes on where it was.
+    // The keyboard stays in the same field.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.harness.event(Event::Text(folder.file("good.toml").display().to_string()));
     window.run();

@@ -64,7 +64,7 @@ fn ctrl_tab_goes_from_region_to_region_in_both_directions() {
     assert_eq!(back[0], there[5]);
     back.reverse();
     assert_eq!(back[1..], there[..6]);
-    // From a control, to the next region; and Tab goes on into it.
+    // From a control, to the next region; and Tab continues into it.
     window.field("θ").focus();
     window.run();
     window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);

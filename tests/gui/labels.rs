@@ -164,7 +164,7 @@ fn labels_of_a_comparison_are_dragged_on_either_side() {
             let all = window.app_mut().canvas.labels(View::World);
             all.iter().filter(|label| label.name == "C").map(|label| label.center).collect()
         };
-        // It goes on both sides: they are one figure's.
+        // It continues both sides: they are one figure's.
         for (from, to) in cs.iter().zip(&moved) {
             let is_last = from.center == last;
             assert!(

@@ -197,7 +197,7 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
     }
 }
 
-/// The next start goes on where the last one ended, and closing the line is for this time only.
+/// The next start continues where the last one ended, and closing the line is for this time only.
 #[test]
 fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     let folder = Folder::new("go-on");

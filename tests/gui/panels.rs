@@ -348,7 +348,7 @@ fn one_operation_is_open_with_its_slider() {
     assert!(window.says(t.azimuth_effect));
 }
 
-/// An operation that was done is kept, a next one goes on from it, and one that doesn't is kept alone.
+/// An operation that was done is kept, a next one continues from it, and one that doesn't is kept alone.
 #[test]
 fn operations_are_kept_in_the_figure() {
     let mut window = Window::new(Lang::En);

@@ -93,7 +93,7 @@ fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
     window.select("object 999");
     let scene = &window.state().model.document.figure().scene;
     assert_eq!(window.state().model.tree.selected(scene), Some(&Selected::Object("object 999".to_owned())));
-    // The keyboard goes on from there.
+    // The keyboard continues from there.
     window.key(Key::ArrowUp);
     assert!(window.row("object 998").is_focused());
     assert!((20..400).contains(&rows(&window)));

@@ -194,7 +194,7 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
         assert_eq!(window.state().model.shown_stage(), Some(Stage::Clip), "Enter");
         window.key(Key::Space);
         assert_eq!(window.state().model.shown_stage(), None, "Space");
-        // Tab goes on to the next stage.
+        // Tab moves on to the next stage.
         window.key(Key::Tab);
         assert!(cell(&window, camera_lab::i18n::why::pipeline::stage(lang, Stage::Oblique)).is_focused());
         window.key(Key::F1);

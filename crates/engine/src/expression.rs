@@ -300,7 +300,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// True if a product goes on without a sign, as in `2pi` or `2(1 + 1)`. But `rad` ends an expression.
+    /// True if a product continues without a sign, as in `2pi` or `2(1 + 1)`. But `rad` ends an expression.
     fn starts_factor(&mut self) -> bool {
         matches!(self.peek(), Some(c) if c.is_alphabetic() || matches!(c, '(' | '√' | '\\'))
             && !self.word().eq_ignore_ascii_case("rad")

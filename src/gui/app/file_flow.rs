@@ -313,7 +313,7 @@ pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
     read(ctx, state, ToRead::Next(search));
 }
 
-/// Reads a file. If it takes long, the window goes on, and [`poll`] takes the content.
+/// Reads a file. If it takes long, the window stays usable, and [`poll`] takes the content.
 fn read(ctx: &egui::Context, state: &mut State, wanted: ToRead) {
     state.file_flow.reading.begin(ctx, &state.model, wanted);
     take_content(ctx, state, state.file_flow.reading.patience);
@@ -334,7 +334,7 @@ fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
     }
 }
 
-/// Reads the figure's own file again, and goes on with it.
+/// Reads the figure's own file again, and continues with it.
 fn reload(ctx: &egui::Context, state: &mut State) {
     if let Some(path) = state.model.document.path().cloned() {
         open(ctx, state, &path);

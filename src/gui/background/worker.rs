@@ -187,7 +187,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             match thread.spawn(move || work(&shared, slot, &wake, &make, clock)) {
                 Ok(_) => begun[slot] = true,
                 Err(_) if begun.contains(&true) => {
-                    // The existing threads go on, and this job counts as not done.
+                    // The existing threads continue, and this job counts as not done.
                     self.shared.mailbox().end(slot, Done { outcome: None, time: Duration::ZERO });
                     ctx.request_repaint();
                     return;

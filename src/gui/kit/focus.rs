@@ -236,7 +236,7 @@ fn close_id() -> Id {
     Id::unique("close the list")
 }
 
-/// Makes a part of the window a region that Ctrl+Tab goes to. `name` is for screen readers. Tab goes on to its first
+/// Makes a part of the window a region that Ctrl+Tab goes to. `name` is for screen readers. Tab moves on to its first
 /// control.
 pub(in crate::gui) fn region(ui: &Ui, rect: Rect, region: Region, name: &str) {
     let id = Id::unique(("region", region));

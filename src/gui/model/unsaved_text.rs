@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::figure::Bilingual;
 use crate::lessons::TaskText;
 
-/// The text of a lesson that isn't in its file. A session stores it, and a window goes on with it after a crash.
+/// The text of a lesson that isn't in its file. A session stores it, and a window continues with it after a crash.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnsavedText {
     /// The file.

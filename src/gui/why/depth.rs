@@ -270,7 +270,7 @@ fn plot(ui: &mut Ui, lang: Lang, camera: &Camera, ndc: Ndc, probe: Option<f64>) 
     let plot = if logarithmic { logarithmic_x(plot, ui, t.distance) } else { linear_x(plot, ui, t.distance) };
     let dark = ui.visuals().dark_mode;
     let shown = plot.show(ui, |plot| {
-        // The last mark of the axis is whole only if the axis goes on.
+        // The last mark of the axis is whole only if the axis continues.
         plot.set_plot_bounds_x(across(f)..=across(b) + 0.04 * (across(b) - across(f)));
         plot.set_plot_bounds_y(low - 0.05..=high + 0.05);
         for (i, (place, anchor)) in places_of_names(&curves, [low, high]).into_iter().enumerate() {

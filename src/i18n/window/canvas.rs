@@ -90,7 +90,7 @@ texts! {
     drag_up: "Drag to turn VUP about DOP", "Arraste para girar VUP em torno de DOP";
     // The way to drag a plane.
     drag_along_axis: "Drag along the axis", "Arraste ao longo do eixo";
-    // Before the reason why a handle doesn't go on.
+    // Before the reason why a handle can't be dragged further.
     stopped: "Stopped:", "Parado:";
     // If a picture couldn't be drawn.
     given_up: "Cancelled. This view is redrawn when the figure changes.", "Cancelada. Esta vista é redesenhada quando a figura mudar.";

@@ -32,7 +32,7 @@ crate::worded! {
         /// The picture repeats.
         #[default]
         Repeat = "repeat",
-        /// Its border goes on.
+        /// Its border continues.
         Clamp = "clamp",
         /// The picture repeats, mirrored each time.
         Mirror = "mirror",

@@ -74,7 +74,7 @@ impl Rasterizer {
     }
 
     /// Like [`paint_into`](Self::paint_into), for one of several passes over a picture: its number, from 0, and how
-    /// many there are. The progress goes on from one to the next.
+    /// many there are. The progress continues from one to the next.
     pub async fn paint_pass(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, pass: [usize; 2]) -> bool {
         if (pixmap.width(), pixmap.height()) != (drawing.width, drawing.height) {
             let Some(fresh) = new_pixmap(drawing) else { return false };

@@ -28,7 +28,7 @@ use crate::sanitize;
 pub enum Purpose {
     /// To open it.
     Open,
-    /// To save the figure in it, and then to go on.
+    /// To save the figure in it, and then to continue.
     Save(Option<AfterSave>),
     /// For the feature that requested it.
     For(FileFor),
@@ -40,9 +40,9 @@ pub enum Purpose {
     Step,
     /// To add a step to a lesson, and to write the lesson.
     NewLesson,
-    /// To copy a built-in lesson. The user goes on writing in the copy.
+    /// To copy a built-in lesson. The user continues writing in the copy.
     OwnLesson,
-    /// To save the lesson with the text that can't be saved in its own file, and then to go on.
+    /// To save the lesson with the text that can't be saved in its own file, and then to continue.
     LessonText(AfterSave),
     /// To write a lesson or exercises as pages to print.
     Handout(HandoutForm),

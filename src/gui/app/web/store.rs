@@ -57,7 +57,7 @@ fn keep(name: &str, text: Option<&str>) -> io::Result<()> {
     done.map_err(|_| io::ErrorKind::QuotaExceeded.into())
 }
 
-/// True for a link that this tab hasn't opened yet. If the page is loaded again, the work goes on instead.
+/// True for a link that this tab hasn't opened yet. If the page is loaded again, the work continues instead.
 pub(in crate::gui) fn is_new_here(link: &str) -> bool {
     const KEY: &str = "camera-lab/link";
     let Some(storage) = crate::gui::app::web::window().and_then(|window| window.session_storage().ok().flatten())

@@ -27,7 +27,7 @@ pub(super) fn show(
 ) -> Option<Row> {
     let chart = if over_time { &pair.by_time } else { &pair.by_parameter };
     let [x, y] = chart.range().map(|[low, high]| [low.log10(), high.log10()]);
-    // The last mark of an axis is whole only if the axis goes on.
+    // The last mark of an axis is whole only if the axis continues.
     let [x, y] = [x, y].map(|[low, high]| [low, high + BEYOND * (high - low)]);
     let height = (ui.available_height() - READOUT).max(80.0);
     let plot = still(Plot::new(("study", findings.study.name(), over_time)))

@@ -102,7 +102,7 @@ fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str
     match typed {
         Some(Err(problem)) => complaint(ui, &problem),
         Some(Ok(wanted)) => {
-            // The draft of impossible numbers, if there is one, goes on under the new name.
+            // The draft of impossible numbers, if there is one, continues under the new name.
             let mut base = form.base.clone();
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
                 model.document.edit(|figure| figure.scene = base.clone());

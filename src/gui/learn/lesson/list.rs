@@ -34,7 +34,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
                 if ui.link(title).clicked() {
-                    // An unfinished lesson goes on from its last step, and a finished one starts again.
+                    // An unfinished lesson continues from its last step, and a finished one starts again.
                     let step = if learn.is_finished(lesson) { 0 } else { learn.step_to_go_on(lesson) };
                     chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
                 }

@@ -114,7 +114,7 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn)
     command
 }
 
-/// Offers to go on from the last time, in one line, with the lesson that was begun, an exercise, or the list of
+/// Offers to continue from the last time, in one line, with the lesson that was begun, an exercise, or the list of
 /// lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;

@@ -26,7 +26,7 @@ impl Learn {
         self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
     }
 
-    /// Advances the move to the step. Returns true while it goes on. `now` is a time in seconds.
+    /// Advances the move to the step. Returns true while it continues. `now` is a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, model: &mut Model, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
         let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);

@@ -71,7 +71,7 @@ impl Learn {
         draft
     }
 
-    /// Reports the last step of a lesson as added, and goes on with the lesson if it's the one being played.
+    /// Reports the last step of a lesson as added, and continues with the lesson if it's the one being played.
     pub(in crate::gui) fn step_is_added(&mut self, model: &mut Model, path: &Path, lesson: Lesson) {
         self.file = Some(path.to_owned());
         model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));

@@ -34,7 +34,7 @@ pub struct Playing {
     pub path: Option<PathBuf>,
     /// The step, from 0.
     pub step: usize,
-    /// The move to the step, while it goes on.
+    /// The move to the step, while it continues.
     pub(in crate::gui) moving: Option<Moving>,
     /// The text of the step is shown.
     pub shows_text: bool,
@@ -64,7 +64,7 @@ pub struct Playing {
     passed: BTreeSet<usize>,
     /// The steps whose way was shown.
     shown: BTreeSet<usize>,
-    /// The step whose task the next request to go on skips.
+    /// The step whose task the next request to continue skips.
     warned: Option<usize>,
     /// The typed digits of the number of a step, and the time of the last one.
     pub(in crate::gui) typed: Option<(usize, f64)>,
@@ -220,7 +220,7 @@ impl Learn {
         begun.next().or_else(|| open().next()).map(|(place, _)| place)
     }
 
-    /// The step from which a lesson goes on: the first with an unfinished task, at its last step or before.
+    /// The step from which a lesson continues: the first with an unfinished task, at its last step or before.
     pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
         let furthest = self.taken.get(&lesson.id).copied().unwrap_or_default();
         let done = self.done.get(&lesson.id);

@@ -7,7 +7,7 @@ use crate::views::Normalizing;
 
 /// Duration of a step in playback, in seconds.
 const STEP_SECONDS: f64 = 2.0;
-/// After a longer pause between two frames, playing goes on from the same place.
+/// After a longer pause between two frames, playing continues from the same place.
 const LONGEST_FRAME: f64 = 0.5;
 
 /// The explanation of steps.

@@ -181,7 +181,7 @@ impl Writer {
     /// Waits for a running write, and deletes the session, because it has been saved, or discarded.
     pub(super) fn forget(mut self) {
         self.worker.take(MAX_WAIT);
-        // The window closes, or goes on with another slot, so there is nothing left to do.
+        // The window closes, or continues with another slot, so there is nothing left to do.
         let _ = disk::remove(&self.file);
     }
 }

@@ -139,7 +139,7 @@ pub(in crate::gui::why) fn show(
 fn arrows(ui: &Ui, [i, j]: [usize; 2]) {
     let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(entry_id(ui, i, j), filter));
-    // Consumed, so that the entry that gets the keyboard doesn't go on with the same key.
+    // Consumed, so that the entry that gets the keyboard doesn't continue with the same key.
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     let step = |at: usize, back: Key, on: Key| match (pressed(back), pressed(on)) {
         (true, false) => at.saturating_sub(1),

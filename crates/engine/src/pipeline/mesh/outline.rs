@@ -39,7 +39,7 @@ fn is_seen(plane: DVec4, eye: DVec4) -> bool {
     plane.dot(eye) > EDGE_ON * size
 }
 
-/// Edges, joined to polylines as long as they go on, so that dashes don't begin again at each vertex.
+/// Edges, joined to polylines of maximal length so that dashes don't begin again at each vertex.
 fn chained(edges: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let mut at: Vec<(u32, usize)> =
         edges.iter().enumerate().flat_map(|(k, ends)| ends.map(|vertex| (vertex, k))).collect();

@@ -24,7 +24,8 @@ use crate::pipeline::budget::OverBudget;
 /// *Guarantees*: if two runs of different strokes touch, the one that is over the other where they touch comes later.
 /// There are two exceptions: three or more runs that touch at one place and don't agree on an order there, and a run
 /// that passes another twice within the sum of their widths. The parts of a split run follow one another along the
-/// polyline without a gap. A part's [`start`](Run::start) lets its dashes go on. Runs that aren't painted are left out.
+/// polyline without a gap. A part's [`start`](Run::start) lets its dashes continue. Runs that aren't painted are left
+/// out.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].

@@ -24,7 +24,7 @@ pub struct Run {
     pub polyline: usize,
     /// x, y in pixels and depth. Two or more.
     pub points: Vec<[f32; 3]>,
-    /// Pixels along the polyline from its first point, so that dashes go on from one run to the next.
+    /// Pixels along the polyline from its first point, so that dashes continue from one run to the next.
     pub start: f32,
     /// The faces in front of it.
     pub behind: Occlusion,

@@ -4,7 +4,7 @@
 //! of a vector would be idle. Here each lane has a triangle of its own, and all eight go through their boxes in step:
 //! pixel (0, 0) of eight boxes, then pixel (1, 0), and so on. Pixels are written afterwards, one triangle after the
 //! other, because if two triangles own the same pixel the first one in the list has to come first. If colours cost much
-//! (light at each pixel, textures), coverage comes first for the whole box, and each lane then goes on to its next
+//! (light at each pixel, textures), coverage comes first for the whole box, and each lane then moves on to its next
 //! pixel inside, wherever it lies. Few lanes wait that way, and boxes of 11 × 11 pixels count as tiny.
 
 use crate::simd::prelude::*;
@@ -136,7 +136,7 @@ impl TinyBatch {
         }
     }
 
-    /// Depths and colours if colours cost much. Each triangle goes on to its next pixel, wherever in the box it
+    /// Depths and colours if colours cost much. Each triangle moves on to its next pixel, wherever in the box it
     /// lies, so that few lanes wait, and a pixel that is hidden by now gets no colour.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn color<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(

@@ -21,7 +21,7 @@ pub(super) fn nearest<K: Simd>(level: &Level, sampler: Sampler, wanted: mask32x8
     channels(texels(level, wanted, x, y))
 }
 
-/// Between the four nearest texels. Beyond a border that isn't repeated the border goes on.
+/// Between the four nearest texels. Beyond a border that isn't repeated the border continues.
 #[inline(always)]
 pub(super) fn bilinear<K: Simd>(
     level: &Level,
@@ -212,7 +212,7 @@ pub(super) fn channel<K: Simd>(pixels: u32x8<K>) -> f32x8<K> {
     (pixels & 0xff).bitcast::<i32x8<K>>().to_float()
 }
 
-/// Coordinates as those of the picture, 0 … 1. Unchanged if the border goes on.
+/// Coordinates as those of the picture, 0 … 1. Unchanged if the border continues.
 #[inline(always)]
 fn folded<K: Simd>(t: f32x8<K>, wrap: Wrap) -> f32x8<K> {
     match wrap {

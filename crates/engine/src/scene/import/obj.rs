@@ -90,7 +90,7 @@ pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
     Ok(Imported { parts, notices })
 }
 
-/// The lines of a file. One that ends with `\` goes on in the next.
+/// The lines of a file. One that ends with `\` continues in the next.
 struct Lines<'a> {
     rest: &'a [u8],
     /// The number of the last line that was read, from 1.

@@ -77,7 +77,7 @@ fn on_ball(p: DVec3, middle: DVec3, half_axes: DVec3) -> DVec2 {
     DVec2::new(around(p / half_axes, middle / half_axes), latitude / std::f64::consts::PI + 0.5)
 }
 
-/// The angle about y, in turns. On the axis, and behind the seam, that of the middle of the triangle goes on.
+/// The angle about y, in turns. On the axis, and behind the seam, that of the middle of the triangle continues.
 fn around(p: DVec3, middle: DVec3) -> f64 {
     let turns = |p: DVec3| {
         let turns = (-p.z).atan2(p.x) / TAU;
