@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
@@ -33,6 +34,14 @@ pub(crate) fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
     state.file_flow.native = false;
     let mut window = Window::with_state(state, [1280.0, 720.0]);
     window.run();
+    window
+}
+
+/// The same with the first step. Its pictures come whenever they are ready, for a test that only measures the panels.
+fn measured(lesson: usize) -> Window {
+    let mut window = playing(lesson, 0, Lang::En);
+    window.app_mut().state.model.settings.reduce_motion = true;
+    window.app_mut().canvas.patience = Some(Duration::ZERO);
     window
 }
 
@@ -255,7 +264,7 @@ fn a_lesson_is_finished_when_its_questions_are() {
 fn every_step_has_room_for_its_text() {
     let mut cut = Vec::new();
     for (place, shipped) in shipped().iter().enumerate() {
-        let mut window = playing(place, 0, Lang::En);
+        let mut window = measured(place);
         for presents in [false, true] {
             if presents {
                 window.harness.key_press(Key::F11);
@@ -264,7 +273,6 @@ fn every_step_has_room_for_its_text() {
             for lang in [Lang::En, Lang::PtBr] {
                 window.app_mut().state.model.settings.lang = lang;
                 for k in 0..shipped.lesson.steps.len() {
-                    window.app_mut().state.model.settings.reduce_motion = true;
                     let state = &mut window.app_mut().state;
                     state.learn.go_to_step(&mut state.model, k);
                     window.run();
@@ -333,8 +341,7 @@ fn the_panel_of_a_lesson_keeps_its_height() {
     let mut moved = Vec::new();
     for size in [[1280.0, 720.0], [1920.0, 1080.0]] {
         for (place, shipped) in shipped().iter().enumerate() {
-            let mut window = playing(place, 0, Lang::En);
-            window.app_mut().state.model.settings.reduce_motion = true;
+            let mut window = measured(place);
             window.harness.set_size(vec2(size[0], size[1]));
             window.run();
             let mut first = None;
@@ -367,8 +374,7 @@ fn the_panel_of_a_lesson_keeps_its_height() {
 fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
     let (mut out_of_sight, mut of_pictures) = (Vec::new(), Vec::new());
     for (place, shipped) in shipped().iter().enumerate() {
-        let mut window = playing(place, 0, Lang::En);
-        window.app_mut().state.model.settings.reduce_motion = true;
+        let mut window = measured(place);
         window.key(Key::F11);
         // The size of the window is in points, which are larger now.
         window.harness.set_size(vec2(1280.0, 720.0) / window.harness.ctx.zoom_factor());

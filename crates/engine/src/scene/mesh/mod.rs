@@ -109,6 +109,6 @@ impl Mesh {
     reason = "importers refuse meshes beyond 32-bit indices; primitives are small"
 )]
 pub(crate) fn index_u32(index: usize) -> u32 {
-    debug_assert!(index < MAX_VERTICES);
+    assert!(index < MAX_VERTICES, "refused by importers");
     index as u32
 }

@@ -115,7 +115,7 @@ impl Start {
         let distance = to_viewer.length();
         // n turns towards u about v.
         let turned = n.times(&cosine).plus(&u.times(&sine));
-        debug_assert!(v.dot(&turned).to_f64().abs() < 1e-15);
+        assert!(v.dot(&turned).to_f64().abs() < 1e-15);
         let exact_position = Vector::of(parameters.focal_point).plus(&turned.times(&distance));
         Some(Self { parameters, camera, angle, exact_distance: distance.to_f64(), exact_position })
     }
