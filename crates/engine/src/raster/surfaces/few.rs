@@ -61,7 +61,7 @@ impl TinyBatch {
 
     /// Goes through the boxes of the eight triangles of a batch together. `tiny` marks the triangles to fill, of at
     /// most `SIDE` columns and rows.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     pub(super) fn find<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,
         tiny: mask32x8<K>,
@@ -138,7 +138,7 @@ impl TinyBatch {
 
     /// Depths and colours if colours cost much. Each triangle moves on to its next pixel, wherever in the box it
     /// lies, so that few lanes wait, and a pixel that is hidden by now gets no colour.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn color<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,
         simd: K,

@@ -98,7 +98,7 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
 }
 
 /// Fills the eight triangles of a batch.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[inline(always)]
 fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
@@ -225,7 +225,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
 
     /// Fills a triangle by its edge functions, each given by its change to the right, its change down, and its value at
     /// the centre of the first pixel. A `SQUARE` tile does for four columns at most.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn small<const SQUARE: bool>(
         mut self,
         band: &mut Band,
@@ -292,7 +292,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     }
 
     /// Fills any triangle, row by row between its borders.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn wide(mut self, band: &mut Band, rows: Range<i32>, borders: &Borders<K>) {
         // Most tiles of a large triangle's box would be empty, so its borders say where each row begins and ends. With
         // one sample per pixel, four rows are bounded together.
@@ -309,7 +309,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     }
 
     /// Fills a row, for each sample between two columns.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn row<const N: usize>(&mut self, band: &mut Band, j: i32, from: &[i32; N], to: &[i32; N]) {
         let (mut first, mut last) = (i32::MAX, 0);
         for (&from, &to) in from.iter().zip(to).filter(|(from, to)| from < to) {
@@ -344,7 +344,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
 
     /// Paints the covered part of a tile. `center` has its depths at the centres of pixels, and `own` the pixels that
     /// are counted.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn paint<const SQUARE: bool>(
         &self,
         place: TileStart,
