@@ -18,7 +18,7 @@ use super::window::Window;
 use crate::words::en;
 
 impl Window {
-    /// Role, name and place of what has the focus; the name is empty if it has none.
+    /// Role, name and place of the focused widget. The name is empty if the widget has none.
     fn focused(&self) -> Option<(Role, String, Rect)> {
         let node = self.harness.query_all(By::new().predicate(|node| node.is_focused())).next()?;
         let (label, value) = (node.accesskit_node().label(), node.accesskit_node().value());

@@ -1,7 +1,7 @@
 //! Attributes of the vertices that cutting makes: colours, normals, texture coordinates …
 //!
-//! All meshes with attributes by vertex or by face that are made anew after a cut come through here. A new attribute of
-//! vertices is one more arm in [`object_paint`], [`base_of`] or [`append`].
+//! Every mesh with attributes by vertex or by face is rebuilt here after a cut. A new attribute of vertices is one more
+//! arm in [`object_paint`], [`base_of`] or [`append`].
 
 use std::sync::Arc;
 

@@ -136,8 +136,7 @@ fn merge_vector(mine: &mut Array, old: Option<&Array>, new: &Array) {
     }
 }
 
-/// Merges tables of one list. Tables with the same name are the same table. The others are matched by what they have in
-/// common.
+/// Merges two lists of tables, which [`sources`] pairs: by name if possible, otherwise by equal keys.
 fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &ArrayOfTables) {
     let old: Vec<&Table> = old.iter().flat_map(|list| list.iter()).collect();
     let mut rest: Vec<Option<Table>> = mine.iter().cloned().map(Some).collect();
