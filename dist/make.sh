@@ -6,7 +6,7 @@
 #   tar      the program for Linux, with its manual, icon and completions
 #   macos    Camera Lab.app (on a Mac)
 #   all      windows, web, deb and tar, with SHA256SUMS
-# QUICK=1 makes windows and web with the profile `quick`, in half the time: to be tried, not to be handed out.
+# QUICK=1 makes windows with the profile `quick`, in half the time: to be tried, not to be handed out.
 # On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes
 # (camera-lab.exe: from the same folder, by whose name the linker orders the imports).
 set -euo pipefail
@@ -29,9 +29,9 @@ export SOURCE_DATE_EPOCH
 # Where the sources lie is not to be read in the program.
 export CARGO_ENCODED_RUSTFLAGS="--remap-path-prefix=$PWD=camera-lab"$'\x1f'"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 
-# Profile of the program, and the folder that Cargo gives it.
-profile=release web_profile=web built=release web_built=web
-[ -z "${QUICK:-}" ] || profile=quick web_profile=quick built=quick web_built=quick
+# Profile of the program for Windows, and the folder that Cargo gives it.
+profile=release
+[ -z "${QUICK:-}" ] || profile=quick
 
 make_windows() {
     install_packages gcc gcc-mingw-w64-x86-64 binutils-mingw-w64-x86-64
@@ -43,8 +43,8 @@ make_windows() {
     local unchanging=(-C link-arg=-Wl,--no-insert-timestamp -C strip=symbols)
     cargo_for "$target" rustc --profile "$profile" --package camera-lab --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
     cargo_for "$target" rustc --profile "$profile" --package camera-lab-console -- "${unchanging[@]}"
-    cp "$CARGO_TARGET_DIR/$target/$built/camera-lab.exe" "$out/camera-lab.exe"
-    cp "$CARGO_TARGET_DIR/$target/$built/camera-lab-console.exe" "$out/camera-lab.com"
+    cp "$CARGO_TARGET_DIR/$target/$profile/camera-lab.exe" "$out/camera-lab.exe"
+    cp "$CARGO_TARGET_DIR/$target/$profile/camera-lab-console.exe" "$out/camera-lab.com"
     cp THIRD-PARTY.md "$out"
 }
 
@@ -54,8 +54,8 @@ make_web() (
     target=wasm32-unknown-unknown
     # Vectors of 128 bits, as browsers have had them since 2023: without them what is drawn in vectors is a third of the program.
     export CARGO_ENCODED_RUSTFLAGS+=$'\x1f'-Ctarget-feature=+simd128
-    cargo_for "$target" build --profile "$web_profile" --bin camera-lab
-    cargo_for "$target" build --profile "$web_profile" --package camera-lab-unpack
+    cargo_for "$target" build --profile web --bin camera-lab
+    cargo_for "$target" build --profile web --package camera-lab-unpack
     bindings
     python3 dist/web/assemble.py "$page" "$out"
     cp THIRD-PARTY.md "$out"
@@ -63,7 +63,7 @@ make_web() (
 
 # Writes the JavaScript between the program and the browser, by a package of our own.
 bindings() {
-    local made=$CARGO_TARGET_DIR/$target/$web_built
+    local made=$CARGO_TARGET_DIR/$target/web
     # It runs for seconds: built without optimisation it is there sooner.
     CARGO_ENCODED_RUSTFLAGS='' cargo build --locked --package camera-lab-bindings
     rm -rf "${page:?}"

@@ -1,14 +1,20 @@
-//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has them
-//! too.
+//! The program: its version, its licence, and those of its components. They're built in, so a single copied file has
+//! them too. Only in a browser they stand beside the program, in its page.
 
-use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
+use eframe::egui::{self, RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
+#[cfg(target_arch = "wasm32")]
+use crate::gui::app::web::third_party;
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::i18n::window::Texts;
 
 /// Names and licences of all libraries, and the texts of the licences, written by `.ci/third-party`.
-const THIRD_PARTY: &str = include_str!("../../../THIRD-PARTY.md");
+#[cfg(not(target_arch = "wasm32"))]
+#[expect(clippy::unnecessary_wraps, reason = "in a page the text arrives later")]
+fn third_party(_: &egui::Context) -> Option<&'static str> {
+    Some(include_str!("../../../THIRD-PARTY.md"))
+}
 
 /// Shows the dialog. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, first: bool) {
@@ -18,7 +24,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, fir
     ui.label(t.about_licence);
     ui.add_space(6.0);
     let height = (ui.ctx().content_rect().height() - 220.0).max(80.0);
-    let lines: Vec<&str> = THIRD_PARTY.lines().collect();
+    let lines: Vec<&str> = third_party(ui.ctx()).unwrap_or("…").lines().collect();
     let row = ui.text_style_height(&TextStyle::Small);
     // At its full height from the first frame, or the dialog would grow for some frames.
     let area = ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink(false);

@@ -6,7 +6,7 @@ mod keys;
 mod store;
 
 use std::any::Any;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
 
 use eframe::egui;
@@ -15,15 +15,16 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{HtmlCanvasElement, Window};
 
 use crate::appearance::Theme;
+use crate::export::format::FIGURE_ENDINGS;
 use crate::figure::Figure;
 use crate::files::disk::page::KEPT;
 use crate::files::{self, SourceFile};
 use crate::gui::app::file_flow;
-use crate::gui::app::file_flow::questions::MESH_ENDINGS;
 use crate::gui::model::action::AfterSave;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::i18n::Lang;
+use crate::scene::import::MESH_ENDINGS;
 use crate::share;
 
 /// The identifier of the page's canvas for the window.
@@ -34,6 +35,8 @@ thread_local! {
     static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
     /// The context to wake then.
     static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
+    /// Names and licences of all libraries, once they have arrived. The text is empty until then, and None before the first request.
+    static THIRD_PARTY: Cell<Option<&'static str>> = const { Cell::new(None) };
 }
 
 /// Opens a file or a link in the next frame.
@@ -44,14 +47,11 @@ fn arrive(path: PathBuf) {
 
 /// Sorts files that arrive together by importance: a figure, else a mesh.
 fn figures_first(mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
-    paths.sort_by_key(|path| {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            _ if share::link_of(path).is_some() => 0,
-            "toml" | "png" => 1,
-            mesh if MESH_ENDINGS.contains(&mesh) => 2,
-            _ => 3,
-        }
+    paths.sort_by_key(|path| match path {
+        _ if share::link_of(path).is_some() => 0,
+        _ if files::has_ending(path, &FIGURE_ENDINGS) => 1,
+        _ if files::has_ending(path, MESH_ENDINGS) => 2,
+        _ => 3,
     });
     paths
 }
@@ -60,13 +60,27 @@ fn window() -> Option<Window> {
     web_sys::window()
 }
 
-/// Calls a function of the page, defined in `index.html`, with a text.
-fn call(name: &str, text: &str) {
-    let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok());
-    if let Some(function) = function.and_then(|function| function.dyn_into::<js_sys::Function>().ok()) {
-        // If the page lacks the function, there is no way left to report it.
-        let _ = function.call1(&JsValue::NULL, &text.into());
+/// Calls a function of the page, defined in `index.html`, with a text. Returns None if the page lacks the function or it throws.
+fn call(name: &str, text: &str) -> Option<JsValue> {
+    let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok())?;
+    function.dyn_into::<js_sys::Function>().ok()?.call1(&JsValue::NULL, &text.into()).ok()
+}
+
+/// Names and licences of all libraries. The page keeps them beside the program, so the program loads sooner. Returns None until they
+/// have arrived, and wakes the window then.
+pub(in crate::gui) fn third_party(ctx: &egui::Context) -> Option<&'static str> {
+    if THIRD_PARTY.get().is_none() {
+        THIRD_PARTY.set(Some(""));
+        let promise: js_sys::Promise = call("cameraLabThirdParty", "")?.dyn_into().ok()?;
+        let ctx = ctx.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let (Ok(text) | Err(text)) = wasm_bindgen_futures::JsFuture::from(promise).await;
+            // Once in the life of a page.
+            THIRD_PARTY.set(text.as_string().map(|text| &*text.leak()));
+            ctx.request_repaint();
+        });
     }
+    THIRD_PARTY.get().filter(|text| !text.is_empty())
 }
 
 /// Shows the window in the page's canvas.
