@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Measures everything in docs/performance.md and prints its tables: tables.py FOLDER CAMERA_LAB [SECTION]...
 
-FOLDER holds what `meshes.py` wrote. Sections: rivals, surfaces, triangles, pixels, threads, plan, three,
-memory; without any, all of them.
-Rivals that are not there are left out: `llvmpipe.py` needs moderngl, the crates a build (`cargo build --release` in `crates/`),
-three.js `npm install` in `three/` and Chromium. Each cell is the least median of several runs; what is compared takes turns.
+FOLDER holds the files of `meshes.py`. Sections: rivals, strokes, surfaces, triangles, pixels, threads, wireframes, one_thread, plan, three, memory.
+Without any, it measures all of them. Rivals that aren't installed are left out: `llvmpipe.py` needs moderngl, `vulkan.py` also wgpu with Chromium and Mesa's
+Vulkan drivers, the crates a build (`cargo build --release` in `crates/`), three.js `npm install` in `three/` and Chromium, `strokes.py` skia-python
+and cairocffi. Each cell is the least median of several runs, taken in turns.
 """
 import json
 import os
@@ -39,6 +39,11 @@ def ours(binary, figure, frames, *options, threads=None):
     return result and result["median_ms"]
 
 
+def median(command):
+    result = run(command)
+    return result and result["median_ms"]
+
+
 def least(measurements, turns=TURNS, once=()):
     """Each of the functions in turn, several times (those of `once` one time only); the least of what each gave."""
     found = [[] for _ in measurements]
@@ -68,40 +73,54 @@ def table(head, rows):
     print()
 
 
+# Samples, size and shading of the images that others draw too.
+DRAWN = [(1, "640x640", "flat"), (1, "640x640", "gouraud"), (1, "1920x1080", "gouraud"), (4, "1920x1080", "gouraud")]
+
+
 def rivals(folder, binary):
-    for samples in (1, 4):
-        for size in ("640x640", "1920x1080"):
-            for shading in ("flat", "gouraud"):
-                print("**%s, %s, %d sample%s**\n" % (size.replace("x", " × "), shading, samples, "s" * (samples > 1)))
-                head = ["triangles", "camera-lab", "llvmpipe"] + ["euc", "retrofire", "three.js"] * (samples == 1)
-                rows = []
-                for name in NAMES:
-                    figure = os.path.join(folder, "%s-%s-%s-%d.toml" % (name, size, shading, samples))
-                    frames = FRAMES[name]
-                    median = lambda command: (lambda r: r and r["median_ms"])(run(command))
-                    few = str(max(10, frames // 4))
-                    measurements = [
-                        lambda: ours(binary, figure, frames),
-                        lambda: median([sys.executable, os.path.join(HERE, "llvmpipe.py"), figure, binary, few]),
-                    ]
-                    if samples == 1:
-                        for crate in ("euc", "retrofire"):
-                            measurements.append(lambda crate=crate: median([CRATES, figure, binary, crate, few])
-                                                if os.path.exists(CRATES) else None)
-                        three_js = lambda: median(["node", os.path.join(HERE, "three", "measure.mjs"), figure, binary, few]
-                                                  ) if os.path.exists(os.path.join(HERE, "three", "node_modules")) else None
-                        measurements.append(three_js)
-                    # A browser takes longest to start.
-                    own, *others = least(measurements, once=measurements[4:])
-                    rows.append([name, ms(own)] + [ratio(other, own) for other in others])
-                table(head, rows)
+    for samples, size, shading in DRAWN:
+        print("**%s, %s, %d sample%s**\n" % (size.replace("x", " × "), shading, samples, "s" * (samples > 1)))
+        head = ["triangles", "camera-lab", "llvmpipe", "lavapipe", "SwiftShader"] + ["euc", "retrofire", "three.js"] * (samples == 1)
+        rows = []
+        for name in NAMES:
+            figure = os.path.join(folder, "%s-%s-%s-%d.toml" % (name, size, shading, samples))
+            few = str(max(10, FRAMES[name] // 4))
+            python = lambda script, *words: median([sys.executable, os.path.join(HERE, script), *words, figure, binary, few])
+            measurements = [lambda: ours(binary, figure, FRAMES[name]), lambda: python("llvmpipe.py")]
+            measurements += [lambda d=d: python("vulkan.py", d) for d in ("lavapipe", "swiftshader")]
+            if samples == 1:
+                measurements += [lambda c=c: median([CRATES, figure, binary, c, few]) if os.path.exists(CRATES) else None
+                                 for c in ("euc", "retrofire")]
+                measurements.append(lambda: median(["node", os.path.join(HERE, "three", "measure.mjs"), figure, binary, few]
+                                                   ) if os.path.exists(os.path.join(HERE, "three", "node_modules")) else None)
+            # A browser takes longest to start.
+            own, *others = least(measurements, once=measurements[6:])
+            rows.append([name, ms(own)] + [ratio(other, own) for other in others])
+        table(head, rows)
+
+
+def strokes(folder, binary):
+    rows = []
+    for name in ("10k", "100k"):
+        wireframe = figure_of(name, 640, 640, "wireframe", 1, folder)
+        # Meshes and segments are read beside the figure.
+        figure = os.path.join(folder, "%s-640x640-flat-1.toml" % name)
+        crate = lambda kind: median([CRATES, figure, binary, kind, "20"]) if os.path.exists(CRATES) else None
+        python = lambda kind: median([sys.executable, os.path.join(HERE, "strokes.py"), kind, figure, binary, "5"])
+        own, *others = least([lambda: ours(binary, wireframe, 60, threads=1)] +
+                             [lambda k=k: crate(k) for k in ("vello_cpu-one", "vello_cpu", "tiny-skia-one", "tiny-skia")] +
+                             [lambda k=k: python(k) for k in ("skia-one", "skia", "cairo-one", "cairo")])
+        pairs = [" / ".join(ms(x) for x in others[i:i + 2]) for i in range(0, 8, 2)]
+        # A closed mesh has three edges for two triangles.
+        stacks = meshes.SIZES[name]
+        rows.append([str(6 * stacks * (stacks - 1)), ms(own)] + pairs)
+    table(["edges", "camera-lab"] + [n + ", as one path / singly" for n in ("vello_cpu", "tiny-skia", "Skia", "Cairo")], rows)
 
 
 def surfaces(folder, binary):
     rows = []
     for shading in ("flat", "gouraud"):
         figures = [os.path.join(folder, "100k-%s-%s.toml" % (shading, kind)) for kind in ("plain", "texture", "shadows")]
-        median = lambda command: (lambda r: r and r["median_ms"])(run(command))
         measurements = [lambda f=f: ours(binary, f, FRAMES["100k"]) for f in figures]
         measurements += [lambda f=f: median([sys.executable, os.path.join(HERE, "llvmpipe.py"), f, binary, "30"]) for f in figures]
         found = least(measurements)
@@ -128,14 +147,11 @@ def triangles(folder, binary):
     for name in ["100"] + NAMES:
         cells = [name]
         for size in ("640x640", "1920x1080"):
-            for shading in ("wireframe", "flat", "gouraud", "phong"):
+            for shading in ("flat", "gouraud", "phong"):
                 figure = figure_of(name, *map(int, size.split("x")), shading, 1, folder)
-                frames = FRAMES[name] if shading != "wireframe" else max(5, FRAMES[name] // 4)
-                if shading == "wireframe" and name == "1M":
-                    frames = 2
-                cells.append(ms(least([lambda: ours(binary, figure, frames)], 2)[0]))
+                cells.append(ms(least([lambda: ours(binary, figure, FRAMES[name])])[0]))
         rows.append(cells)
-    kinds = ["wireframe", "flat", "Gouraud", "Phong"]
+    kinds = ["flat", "Gouraud", "Phong"]
     table(["triangles"] + ["640² " + k for k in kinds] + ["1080p " + k for k in kinds], rows)
 
 
@@ -159,6 +175,32 @@ def threads(folder, binary):
             one, two = least([lambda t=t: ours(binary, figure, FRAMES[name], threads=t) for t in (1, 2)])
             rows.append([name, size.replace("x", " × "), ms(one), ms(two), "%.2f×" % (one / two)])
     table(["triangles", "pixels", "1 thread", "2 threads", "gain"], rows)
+
+
+def wireframes(folder, binary):
+    rows = []
+    for name in NAMES:
+        figures = [figure_of(name, 640, 640, shading, 1, folder) for shading in ("flat", "wireframe")]
+        flat, wireframe = least([lambda f=f: ours(binary, f, FRAMES[name] // 2, threads=1) for f in figures])
+        rows.append([name, ms(flat), ms(wireframe), "%.1f×" % (wireframe / flat)])
+    table(["triangles", "flat", "wireframe", "ratio"], rows)
+
+
+def one_thread(folder, binary):
+    """Textures and shadows on one thread."""
+    rows = []
+    for shading in ("flat", "gouraud", "phong"):
+        figures = []
+        for kind in ("plain", "texture", "shadows"):
+            with open(os.path.join(folder, "100k-flat-%s.toml" % kind)) as f:
+                text = f.read().replace('"flat"', '"%s"' % shading)
+            # The mesh and its texture are named beside the figure.
+            for file in ("100k-uv.obj", "picture.png"):
+                text = text.replace('"%s"' % file, '"%s"' % os.path.abspath(os.path.join(folder, file)))
+            figures.append(written(text))
+        plain, texture, shadow = least([lambda f=f: ours(binary, f, FRAMES["100k"], threads=1) for f in figures])
+        rows.append([shading, ms(plain), ms(texture), "%.1f×" % (texture / plain), ms(shadow), "%.1f×" % (shadow / plain)])
+    table(["shading", "plain", "texture", "ratio", "shadows", "ratio"], rows)
 
 
 MANY = "".join('[[scene.objects]]\nname = "b%d"\nshape = "sphere"\ntranslate = [%d.0, 0.0, %d.0]\n' % (i, 3 * (i % 40) - 60, -3 * (i // 40))
@@ -226,7 +268,7 @@ def memory(folder, binary):
 
 def main():
     folder, binary, *wanted = sys.argv[1:]
-    for section in (rivals, surfaces, triangles, pixels, threads, plan, three, memory):
+    for section in (rivals, strokes, surfaces, triangles, pixels, threads, wireframes, one_thread, plan, three, memory):
         if not wanted or section.__name__ in wanted:
             print("### %s\n" % section.__name__)
             section(folder, binary)

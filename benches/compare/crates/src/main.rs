@@ -1,8 +1,8 @@
-//! The crates `euc` and `retrofire` drawing the same mesh with the same camera:
-//! `compare FIGURE.toml CAMERA_LAB CRATE [FRAMES]`
+//! Crates drawing the same mesh with the same camera: `compare FIGURE.toml CAMERA_LAB CRATE [FRAMES]`
 //!
-//! A frame is: clear colour and depth, draw. Both draw on one thread into a buffer in memory, which is where their
-//! users read the pixels. Prints one JSON object in the form of `camera-lab bench`.
+//! `euc` and `retrofire` draw its faces. A frame is: clear colour and depth, draw. `vello_cpu` and `tiny-skia` draw its edges as smooth
+//! strokes, each singly or, with `-one` after the name, all as one path; the ends of the strokes are computed beforehand. All draw on
+//! one thread into a buffer in memory, where their users read the pixels. Prints one JSON object in the form of `camera-lab bench`.
 
 use std::process::Command;
 use std::time::Instant;
@@ -77,6 +77,86 @@ fn read_job(figure_path: &str, binary: &str) -> Job {
         width: side("width"),
         height: side("height"),
     }
+}
+
+impl Job {
+    /// The two ends of each edge, in pixels.
+    fn edges(&self) -> Vec<[f32; 4]> {
+        let place = |i: usize| {
+            let [x, y, _, w] = self.clip(self.positions[i]);
+            [(1.0 + x / w) / 2.0 * self.width as f32, (1.0 - y / w) / 2.0 * self.height as f32]
+        };
+        let sides = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let edges: std::collections::BTreeSet<[usize; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        edges
+            .into_iter()
+            .map(|[a, b]| {
+                let ([x, y], [to_x, to_y]) = (place(a), place(b));
+                [x, y, to_x, to_y]
+            })
+            .collect()
+    }
+}
+
+const STROKE_WIDTH: f32 = 1.25;
+
+/// Times, and how many pixels the strokes have touched.
+fn vello_strokes(job: &Job, one: bool, frames: usize) -> (Vec<f64>, usize) {
+    use vello_cpu::kurbo::{BezPath, Stroke};
+    let edges = job.edges();
+    let (width, height) = (job.width as u16, job.height as u16);
+    let mut context = vello_cpu::RenderContext::new(width, height);
+    let mut resources = vello_cpu::Resources::new();
+    let mut target = vello_cpu::Pixmap::new(width, height);
+    let times = measure(frames, || {
+        context.reset();
+        context.set_paint(vello_cpu::color::AlphaColor::<vello_cpu::color::Srgb>::new([COLOR[0], COLOR[1], COLOR[2], 1.0]));
+        context.set_stroke(Stroke::new(STROKE_WIDTH.into()));
+        let mut path = BezPath::new();
+        for &[x, y, to_x, to_y] in &edges {
+            path.move_to((f64::from(x), f64::from(y)));
+            path.line_to((f64::from(to_x), f64::from(to_y)));
+            if !one {
+                context.stroke_path(&path);
+                path.truncate(0);
+            }
+        }
+        if one {
+            context.stroke_path(&path);
+        }
+        context.flush();
+        context.render(&mut target, &mut resources);
+    });
+    (times, target.data().iter().filter(|p| p.a != 0).count())
+}
+
+/// Times, and how many pixels the strokes have touched.
+fn tiny_skia_strokes(job: &Job, one: bool, frames: usize) -> (Vec<f64>, usize) {
+    use tiny_skia::{Color, Paint, PathBuilder, Pixmap, Stroke, Transform};
+    let edges = job.edges();
+    let mut target = Pixmap::new(job.width as u32, job.height as u32).expect("a size");
+    let mut paint = Paint::default();
+    paint.set_color(Color::from_rgba(COLOR[0], COLOR[1], COLOR[2], 1.0).expect("a colour"));
+    let stroke = Stroke { width: STROKE_WIDTH, ..Stroke::default() };
+    let times = measure(frames, || {
+        target.fill(Color::TRANSPARENT);
+        let mut builder = PathBuilder::new();
+        for &[x, y, to_x, to_y] in &edges {
+            builder.move_to(x, y);
+            builder.line_to(to_x, to_y);
+            if !one {
+                let path = std::mem::take(&mut builder).finish();
+                // An edge seen from its end has no extent, and no path.
+                if let Some(path) = path {
+                    target.stroke_path(&path, &paint, &stroke, Transform::identity(), None);
+                }
+            }
+        }
+        if let Some(path) = builder.finish() {
+            target.stroke_path(&path, &paint, &stroke, Transform::identity(), None);
+        }
+    });
+    (times, target.pixels().iter().filter(|p| p.alpha() != 0).count())
 }
 
 impl euc::Pipeline for &Job {
@@ -157,7 +237,9 @@ fn main() {
             });
             (times, target.color_buf.buf.data().iter().filter(|&&p| p & 0x00ff_ffff != 0).count())
         }
-        other => panic!("unknown crate {other}: euc or retrofire"),
+        "vello_cpu" | "vello_cpu-one" => vello_strokes(&job, args[3].ends_with("-one"), frames),
+        "tiny-skia" | "tiny-skia-one" => tiny_skia_strokes(&job, args[3].ends_with("-one"), frames),
+        other => panic!("unknown crate {other}: euc, retrofire, vello_cpu or tiny-skia"),
     };
     println!(
         "{}",
