@@ -5,12 +5,13 @@
 use std::path::{Path, PathBuf};
 
 use camera_lab::exercises::{Ask, judge_answer, read_answer};
+use camera_lab::figure::Bilingual;
 use camera_lab::files::read_lesson;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::lesson_tasks as tasks;
 use camera_lab::i18n::learn::lessons as words;
-use camera_lab::lessons::{Lesson, OpenLesson, Task, shipped};
+use camera_lab::lessons::{Lesson, OpenLesson, Task, shipped, with_step};
 use camera_lab::share::{self, Held};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
@@ -29,10 +30,14 @@ fn own(folder: &Folder, step: usize) -> (Window, PathBuf) {
 }
 
 fn playing(path: &Path, step: usize) -> Window {
+    playing_in(path, step, Lang::En)
+}
+
+fn playing_in(path: &Path, step: usize, lang: Lang) -> Window {
     let (lesson, _) = read_lesson(path).unwrap();
     let figure = (*lesson.steps[step].figure).clone();
     let lesson = Some(OpenLesson { lesson: lesson.into(), path: Some(path.to_owned()), step });
-    let mut state = State::new(Start { figure, lang: Lang::En, lesson, ..Start::default() }).unwrap();
+    let mut state = State::new(Start { figure, lang, lesson, ..Start::default() }).unwrap();
     state.file_flow.native = false;
     let mut window = Window::with_state(state, [1280.0, 720.0]);
     window.run();
@@ -511,4 +516,36 @@ fn a_task_of_a_window_that_was_killed_is_in_its_fields_again() {
     let writing = window.state().learn.lesson.as_ref().unwrap().writing.as_ref().unwrap();
     assert_eq!(writing.typed.task.text.en, "Only half of a goal");
     assert!(writing.fault.is_some());
+}
+
+/// A new step has no text, and its title stands in its author's language. Whatever is missing in a language, the other one
+/// has.
+#[test]
+fn a_step_in_one_language_shows_it_in_the_other_until_it_has_its_own() {
+    let folder = Folder::new("write-in-one-language");
+    let t = words::texts(Lang::PtBr);
+    let path = folder.file("mine.toml");
+    let figure = camera_lab::gui::fresh();
+    let (text, lesson) = with_step("", "mine", &words::draft(Lang::PtBr, 1), &figure).unwrap();
+    let step = &lesson.steps[0];
+    assert_eq!((step.text.clone(), step.title.en.as_str()), (Bilingual::default(), "Passo 1"));
+    std::fs::write(&path, text).unwrap();
+    let mut window = playing_in(&path, 0, Lang::PtBr);
+    write(&mut window);
+    type_into(&mut window, t.step_title_field, "Olhar");
+    type_into(&mut window, t.step_text_field, "Uma pirâmide.");
+    pause(&mut window);
+    let step = || read_lesson(&path).unwrap().0.steps[0].clone();
+    assert_eq!((step().title.en.as_str(), step().text.en.as_str()), ("Olhar", "Uma pirâmide."));
+    // The field of the other language is empty, not a copy that stays behind.
+    window.click_in_dialog("English");
+    type_into(&mut window, t.step_text_field, "A pyramid.");
+    pause(&mut window);
+    assert_eq!(step().text, Bilingual { en: "A pyramid.".to_owned(), pt_br: "Uma pirâmide.".to_owned() });
+    assert_eq!(step().title.en, "Olhar");
+    type_into(&mut window, t.step_text_field, "");
+    window.harness.key_press(Key::Backspace);
+    window.run();
+    pause(&mut window);
+    assert_eq!(step().text.en, "Uma pirâmide.");
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use toml_edit::{Array, Document, DocumentMut, Item, Table};
 
-use super::items::{number_item, told_if_any, told_item};
+use super::items::{number_item, told, told_if_any, told_item};
 use super::lesson::Lesson;
 use super::read::parse;
 use super::task_text::TaskText;
@@ -18,7 +18,7 @@ const WORDS: [&str; 7] = ["title", "text", "notes", "seconds", "ask", "try", "li
 pub enum StepText {
     /// Its title, one line.
     Title,
-    /// Its text.
+    /// Its text. An empty one removes it.
     Text,
     /// The notes of the speaker. An empty text removes them.
     Notes,
@@ -169,6 +169,18 @@ fn parts(text: &str) -> (&str, Vec<&str>) {
     (head, starts.iter().zip(ends).map(|(&start, end)| &text[start..end]).collect())
 }
 
+/// The words of a step (from 0) and of its lesson as they stand in a file: title, text and notes of the step, then title and
+/// sentence of the lesson. A language without a text of its own is empty.
+pub fn words_in_file(text: &str, step: usize) -> [Bilingual; 5] {
+    let (head, steps) = parts(text);
+    let document = |part: &str| part.parse::<DocumentMut>().unwrap_or_default();
+    let (head, step) = (document(head), document(steps.get(step).copied().unwrap_or_default()));
+    let step = step.get("step").and_then(Item::as_array_of_tables).and_then(|steps| steps.get(0));
+    let of_step = |key: &str| step.and_then(|step| told(step.get(key))).unwrap_or_default();
+    let of_lesson = |key: &str| told(head.get(key)).unwrap_or_default();
+    [of_step("title"), of_step("text"), of_step("notes"), of_lesson("title"), of_lesson("sentence")]
+}
+
 /// The part of a lesson file that holds a step, counted from 0.
 pub fn text_of_step(text: &str, step: usize) -> Option<&str> {
     parts(text).1.get(step).copied()
@@ -198,7 +210,7 @@ fn changed_step(text: &str, change: impl FnOnce(&mut Table)) -> Option<String> {
 fn respoken(text: &str, which: StepText, told: &Bilingual) -> Option<String> {
     changed_step(text, |step| match which {
         StepText::Title => put(step, "title", told_item(told)),
-        StepText::Text => put(step, "text", told_item(told)),
+        StepText::Text => put_or_remove(step, "text", told_if_any(told)),
         StepText::Notes => put_or_remove(step, "notes", told_if_any(told)),
     })
 }

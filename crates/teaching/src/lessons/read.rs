@@ -162,9 +162,11 @@ fn way(text: &str) -> Option<(String, String)> {
     Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
-/// A required text with the numbers of a figure. Without a report they aren't checked.
+/// A text with the numbers of a figure, or an empty one if the key is missing. Without a report the numbers aren't checked.
 fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Report>) -> Bilingual {
-    section.require(key, Allowed::Bilingual);
+    if !section.is_present(key) {
+        return Bilingual::default();
+    }
     let Some(texts) = section.told(key) else { return Bilingual::default() };
     if let Some(report) = report {
         match in_both(&texts, report) {

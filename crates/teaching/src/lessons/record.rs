@@ -9,15 +9,13 @@ use super::read::parse;
 use crate::figure::{Bilingual, Figure, FigureError, difference};
 use crate::limits::MAX_EXERCISE_NAME;
 
-/// The texts of a new step, for its author to write.
+/// The titles of a new step, for its author to change. It has no text yet.
 #[derive(Clone, Debug)]
 pub struct Draft {
     /// The title of a lesson that doesn't have one yet.
     pub lesson: Bilingual,
     /// The title of the step.
     pub title: Bilingual,
-    /// Markdown in each language.
-    pub text: Bilingual,
 }
 
 /// The text of a lesson file with one more step, which shows `now`. An empty text becomes a lesson with the identifier
@@ -40,7 +38,6 @@ pub fn with_step(text: &str, id: &str, draft: &Draft, now: &Figure) -> Result<(S
     };
     let mut step = Table::new();
     step.insert("title", told_item(&draft.title));
-    step.insert("text", told_item(&draft.text));
     put_figure(&mut step, &difference(last.as_deref(), now));
     let mut steps = ArrayOfTables::new();
     steps.push(step);
@@ -72,7 +69,7 @@ mod tests {
 
     fn draft() -> Draft {
         let text = |en: &str| Bilingual { en: en.to_owned(), pt_br: format!("{en} (pt)") };
-        Draft { lesson: text("Lesson"), title: text("Step"), text: text("Text") }
+        Draft { lesson: text("Lesson"), title: text("Step") }
     }
 
     /// Steps of all lessons one after the other, each recorded after the one before: any changes, and back.

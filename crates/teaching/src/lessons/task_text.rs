@@ -2,7 +2,7 @@
 
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use super::items::{number_item, told_item};
+use super::items::{number_item, told, told_item};
 use crate::figure::Bilingual;
 use crate::inspect::quantity::QuantityPath;
 
@@ -337,17 +337,6 @@ fn read_goal(goal: &dyn TableLike) -> Option<TaskText> {
 /// `None` if the table has a key that isn't one of these.
 fn only(table: &dyn TableLike, keys: &[&str]) -> Option<()> {
     table.iter().all(|(key, _)| keys.contains(&key)).then_some(())
-}
-
-/// A text in both languages, or in one.
-fn told(item: Option<&Item>) -> Option<Bilingual> {
-    let item = item?;
-    if let Some(text) = item.as_str() {
-        return Some(Bilingual { en: text.to_owned(), pt_br: text.to_owned() });
-    }
-    let table = item.as_table_like()?;
-    let of = |key| table.get(key).and_then(Item::as_str).map(str::to_owned);
-    Some(Bilingual { en: of("en")?, pt_br: of("pt-BR")? })
 }
 
 /// A value as an author types it.

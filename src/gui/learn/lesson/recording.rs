@@ -64,7 +64,7 @@ impl Learn {
 
     /// The words of a new step in a lesson. If the user gave the figure a title, it becomes the step's.
     pub(in crate::gui) fn draft_of_step(&self, model: &Model, lesson: Option<&Lesson>) -> Draft {
-        let mut draft = words::draft(lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
+        let mut draft = words::draft(model.settings.lang, lesson.map_or(0, |lesson| lesson.steps.len()) + 1);
         if let Some(title) = self.title_to_record(model, lesson) {
             draft.title = title;
         }

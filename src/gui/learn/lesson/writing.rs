@@ -14,6 +14,7 @@ use crate::gui::model::unsaved_text::UnsavedText;
 use crate::i18n::Lang;
 use crate::lessons::{
     Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
+    words_in_file,
 };
 use crate::numbers::significant;
 use crate::share;
@@ -94,16 +95,13 @@ impl Writing {
 
     /// Shows the texts of a step, and of its lesson.
     fn show(&mut self, number: usize, lesson: &Lesson) {
-        let Some(step) = lesson.steps.get(number) else { return };
+        if number >= lesson.steps.len() {
+            return;
+        }
         let minutes = lesson.minutes.map(|minutes| significant(minutes, MINUTES_DIGITS)).unwrap_or_default();
-        let texts = [
-            step.title.clone(),
-            step.text.clone(),
-            step.notes.clone().unwrap_or_default(),
-            lesson.title.clone(),
-            lesson.sentence.clone().unwrap_or_default(),
-            Bilingual { en: minutes, ..Bilingual::default() },
-        ];
+        let [title, text, notes, of_lesson, sentence] = words_in_file(&self.text, number);
+        let minutes = Bilingual { en: minutes, ..Bilingual::default() };
+        let texts = [title, text, notes, of_lesson, sentence, minutes];
         let task = text_of_step(&self.text, number).map(TaskText::of_step).unwrap_or_default();
         let typed = Typed { words: texts, task };
         (self.step, self.typed, self.kept) = (number, typed.clone(), typed);
