@@ -148,7 +148,7 @@ fn a_presentation_has_keys_for_all_of_it() {
     window.run();
     let lesson = |window: &Window| {
         let playing = window.state().learn.lesson.as_ref().unwrap();
-        (playing.shows_text, playing.shows_question, playing.shows_notes)
+        (playing.shows_text, playing.shows_question, playing.shows_private_notes)
     };
     assert_eq!(lesson(&window), (true, false, false), "the question waits for the lecturer");
     for (key, after) in [(Key::C, (false, false, false)), (Key::Q, (false, true, false)), (Key::N, (false, true, true))]
@@ -164,6 +164,32 @@ fn a_presentation_has_keys_for_all_of_it() {
         window.harness.key_press(Key::Enter);
         window.run();
         assert_eq!(step(&window), place);
+    }
+}
+
+/// The notes beside the views are the lecturer's. A presentation begins without them, and shows them only marked as private.
+#[test]
+fn notes_come_into_a_presentation_only_if_they_are_asked_for() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = words::texts(lang);
+        let mut window = playing(0, 0, lang);
+        let notes = told(lang, shipped()[0].lesson.steps[0].notes.as_ref().unwrap()).to_owned();
+        let first: String = notes.split(['*', '$', '{', '\n']).next().unwrap().to_owned();
+        assert!(first.len() > 10, "{first}");
+        window.harness.key_press_modifiers(Modifiers::ALT, Key::N);
+        window.run();
+        assert!(window.says(&first) && !window.says(t.notes_private));
+        window.key(Key::F11);
+        assert!(!window.says(&first), "the class doesn't see them");
+        window.key(Key::N);
+        assert!(window.says(&first) && window.says(t.notes_private));
+        window.key(Key::N);
+        assert!(!window.says(&first));
+        window.key(Key::N);
+        window.key(Key::F11);
+        assert!(window.says(&first) && !window.says(t.notes_private), "they're where they were");
+        window.key(Key::F11);
+        assert!(!window.says(&first), "every presentation begins without them");
     }
 }
 

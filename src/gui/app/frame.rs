@@ -224,7 +224,7 @@ impl App {
         if let Some(command) = of_bar {
             self.perform(&ctx, command);
         }
-        let of_speaker = lesson::speaker_window(&ctx, &self.state.model, &self.state.learn);
+        let of_speaker = lesson::speaker_window(&ctx, &self.state.model, &mut self.state.learn);
         // The speaker's window doesn't know of questions in this one.
         let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = called.of_lesson.or(of_speaker) {

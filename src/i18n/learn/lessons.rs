@@ -4,8 +4,8 @@ use serde_json::Value;
 
 use crate::exercises;
 use crate::figure::{Bilingual, Figure};
-use crate::i18n::Lang;
 pub use crate::i18n::told;
+use crate::i18n::{Lang, told_mut};
 use crate::inspect::Report;
 use crate::lessons::{self, Lesson, Question, Step, Task};
 use crate::numbers::significant;
@@ -44,7 +44,8 @@ texts! {
     question_hint: "Shows or hides the question under the views. In a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as vistas. Na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
     notes_command: "Speaker notes", "Notas do apresentador";
     clock_hint: "Minutes and seconds since you opened the speaker notes", "Minutos e segundos desde que você abriu as notas do apresentador";
-    notes_hint: "Shows or hides the speaker notes of the step, in a window of their own", "Mostra ou oculta as notas do apresentador do passo, em uma janela própria";
+    notes_hint: "Shows or hides the speaker notes of the step, in a window of their own. In a presentation, they appear under the views, marked as private", "Mostra ou oculta as notas do apresentador do passo, em uma janela própria. Numa apresentação, elas aparecem sob as vistas, marcadas como particulares";
+    notes_private: "Private notes: your class sees them now too. N hides them", "Notas particulares: agora a turma também as vê. N as oculta";
     no_notes: "This step has no speaker notes", "Este passo não tem notas do apresentador";
     comes_next: "Next", "A seguir";
     leave: "Leave the lesson", "Sair da lição";
@@ -104,16 +105,15 @@ texts! {
     unsaved_text_title: "Leave without the text of this step?", "Sair sem o texto deste passo?";
     unsaved_text: "The text you typed isn't in the lesson's file, and can't be saved there:", "O texto que você digitou não está no arquivo da lição e não pode ser salvo nele:";
     save_copy: "Save a copy…", "Salvar uma cópia…";
-    // The texts of a recorded step and lesson.
+    // The title of a recorded lesson.
     new_lesson: "A new lesson", "Uma nova lição";
-    new_text: "Write the text of this step here.", "Escreva aqui o texto deste passo.";
     // A line of the window at its first start.
     new_here: "New here?", "Primeira vez aqui?";
     or_gallery: "Gallery of figures", "Galeria de figuras";
     go_on: "Go on", "Continuar";
     no_go_on: "Close this line until the next start", "Fechar esta linha até a próxima vez";
     no_welcome: "Close this line. The lessons are in the menu Help", "Fechar esta linha. As lições estão no menu Ajuda";
-    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: speaker notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas do apresentador · um número: aquele passo · P: caneta · S: holofote · B: preto";
+    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: private notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas particulares · um número: aquele passo · P: caneta · S: holofote · B: preto";
     // The list of lessons.
     lessons_command: "Lessons…", "Lições…";
     lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
@@ -260,16 +260,16 @@ texts_with_values! {
         "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf";
 }
 
-/// The texts of the recorded step with this number.
-pub fn draft(number: usize) -> lessons::Draft {
-    let both =
-        |text: fn(&'static Texts) -> String| Bilingual { en: text(texts(Lang::En)), pt_br: text(texts(Lang::PtBr)) };
-    let title = |lang| format!("{} {number}", texts(lang).step);
-    lessons::Draft {
-        lesson: both(|t| t.new_lesson.to_owned()),
-        title: Bilingual { en: title(Lang::En), pt_br: title(Lang::PtBr) },
-        text: both(|t| t.new_text.to_owned()),
-    }
+/// The titles of the recorded step with this number, in the author's language alone: the other language shows the same
+/// until it has a title.
+pub fn draft(lang: Lang, number: usize) -> lessons::Draft {
+    let t = texts(lang);
+    let alone = |text: String| {
+        let mut both = Bilingual::default();
+        *told_mut(lang, &mut both) = text;
+        both
+    };
+    lessons::Draft { lesson: alone(t.new_lesson.to_owned()), title: alone(format!("{} {number}", t.step)) }
 }
 
 /// The title of a lesson, and the minutes that it takes.
@@ -339,10 +339,10 @@ pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
 pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
     if is_handout {
         return both!(lang; "{option} is for a folder of images; a handout takes --per-page and --answers",
-            "{option} vale para uma pasta de imagens; uma apostila aceita --per-page e --answers");
+            "{option} vale para uma pasta de imagens; um material impresso aceita --per-page e --answers");
     }
     both!(lang; "{option} is for a handout; allowed: -o OUT.pdf",
-        "{option} vale para uma apostila; permitido: -o SAIDA.pdf")
+        "{option} vale para um material impresso; permitido: -o SAIDA.pdf")
 }
 
 /// All files hold good lessons.

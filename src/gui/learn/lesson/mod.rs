@@ -196,7 +196,7 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
         (false, false) => SHARE,
     };
     let most = share * ctx.content_rect().height();
-    let notes = playing.shows_notes && !speaker::has_window(&ctx, model, learn);
+    let notes = speaker::are_below(&ctx, model, playing);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
     let asks = (presents && asks).then_some(playing.step);
@@ -403,7 +403,7 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     let Some(step) = playing.now().cloned() else { return };
     let writing = playing.writing.as_ref().filter(|_| learn.writes_lesson(model));
     let shows_text = playing.shows_text || writing.is_some();
-    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), model, learn) || writing.is_some();
+    let shows_notes = speaker::are_below(ui.ctx(), model, playing) || writing.is_some();
     // The preview is in the language of the fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers of the figure on the screen.
@@ -445,7 +445,11 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     links(ui, t, model, learn, &step.links);
     if let Some(notes) = step.notes.as_ref().filter(|_| shows_notes) {
         ui.separator();
-        ui.weak(t.notes_command);
+        if presents {
+            ui.label(RichText::new(t.notes_private).strong().color(ui.visuals().warn_fg_color));
+        } else {
+            ui.weak(t.notes_command);
+        }
         prose::show(ui, text(notes).trim());
     }
     ui.add_space(2.0);

@@ -8,6 +8,7 @@ use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
+use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::Model;
 use crate::gui::model::command::Command;
 use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
@@ -17,17 +18,17 @@ use crate::lessons::{self, Task};
 /// The initial size of the window, in points.
 const SIZE: [f32; 2] = [520.0, 460.0];
 
-/// True if the notes have a window of their own. In a page of a browser they're below the pictures, as they are if the
-/// only screen is the projection.
-pub(super) fn has_window(ctx: &Context, model: &Model, learn: &Learn) -> bool {
-    let is_alone = model.settings.presentation && learn.other_screen.is_none_or(|screen| screen.is_none());
-    !ctx.embed_viewports() && !is_alone
+/// True if the notes are below the views. In a page of a browser that's their only place. In a presentation the class
+/// sees them there, so they come only if the lecturer asks for them, and their window stays as it is.
+pub(super) fn are_below(ctx: &Context, model: &Model, playing: &Playing) -> bool {
+    let presents = model.settings.presentation;
+    playing.has_notes(presents) && (presents || ctx.embed_viewports())
 }
 
-/// Shows the notes of the step, if wanted. Returns a command to perform.
-pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &Learn) -> Option<Command> {
+/// Shows the window of the notes, if wanted. Returns a command to perform.
+pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &mut Learn) -> Option<Command> {
     let is_wanted = learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
-    if !is_wanted || !has_window(ctx, model, learn) {
+    if !is_wanted || ctx.embed_viewports() {
         return None;
     }
     let t = words::texts(model.settings.lang);
@@ -36,16 +37,17 @@ pub(in crate::gui) fn window(ctx: &Context, model: &Model, learn: &Learn) -> Opt
         builder = builder.with_position(corner + vec2(60.0, 60.0));
     }
     let id = ViewportId::from_hash_of("notes of the speaker");
-    ctx.show_viewport_immediate(id, builder, |ui, _| {
+    let (command, is_closed) = ctx.show_viewport_immediate(id, builder, |ui, _| {
         let mut command = keys(ui.ctx());
-        if ui.input(|input| input.viewport().close_requested()) {
-            command = Some(Command::StepNotes);
-        }
         egui::CentralPanel::default().show(ui, |ui| {
             command = shown(ui, t, model, learn).or(command);
         });
-        command
-    })
+        (command, ui.input(|input| input.viewport().close_requested()))
+    });
+    if let Some(playing) = learn.lesson.as_mut().filter(|_| is_closed) {
+        playing.shows_notes = false;
+    }
+    command
 }
 
 /// The keys of a remote control turn the steps here too.
