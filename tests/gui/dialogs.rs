@@ -6,6 +6,7 @@ use camera_lab::appearance::Theme;
 use camera_lab::export::format::PictureFormat;
 use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
+use camera_lab::i18n::learn::handouts;
 use camera_lab::views::{View, Views};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{ColorImage, Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, TextureId};
@@ -109,7 +110,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     // A large one is shown with its proportions.
     window.enter(en::WINDOW.export_width, "3000");
     let wide = preview(&mut window, Some(clear.0));
-    assert_eq!(wide.1, [720, 48]);
+    assert_eq!(wide.1, [360, 24]);
     // What cannot be made has no picture, but a reason.
     window.enter(en::WINDOW.export_height, "16384");
     window.enter(en::WINDOW.export_width, "16384");
@@ -337,7 +338,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     // Without a wish for a family there is none; it's remembered.
     window.command_key(Key::E);
     assert!(family(&window).variations().is_none());
-    assert_eq!(window.export().what, Views::One(View::Image), "as on the screen");
+    assert_eq!(window.export().what, Views::One(View::World), "as it was left");
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
     window.run();
@@ -460,7 +461,7 @@ fn a_dialog_of_the_system_holds_the_window_back() {
 #[test]
 fn a_lesson_and_exercises_are_printed() {
     let folder = Folder::new("print");
-    let t = camera_lab::i18n::learn::handouts::texts(Lang::En);
+    let t = handouts::texts(Lang::En);
     let mut window = Window::new(Lang::En);
     window.command_key(Key::P);
     let page = |number: usize| format!("{} {number} {}", t.page, t.of);
@@ -504,4 +505,51 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
     assert_eq!(window.state().page_address, "https://example.org/");
     window.click(t.code);
     assert!(window.says(t.code));
+}
+
+/// A click beside a form does nothing, Esc closes it, and it opens again as it was.
+#[test]
+fn forms_keep_what_you_typed_and_chose() {
+    let shown = |window: &Window| window.state().file_flow.dialog.clone();
+    let mut window = Window::new(Lang::En);
+    let (t, words) = (en::WINDOW, handouts::texts(Lang::En));
+    let title = format!("{}, {}", t.title_name, t.in_english);
+    type Change<'a> = Box<dyn Fn(&mut Window) + 'a>;
+    let type_title: Change<'_> = Box::new(|window| {
+        window.harness.get_by_role_and_label(Role::TextInput, &title).focus();
+        window.run();
+        window.harness.event(Event::Text("A title".to_owned()));
+        window.run();
+    });
+    let forms: [(Key, Modifiers, Change<'_>); 4] = [
+        (Key::I, Modifiers::COMMAND, type_title),
+        (Key::E, Modifiers::COMMAND, Box::new(|window| window.click_in_dialog(t.export_crop))),
+        (Key::P, Modifiers::COMMAND, Box::new(|window| window.click_in_dialog(words.answers))),
+        (Key::K, Modifiers::ALT, Box::new(|window| window.enter(words.numbers, "7"))),
+    ];
+    for (key, modifiers, change) in forms {
+        let open = |window: &mut Window| {
+            window.harness.key_press_modifiers(modifiers, key);
+            window.run();
+        };
+        open(&mut window);
+        let first = shown(&window);
+        change(&mut window);
+        let changed = shown(&window);
+        assert!(changed.is_some() && changed != first, "{key:?}: {first:?}");
+        window.quick_click(Pos2::new(3.0, 400.0));
+        assert_eq!(shown(&window), changed, "{key:?}: a click beside it");
+        window.key(Key::Escape);
+        assert_eq!(shown(&window), None, "{key:?}");
+        open(&mut window);
+        assert_eq!(shown(&window), changed, "{key:?}: opened again");
+        window.key(Key::Escape);
+    }
+    // Another title, and it begins with that one.
+    window.app_mut().state.model.document.edit(|figure| {
+        figure.title = Some(camera_lab::figure::Bilingual { en: "Other".to_owned(), pt_br: "Outro".to_owned() });
+    });
+    window.command_key(Key::I);
+    let field = window.harness.get_by_role_and_label(Role::TextInput, &title);
+    assert_eq!(field.value().as_deref(), Some("Other"));
 }

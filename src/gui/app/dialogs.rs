@@ -56,6 +56,9 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let kind = Some(discriminant(&dialog));
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
+    let dialog = if first { state.file_flow.reopened(dialog) } else { dialog };
+    // Handouts are kept for the next one. Other answers are given once.
+    let is_answered_once = (!matches!(dialog, Dialog::Handout(_))).then(|| dialog.clone());
     let t = window::texts(state.model.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
@@ -214,10 +217,17 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             }
         }
     });
-    if modal.should_close() {
+    match (&state.file_flow.dialog, is_answered_once) {
+        (Some(_), _) => state.file_flow.keep_form(),
+        (None, Some(answered)) => state.file_flow.forget_form(&answered),
+        (None, None) => {}
+    }
+    let is_form = state.file_flow.dialog.as_ref().is_some_and(Dialog::is_form);
+    if !(is_form && modal.backdrop_response.clicked()) && modal.should_close() {
         state.gallery.end();
-        if let Some(Dialog::Export(_)) = state.file_flow.dialog.take() {
-            state.family.give_up();
+        if let Some(Dialog::Export(left)) = state.file_flow.dialog.take() {
+            state.export = left;
+            state.family.leave();
         }
     }
     if state.file_flow.dialog.is_none() && state.file_flow.covered.is_some() {

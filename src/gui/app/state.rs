@@ -23,7 +23,7 @@ use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::storage::recent::Recent;
 use crate::gui::why::state::explain::Explain;
 use crate::share::ShareError;
-use crate::views::View;
+use crate::views::{View, Views};
 
 /// Everything the window knows.
 #[derive(Debug)]
@@ -44,6 +44,8 @@ pub struct State {
     pub search: Search,
     /// The last export settings.
     pub export: Export,
+    /// The displayed views when the export dialog last opened.
+    pub(in crate::gui) exported_of: Option<Views>,
     /// The exported family.
     pub family: FamilyChoice,
     /// The figure whose camera was kept as A.
@@ -101,6 +103,7 @@ impl State {
             gallery: Gallery::default(),
             search: Search::default(),
             export: Export::new([[640, 480]; View::COUNT], 1.0),
+            exported_of: None,
             family: FamilyChoice::default(),
             camera_a: None,
             annotations: Annotations::default(),

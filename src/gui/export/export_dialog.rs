@@ -101,7 +101,8 @@ pub(in crate::gui) fn show(
             pressed
         }
         Pressed::Cancel => {
-            choices.family.give_up();
+            *choices.last = *export;
+            choices.family.leave();
             pressed
         }
         Pressed::Action(_) | Pressed::Nothing => Pressed::Nothing,

@@ -128,10 +128,10 @@ impl FamilyChoice {
         self.first.choose(subject);
     }
 
-    /// Drops a family that wasn't exported. The one before comes back when a family is requested.
-    pub fn give_up(&mut self) {
+    /// Leaves the family without exporting it. It comes back when a family is requested.
+    pub fn leave(&mut self) {
+        self.last = self.remembered();
         (self.first, self.second) = (Varied::default(), Varied::default());
-        self.captions.clear();
     }
 
     /// The keys that vary, or varied last.
@@ -199,16 +199,15 @@ mod tests {
     }
 
     #[test]
-    fn a_family_that_was_not_exported_is_forgotten() {
+    fn a_family_that_was_left_comes_back_when_it_is_requested() {
         let mut family = FamilyChoice::default().or_last();
-        family.first.values = "10, 20".to_owned();
-        family.last = family.remembered();
-        let exported = family.clone();
         family.first.values = "1, 2, 3".to_owned();
-        family.captions = "small".to_owned();
-        family.give_up();
-        assert_eq!((family.variations(), family.captions()), (None, Vec::new()));
-        assert_eq!(family.or_last().first, exported.first);
+        family.captions = "small; large".to_owned();
+        let left = family.clone();
+        family.leave();
+        assert_eq!(family.variations(), None);
+        let back = family.or_last();
+        assert_eq!((back.first, back.captions), (left.first, left.captions));
     }
 
     #[test]

@@ -264,10 +264,14 @@ pub const MENUS: &[Menu] = &[
                 .in_lesson()
                 .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
                 row!(StepNotes, alt(Key::N), lessons::notes_command, notes_hint, |s, _| {
-                    change_lesson(s, |playing| playing.shows_notes ^= true);
+                    let presents = s.model.settings.presentation;
+                    change_lesson(s, |playing| playing.toggle_notes(presents));
                 })
                 .in_lesson()
-                .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
+                .on(|s| {
+                    let presents = s.model.settings.presentation;
+                    s.learn.lesson.as_ref().is_some_and(|playing| playing.has_notes(presents))
+                }),
                 row!(WriteLesson, alt(Key::R), lessons::write_command, write_hint, write_lesson)
                     .not_in_browser()
                     .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
@@ -448,9 +452,12 @@ fn show_handout(state: &mut State, is_lesson: bool) {
     show_dialog(state, Dialog::Handout(form));
 }
 
-/// Opens the export dialog for the displayed views.
+/// Opens the export dialog as the user left it, or for the displayed views if these have changed since.
 fn show_export(state: &mut State) {
-    state.export.what = state.model.layout.views();
+    let displayed = state.model.layout.views();
+    if state.exported_of.replace(displayed) != Some(displayed) {
+        state.export.what = displayed;
+    }
     state.export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
     show_dialog(state, Dialog::Export(state.export));
 }
@@ -521,6 +528,7 @@ fn toggle_presentation(state: &mut State, ctx: &Context) {
     state.model.settings.presentation_panels = Panels::default();
     if let Some(playing) = &mut state.learn.lesson {
         playing.shows_question = !state.model.settings.presentation;
+        playing.shows_private_notes = false;
     }
     explained.into_iter().for_each(|panel| state.model.show_explanation(panel));
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.model.settings.presentation));

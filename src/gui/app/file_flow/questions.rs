@@ -1,6 +1,7 @@
 //! Questions about files, and pending work with them.
 
 use std::collections::BTreeSet;
+use std::mem::discriminant;
 use std::path::{Path, PathBuf};
 
 use super::reading::Reading;
@@ -62,9 +63,6 @@ impl Purpose {
         )
     }
 }
-
-/// The endings of mesh files.
-pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 
 /// The endings of the pictures that can be textures.
 pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
@@ -169,6 +167,8 @@ pub enum Dialog {
 pub struct FileFlow {
     /// The open question.
     pub dialog: Option<Dialog>,
+    /// Forms that were closed: each as it opened, and as the user left it.
+    forms: Vec<[Dialog; 2]>,
     /// The reason why the last typed file couldn't be opened or written, or a text not be saved. Shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
     /// If false, the user types paths in the window, because the system has no dialogs.
@@ -215,7 +215,54 @@ pub(in crate::gui) struct Asking {
     pub(in crate::gui) dialog: Option<OpenFileDialog>,
 }
 
+impl FileFlow {
+    /// A form as the user left it, if it would open as it did then. Otherwise its subject has changed, and it's new.
+    pub(in crate::gui) fn reopened(&mut self, dialog: Dialog) -> Dialog {
+        if !dialog.is_kept() {
+            return dialog;
+        }
+        let left = self.forms.iter().position(|[opened, _]| *opened == dialog).map(|place| self.forms.remove(place));
+        self.forms.retain(|[opened, _]| !opened.is_as(&dialog));
+        let [opened, left] = left.unwrap_or_else(|| [dialog.clone(), dialog]);
+        self.forms.push([opened, left.clone()]);
+        left
+    }
+
+    /// Keeps the open form as it is now.
+    pub(in crate::gui) fn keep_form(&mut self) {
+        let Some(dialog) = &self.dialog else { return };
+        // The one that opened last.
+        let kept = self.forms.last_mut().filter(|[_, left]| discriminant(left) == discriminant(dialog));
+        if let Some([_, left]) = kept.filter(|[_, left]| left != dialog) {
+            left.clone_from(dialog);
+        }
+    }
+
+    /// Forgets a form: its answer is given.
+    pub(in crate::gui) fn forget_form(&mut self, dialog: &Dialog) {
+        self.forms.retain(|[opened, _]| !opened.is_as(dialog));
+    }
+}
+
 impl Dialog {
+    /// True if the dialog opens again as the user left it. The export dialog has its last settings anyway.
+    fn is_kept(&self) -> bool {
+        matches!(self, Self::Title(_) | Self::Path(..) | Self::Handout(_))
+    }
+
+    /// True if the other one is the same form. Handouts of lessons and sheets of exercises are two.
+    fn is_as(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Handout(form), Self::Handout(other)) => form.lesson.is_some() == other.lesson.is_some(),
+            _ => discriminant(self) == discriminant(other),
+        }
+    }
+
+    /// True if the dialog has fields or choices, so a click beside it doesn't close it.
+    pub(in crate::gui) fn is_form(&self) -> bool {
+        self.is_kept() || matches!(self, Self::Export(_) | Self::Link)
+    }
+
     /// True if closing the dialog would lose a typed text or a decision.
     pub fn is_question(&self) -> bool {
         match self {
