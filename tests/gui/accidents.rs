@@ -7,6 +7,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::Arc;
 
+use camera_lab::camera::Parameters;
 use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::i18n::Lang;
 use eframe::egui::accesskit::Role;
@@ -150,4 +151,35 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     window.click(en::EXERCISE_WINDOW.own_again);
     open(&mut window);
     assert!(typed(&window));
+}
+
+/// "•" in the title of the window and in its menu bar means the same: closing asks.
+#[test]
+fn the_title_and_the_bar_mark_the_same_changes() {
+    let marked = |window: &mut Window| {
+        window.run();
+        let bar = window.harness.query_all_by_label_contains(" •").next().is_some();
+        let title = window.app_mut().title().contains(" •");
+        assert_eq!(bar, title, "{}", window.app_mut().title());
+        bar
+    };
+    // A step of a lesson is there to be tried.
+    let mut window = super::lessons::playing(0, 0, Lang::En);
+    assert!(!marked(&mut window));
+    let document = &mut window.app_mut().state.model.document;
+    document.set_parameters(Parameters { near: 1.5, ..*document.draft() });
+    assert!(!marked(&mut window) && window.state().model.document.is_changed());
+    // The layout of a figure that has a file is part of it.
+    let folder = Folder::new("marks");
+    let path = folder.file("mine.toml");
+    fs::write(&path, "[scene]\npreset = \"empty\"\n[screen]\npictures = [\"image\"]\n").expect("a figure file");
+    let mut window = Window::opened(&path);
+    assert!(!marked(&mut window));
+    window.command_key(Key::Num1);
+    assert!(marked(&mut window));
+    window.command_key(Key::S);
+    assert!(!marked(&mut window));
+    let document = &mut window.app_mut().state.model.document;
+    document.set_parameters(Parameters { near: 1.5, ..*document.draft() });
+    assert!(marked(&mut window));
 }

@@ -153,8 +153,8 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 
 fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Option<Command>) {
     let name = escaped(&model.figure_name());
-    let is_changed = model.document.is_changed() && !learn.moves_to_step();
-    let text = if is_changed { format!("{name} •") } else { name };
+    let is_marked = learn.is_marked(model);
+    let text = if is_marked { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {
         let keys = keys(ui, model, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
         let name = command.label(t).trim_end_matches('…');
@@ -174,6 +174,6 @@ fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mu
         return;
     }
     let label = egui::Label::new(RichText::new(text).weak()).truncate();
-    let hint = if is_changed { t.changed_hint } else { t.unchanged_hint };
+    let hint = if is_marked { t.changed_hint } else { t.unchanged_hint };
     ui.add(label).explained(hint);
 }

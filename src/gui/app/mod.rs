@@ -105,8 +105,7 @@ impl App {
     }
 
     /// The title of the window.
-    #[cfg(target_arch = "wasm32")]
-    pub(in crate::gui) fn title(&self) -> &str {
+    pub fn title(&self) -> &str {
         &self.title
     }
 
@@ -214,10 +213,7 @@ impl App {
     /// The name of the figure in the title of the window.
     fn update_title(&mut self, ctx: &egui::Context) {
         let name = self.state.model.figure_name();
-        // It means that closing the window asks.
-        let is_unsaved = !self.state.learn.moves_to_step() && self.state.learn.has_unsaved(&self.state.model)
-            || self.state.learn.unsaved_text().is_some();
-        let mark = if is_unsaved { " •" } else { "" };
+        let mark = if self.state.learn.is_marked(&self.state.model) { " •" } else { "" };
         let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

@@ -40,8 +40,10 @@ pub struct Playing {
     pub shows_text: bool,
     /// The question of the step is shown.
     pub shows_question: bool,
-    /// The speaker's notes are shown.
+    /// The speaker's notes are shown, in a window of their own or, if there is none, below the views.
     pub shows_notes: bool,
+    /// In a presentation, the notes are shown below the views, which the class sees. False at its beginning.
+    pub shows_private_notes: bool,
     /// The writing of the step, in a lesson of the user's own.
     pub writing: Option<Writing>,
     /// True if the lesson has been written since it was opened.
@@ -76,6 +78,16 @@ pub struct Playing {
 }
 
 impl Playing {
+    /// Shows or hides the notes: in a presentation those below the views, so their window stays as it is.
+    pub(in crate::gui) fn toggle_notes(&mut self, presents: bool) {
+        *(if presents { &mut self.shows_private_notes } else { &mut self.shows_notes }) ^= true;
+    }
+
+    /// True if the notes are on, as [`Self::toggle_notes`] changes them.
+    pub(in crate::gui) fn has_notes(&self, presents: bool) -> bool {
+        if presents { self.shows_private_notes } else { self.shows_notes }
+    }
+
     /// The displayed step.
     pub fn now(&self) -> Option<&Step> {
         self.lesson.steps.get(self.step)
@@ -149,6 +161,11 @@ impl Learn {
     /// True if the figure has changes that must not be lost. In a step of a lesson not all are, see `Playing::is_work`.
     pub fn has_unsaved(&self, model: &Model) -> bool {
         self.is_work(&model.document) || model.is_rearranged(self.lesson.is_some())
+    }
+
+    /// True if "•" marks the figure in the title of the window and in its menu bar: closing the window asks about it.
+    pub(in crate::gui) fn is_marked(&self, model: &Model) -> bool {
+        !self.moves_to_step() && self.has_unsaved(model) || self.unsaved_text().is_some()
     }
 
     fn is_work(&self, document: &Document) -> bool {
