@@ -131,6 +131,8 @@ impl FigureFiles {
             FileError::Read(error) | FileError::Write(error) => ReadProblem::system(&error),
             FileError::ReservedName => ReadProblem::system(&ErrorKind::InvalidFilename.into()),
             FileError::Png(_)
+            | FileError::OtherPicture(_)
+            | FileError::Mesh
             | FileError::Figure(_)
             | FileError::Link(_)
             | FileError::ReadOnly

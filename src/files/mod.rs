@@ -20,10 +20,12 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::camera::CameraError;
+use crate::export::format::PictureFormat;
 use crate::export::png::{self, PngError};
 use crate::export::vector;
 use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
+use crate::scene::import::MESH_ENDINGS;
 use crate::scene::{ReadProblem, system_words};
 use crate::share::{self, ShareError};
 #[cfg(target_arch = "wasm32")]
@@ -72,6 +74,14 @@ pub enum FileError {
     /// A picture that holds no figure.
     #[error(transparent)]
     Png(#[from] PngError),
+    /// A picture in a format that can't hold its figure.
+    #[error("is a {0}, which can't hold its figure. {names} can", names = PictureFormat::names_with_figure("and"))]
+    OtherPicture(&'static str),
+    /// A mesh, where a figure is needed.
+    #[error(
+        "is a mesh, not a figure. In the window, add it with Scene ▸ + Add ▸ mesh file…; in a figure file, write [[scene.objects]] with shape = \"mesh\" and path"
+    )]
+    Mesh,
     /// A figure file with a fault.
     #[error(transparent)]
     Figure(#[from] FigureError),
@@ -120,14 +130,32 @@ impl Opened {
     }
 }
 
-/// Opens a figure file, a PNG that holds one, or a link that does.
+/// Opens a figure file, a picture that carries its figure, or a link that does.
 ///
 /// # Errors
 /// [`FileError`], which names the line of a fault in a figure file.
 pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
     let (bytes, is_link) = figure_bytes(path)?;
-    let opened = figure_from(&bytes)?;
+    let opened = figure_from(&bytes).map_err(|error| other_kind(path, &bytes).unwrap_or(error))?;
     Ok(Opened { from_picture: opened.from_picture || is_link, ..opened })
+}
+
+/// The kind of a file that holds no figure, if it's one that people take for a figure.
+fn other_kind(path: &Path, bytes: &[u8]) -> Option<FileError> {
+    let other = match bytes {
+        [0xff, 0xd8, 0xff, ..] => PictureFormat::Jpeg.name(),
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => PictureFormat::WebP.name(),
+        [b'G', b'I', b'F', b'8', ..] => "GIF",
+        _ if PictureFormat::of(path) == Some(PictureFormat::Tex) => PictureFormat::Tex.name(),
+        _ if has_ending(path, MESH_ENDINGS) => return Some(FileError::Mesh),
+        _ => return None,
+    };
+    Some(FileError::OtherPicture(other))
+}
+
+/// True if the name of a file has one of these extensions, in any case.
+pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
+    path.extension().is_some_and(|ending| endings.iter().any(|own| ending.eq_ignore_ascii_case(own)))
 }
 
 /// As [`open_figure`], but accepts a figure whose camera is impossible. It comes with the error of its camera.
@@ -136,8 +164,10 @@ pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
 /// As for [`open_figure`], except for an impossible camera.
 pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<CameraError>), FileError> {
     let (bytes, is_link) = figure_bytes(path)?;
-    let (text, from_picture) = figure_text(&bytes)?;
-    let (figure, error) = read::parse_with_any_camera(read::text_of(&text, MAX_FIGURE_BYTES)?)?;
+    let or_other = |error| other_kind(path, &bytes).unwrap_or(error);
+    let (text, from_picture) = figure_text(&bytes).map_err(or_other)?;
+    let read = |text| read::parse_with_any_camera(read::text_of(text, MAX_FIGURE_BYTES)?);
+    let (figure, error) = read(&text).map_err(|error| or_other(error.into()))?;
     let text = String::from_utf8_lossy(&text).into_owned();
     Ok((Opened { figure, text, from_picture: from_picture || is_link }, error))
 }

@@ -95,7 +95,7 @@ pub(super) struct ManualArgs {
 /// Without a command the window opens.
 #[derive(Debug, Args)]
 pub(super) struct WindowArgs {
-    /// Figure file, or a PNG that camera-lab wrote; without it, the window shows the standard primitives
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote; without it, the window shows the standard primitives
     pub(super) figure: Option<PathBuf>,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -103,7 +103,7 @@ pub(super) struct WindowArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct InspectArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -131,7 +131,7 @@ pub(super) struct InspectArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct RenderArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -147,7 +147,7 @@ pub(super) struct RenderArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -170,7 +170,7 @@ pub(super) struct ExplainArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct BenchArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -215,7 +215,7 @@ pub(super) struct AccuracyArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct DiagnoseArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -235,7 +235,7 @@ pub(super) struct DiagnoseArgs {
 #[derive(Debug, Args)]
 #[command(group(clap::ArgGroup::new("swept").args(["vary", "to"]).multiple(true)))]
 pub(super) struct AnimateArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -271,7 +271,7 @@ pub(super) struct AnimateArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct CodeArgs {
-    /// Figure file, or a PNG that camera-lab wrote
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,

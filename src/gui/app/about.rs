@@ -1,7 +1,7 @@
 //! The program: its version, its licence, and those of its components. They're built in, so a single copied file has
 //! them too. Only in a browser they stand beside the program, in its page.
 
-use eframe::egui::{self, RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
+use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
 #[cfg(target_arch = "wasm32")]
@@ -12,7 +12,7 @@ use crate::i18n::window::Texts;
 /// Names and licences of all libraries, and the texts of the licences, written by `.ci/third-party`.
 #[cfg(not(target_arch = "wasm32"))]
 #[expect(clippy::unnecessary_wraps, reason = "in a page the text arrives later")]
-fn third_party(_: &egui::Context) -> Option<&'static str> {
+fn third_party(_: &eframe::egui::Context) -> Option<&'static str> {
     Some(include_str!("../../../THIRD-PARTY.md"))
 }
 

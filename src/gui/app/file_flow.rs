@@ -26,9 +26,7 @@ use crate::figure::{Figure, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, texture};
-use crate::gui::app::file_flow::questions::{
-    Agreed, Asking, Changed, Dialog, FileFlow, MESH_ENDINGS, Purpose, Theirs, TitleForm,
-};
+use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, Theirs, TitleForm};
 use crate::gui::app::file_flow::reading::{Content, ToRead};
 use crate::gui::app::file_flow::sequence::Search;
 use crate::gui::app::state::State;
@@ -44,6 +42,7 @@ use crate::gui::model::message::{Message, NotExported};
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
+use crate::scene::import::MESH_ENDINGS;
 
 /// Does the `next` action, after asking about all losses: text of a lesson that can't be saved, and changes of the
 /// figure. Every action that replaces or closes a document comes through here.
@@ -495,8 +494,7 @@ fn take_given(ctx: &egui::Context, state: &mut State) {
 
 /// Opens a dropped file: a figure, or a mesh, which is added to the scene.
 fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    if !MESH_ENDINGS.contains(&ending.as_str()) {
+    if !files::has_ending(&path, MESH_ENDINGS) {
         return begin(ctx, state, AfterSave::OpenPath(path));
     }
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());

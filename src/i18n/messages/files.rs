@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
+use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
 use crate::i18n::Lang;
@@ -43,6 +44,13 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
             let gib = MAX_FILE_BYTES >> 30;
             format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")
         }
+        (Lang::PtBr, FileError::OtherPicture(format)) => {
+            let names = PictureFormat::names_with_figure("e");
+            format!("{name} é um arquivo {format}, que não pode conter a própria figura. {names} podem")
+        }
+        (Lang::PtBr, FileError::Mesh) => format!(
+            "{name} é uma malha, não uma figura. Na janela, adicione-a com Cena ▸ + Adicionar ▸ arquivo de malha…; num arquivo de figura, escreva [[scene.objects]] com shape = \"mesh\" e path"
+        ),
         (Lang::PtBr, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
         (Lang::PtBr, FileError::Network) => after_name(&ReadProblem::Network),
         (Lang::PtBr, FileError::ReservedName) => format!(

@@ -1,6 +1,7 @@
 //! The formats of picture files.
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 crate::listed! {
     /// A format of picture files. This is the only list of formats, for the command line and the window.
@@ -36,6 +37,18 @@ impl PictureFormat {
         }
     }
 
+    /// True if a file carries its figure, and so opens again. For LaTeX it's the PDF beside the file that does.
+    pub const fn carries_figure(self) -> bool {
+        matches!(self, Self::Png | Self::Svg | Self::Pdf)
+    }
+
+    /// The names of the formats that carry their figure: `PNG, SVG and PDF` with an `and` of the caller's language.
+    pub fn names_with_figure(and: &str) -> String {
+        let names: Vec<&str> = Self::ALL.into_iter().filter(|format| format.carries_figure()).map(Self::name).collect();
+        let (last, first) = names.split_last().unwrap_or((&"", &[]));
+        format!("{} {and} {last}", first.join(", "))
+    }
+
     /// True if a picture may have no background.
     pub const fn has_transparency(self) -> bool {
         !matches!(self, Self::Jpeg)
@@ -62,6 +75,12 @@ impl PictureFormat {
         Self::ALL.into_iter().find(|format| format.endings().iter().any(|own| ending.eq_ignore_ascii_case(own)))
     }
 }
+
+/// The extensions of all files that hold a figure: figure files, and pictures that carry theirs.
+pub static FIGURE_ENDINGS: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+    let pictures = PictureFormat::ALL.into_iter().filter(|format| format.carries_figure());
+    std::iter::once("toml").chain(pictures.flat_map(|format| format.endings().iter().copied())).collect()
+});
 
 #[cfg(test)]
 mod tests {

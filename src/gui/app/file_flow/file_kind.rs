@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::export::format::PictureFormat;
-use crate::gui::app::file_flow::questions::{MESH_ENDINGS, Purpose, TEXTURE_ENDINGS};
+use crate::export::format::{FIGURE_ENDINGS, PictureFormat};
+use crate::gui::app::file_flow::questions::{Purpose, TEXTURE_ENDINGS};
 use crate::gui::app::state::State;
 use crate::gui::model::action::FileFor;
 use crate::gui::platform::native::{FileQuestion, Wanted};
@@ -12,6 +12,7 @@ use crate::i18n::learn::{exercise_window, handouts, lessons};
 use crate::i18n::why::explain;
 use crate::i18n::window::{gallery, photograph, scenes};
 use crate::i18n::{families, told, window};
+use crate::scene::import::MESH_ENDINGS;
 use crate::views::Views;
 
 /// A kind of files.
@@ -55,7 +56,7 @@ impl FileKind {
         let new_file = |title, filters, name| (Wanted::NewFile, title, t.save_action, filters, name);
         let (wanted, title, action, filters, name) = match purpose {
             Purpose::Open | Purpose::For(FileFor::CompareWith) => {
-                file(t.open_title, t.open_action, t.figure_filter, &["toml", "png", "svg", "pdf"][..])
+                file(t.open_title, t.open_action, t.figure_filter, &FIGURE_ENDINGS[..])
             }
             Purpose::Save(_) => {
                 let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];

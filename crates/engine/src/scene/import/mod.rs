@@ -16,6 +16,9 @@ use crate::scene::{Mesh, ReadFile, TextureError, Wanted};
 pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 pub use part::{Imported, Part, PartTexture};
 
+/// The extensions of mesh files.
+pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
+
 /// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN). A material
 /// library that can't be read is left out, and its materials then have no colour. Pauses after each stretch of the
 /// file.
