@@ -218,7 +218,7 @@ fn all_are_automatic_again_and_notes_stay() {
     window.app_mut().state.model.document.edit_labels(|labels| {
         labels.hide("u");
         labels.move_to("C", View::World, DVec2::X);
-        labels.rename("v", Some("up"));
+        labels.rename("v", None, "up");
     });
     window.run();
     window.click(en::LABELS.all_automatic);

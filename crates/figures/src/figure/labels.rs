@@ -45,6 +45,8 @@ pub enum Letters {
 pub struct RenamedLabel {
     /// The name of the label, as `label_names` gives it.
     pub name: String,
+    /// The picture; `None` means all of them.
+    pub view: Option<View>,
     /// Its text. Between dollar signs, mathematics ([`set_text`]).
     pub text: String,
 }
@@ -155,7 +157,7 @@ impl LabelChange<'_> {
 }
 
 impl Labels {
-    /// The changes of a label in a picture. A place for one picture takes precedence over one for all.
+    /// The changes of a label in a picture. A place or a text for one picture takes precedence over one for all.
     pub fn change(&self, name: &str, view: View) -> LabelChange<'_> {
         if let Some(note) = note_index(name).and_then(|i| self.notes.get(i)) {
             // A text for a place of the picture stands there.
@@ -171,9 +173,11 @@ impl Labels {
         let moves = |moved: &&MovedLabel| moved_as(&moved.name) == moved_as(name);
         let moved = |view: Option<View>| self.moved.iter().filter(moves).find(|moved| moved.view == view);
         let style = self.styled.iter().find(|style| style.name == name);
+        let renamed =
+            |view: Option<View>| self.renamed.iter().find(|renamed| renamed.name == name && renamed.view == view);
         LabelChange {
             hidden: self.hidden.iter().any(|hidden| hidden == name),
-            text: self.renamed.iter().find(|renamed| renamed.name == name).map(|renamed| renamed.text.as_str()),
+            text: renamed(Some(view)).or_else(|| renamed(None)).map(|renamed| renamed.text.as_str()),
             by: moved(Some(view)).or_else(|| moved(None)).map(|moved| moved.by),
             size: style.and_then(|style| style.size),
             color: style.and_then(|style| style.color),
@@ -193,16 +197,14 @@ impl Labels {
         }
     }
 
-    /// Gives a label another text. Without one, it gets its own text back. The text of a note is never empty.
-    pub fn rename(&mut self, name: &str, text: Option<&str>) {
+    /// Gives a label another text, in one picture or in all of them.
+    pub fn rename(&mut self, name: &str, view: Option<View>, text: &str) {
         if let Some(note) = self.note_mut(name) {
-            if let Some(text) = text {
-                text.clone_into(&mut note.text);
-            }
+            text.clone_into(&mut note.text);
             return;
         }
-        self.renamed.retain(|renamed| renamed.name != name);
-        self.renamed.extend(text.map(|text| RenamedLabel { name: name.to_owned(), text: text.to_owned() }));
+        self.renamed.retain(|renamed| renamed.name != name || renamed.view != view);
+        self.renamed.push(RenamedLabel { name: name.to_owned(), view, text: text.to_owned() });
     }
 
     /// Hides a label, or removes a note.
@@ -272,6 +274,7 @@ impl Labels {
     pub fn seen_in(&self, view: View) -> Self {
         let mut seen = self.clone();
         seen.moved.retain(|moved| moved.view.is_none_or(|of| of == view));
+        seen.renamed.retain(|renamed| renamed.view.is_none_or(|of| of == view));
         if view != View::World {
             seen.measures.clear();
         }
@@ -396,7 +399,7 @@ mod tests {
         let mut after = before.clone();
         for name in ["C", "note:1"] {
             after.move_to(name, View::World, DVec2::X);
-            after.rename(name, Some("eye"));
+            after.rename(name, None, "eye");
             after.style(name, Some(2.0), None);
         }
         after.hide("u");

@@ -6,7 +6,7 @@ use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Align2, ComboBox, FontSelection, Galley, Id, Ui, Window, vec2};
 
 use crate::appearance::Rgba;
-use crate::figure::labels::{LEGEND, is_in_legend, note_index, set_text};
+use crate::figure::labels::{LEGEND, Labels, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::text_field::{self, TextField};
@@ -96,7 +96,7 @@ impl Canvas {
         let (size, color) = (change.size, change.color);
         let place = self.pictures.iter().flat_map(|picture| &picture.labels).find(|label| label.name == name);
         let own = change.text.map(str::to_owned).or_else(|| place.map(|place| place.text.clone()));
-        self.text(ui, model, label_mode, (name, own.unwrap_or_default()), t);
+        self.text(ui, model, label_mode, (view, name, own.unwrap_or_default()), t);
         text_of_measure(ui, model, name, t);
         ui.horizontal(|ui| {
             ui.label(t.size);
@@ -136,8 +136,28 @@ impl Canvas {
         });
     }
 
+    /// The picture in which a label gets another text. `None` for all, if the label says the same in all of them.
+    fn renamed_in(&self, labels: &Labels, view: View, name: &str) -> Option<View> {
+        let entry =
+            |view: Option<View>| labels.renamed.iter().any(|renamed| renamed.name == name && renamed.view == view);
+        if entry(Some(view)) || entry(None) {
+            return entry(Some(view)).then_some(view);
+        }
+        let mut texts = self.pictures.iter().flat_map(|picture| &picture.labels).filter(|label| label.name == name);
+        let first = texts.next();
+        let is_same = texts.all(|label| first.is_some_and(|first| first.text == label.text));
+        (!is_same).then_some(view)
+    }
+
     /// The field of its text, which becomes the figure's as far as it's valid.
-    fn text(&self, ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, (name, own): (&str, String), t: &Texts) {
+    fn text(
+        &self,
+        ui: &mut Ui,
+        model: &mut Model,
+        label_mode: &mut LabelMode,
+        (view, name, own): (View, &str, String),
+        t: &Texts,
+    ) {
         let lang = model.settings.lang;
         let mut typed = label_mode.typed.clone().unwrap_or_else(|| own.clone());
         let response = ui
@@ -157,7 +177,8 @@ impl Canvas {
         label_mode.is_typing = response.has_focus() || response.lost_focus();
         if response.changed() {
             if set_text(&typed).is_ok() {
-                model.document.edit_labels(|labels| labels.rename(name, Some(&typed)));
+                let view = self.renamed_in(&model.document.figure().labels, view, name);
+                model.document.edit_labels(|labels| labels.rename(name, view, &typed));
             }
             label_mode.typed = Some(typed);
         } else if let Err(error) = set_text(&typed) {

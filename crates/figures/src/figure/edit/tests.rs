@@ -245,7 +245,7 @@ fn labels() -> impl Strategy<Value = Labels> {
         });
     let styled = (name(), look()).prop_map(move |(name, (size, of))| StyledLabel { name, size, color: color(of) });
     let moved = (name(), view(), pair()).prop_map(|(name, view, by)| MovedLabel { name, view, by });
-    let renamed = (name(), text()).prop_map(|(name, text)| RenamedLabel { name, text });
+    let renamed = (name(), view(), text()).prop_map(|(name, view, text)| RenamedLabel { name, view, text });
     let measure = (select(DIMENSIONS), select(MEASURE_TEXTS))
         .prop_map(|((_, measure), (_, shown))| LabelledMeasure { measure, shown });
     let lists = (vec(name(), 0..3), vec(renamed, 0..3), vec(moved, 0..3), vec(styled, 0..3));

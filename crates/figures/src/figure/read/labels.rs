@@ -67,8 +67,8 @@ fn text(section: &mut Section<'_>) -> Option<String> {
 }
 
 fn renamed(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<RenamedLabel> {
-    let (name, text) = (needed(section, "name"), text(section));
-    Some(RenamedLabel { name: name?, text: text? })
+    let (name, view, text) = (needed(section, "name"), section.choice("view", PICTURES), text(section));
+    Some(RenamedLabel { name: name?, view, text: text? })
 }
 
 fn moved(section: &mut Section<'_>, _: &mut Vec<Fault>) -> Option<MovedLabel> {

@@ -6,7 +6,9 @@ use toml_edit::{Array, ArrayOfTables, InlineTable, Item, Table, Value};
 use super::{number, quoted, table, vector};
 use crate::appearance::Rgba;
 use crate::figure::words::{self, DIMENSIONS, LETTERS, MEASURE_TEXTS};
-use crate::figure::{LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, StyledLabel};
+use crate::figure::{
+    LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,
+};
 
 /// The section. Empty if every label is as the pictures make it.
 pub(super) fn labels(labels: &Labels) -> Table {
@@ -20,7 +22,7 @@ pub(super) fn labels(labels: &Labels) -> Table {
     }
     let mut section = table(keys);
     let lists: [(&str, ArrayOfTables); 5] = [
-        ("renamed", renamed.iter().map(|r| table([("name", quoted(&r.name)), ("text", quoted(&r.text))])).collect()),
+        ("renamed", renamed.iter().map(of_renamed).collect()),
         ("moved", moved.iter().map(of_moved).collect()),
         ("styled", styled.iter().map(of_styled).collect()),
         ("measures", measures.iter().map(of_measure).collect()),
@@ -43,6 +45,11 @@ fn style(size: Option<f64>, color: Option<Rgba>) -> impl Iterator<Item = (&'stat
 
 fn of_styled(styled: &StyledLabel) -> Table {
     table([("name", quoted(&styled.name))].into_iter().chain(style(styled.size, styled.color)))
+}
+
+fn of_renamed(renamed: &RenamedLabel) -> Table {
+    let view = renamed.view.map(|view| ("view", view.name().into()));
+    table([("name", quoted(&renamed.name))].into_iter().chain(view).chain([("text", quoted(&renamed.text))]))
 }
 
 fn of_moved(moved: &MovedLabel) -> Table {

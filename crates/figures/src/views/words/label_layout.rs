@@ -139,11 +139,12 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
             if change.hidden {
                 continue;
             }
-            author.apply(change, &mut label);
+            // The layout knows some labels by their colours, so the author's colour comes after it.
+            author.apply(LabelChange { color: None, ..change }, &mut label);
             match change.by {
                 Some(by) => kept.push(taken.put(label, by, &page)),
                 None => {
-                    if !change.is_automatic() {
+                    if change.text.is_some() || change.size.is_some() {
                         of_author.push(label.name.clone());
                     }
                     drawing.labels.push(label);
@@ -182,6 +183,10 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
             taken.leaders.push(leader);
         }
         kept.push(label);
+    }
+    for label in &mut kept {
+        let change = rules.author.map(|author| author.labels.change(&label.name, author.view));
+        label.color = change.and_then(|change| change.color).unwrap_or(label.color);
     }
     drawing.labels = kept;
     let leader = rules.leader.or(rules.author.map(|author| author.leader));
@@ -382,6 +387,7 @@ pub(in crate::views) fn half_size_of(text: &str, size: f32, mathematical: bool) 
 mod tests {
     use super::*;
     use crate::drawing::Surface;
+    use crate::figure::StyledLabel;
 
     const RULES: Rules<'_> =
         Rules { background: &[], reserved: None, first: &[], beside: None, leader: None, author: None };
@@ -512,6 +518,32 @@ mod tests {
         let [halo, line] = d.strokes.as_slice() else { panic!("{} sets", d.strokes.len()) };
         assert_eq!((halo.polylines.len(), halo.style.color), (1, d.labels[0].halo), "a dark body hides no line");
         assert!(halo.style.width > 2.0 * line.style.width && halo.points == line.points);
+    }
+
+    #[test]
+    fn a_recoloured_label_stays_where_it_was() {
+        let soft = Rgba::rgb(120, 120, 120);
+        let red = Rgba::rgb(255, 0, 0);
+        let settled = |styled: Vec<StyledLabel>| {
+            let labels = Labels { styled, ..Labels::default() };
+            let leader = (soft, 1.0);
+            let author = Some(Author { labels: &labels, view: View::World, leader, page: None, least: 0.0 });
+            // Crowded, over a body, and of two colours, one of which stands beside bodies.
+            let mut d = drawing(["C", "PF", "near", "far"].map(|name| label(40.0, 50.0, name)).to_vec());
+            d.labels[2].color = soft;
+            d.surfaces.push(body());
+            settle(&mut d, &Rules { author, beside: Some(soft), ..RULES });
+            d.labels
+        };
+        let before = settled(Vec::new());
+        for name in ["C", "PF", "near", "far"] {
+            let mut after = settled(vec![StyledLabel { name: name.to_owned(), size: None, color: Some(red) }]);
+            for (now, was) in after.iter_mut().zip(&before) {
+                assert_eq!(now.color, if now.name == name { red } else { was.color });
+                now.color = was.color;
+            }
+            assert_eq!(after, before, "{name}");
+        }
     }
 
     #[test]
