@@ -285,6 +285,10 @@ impl Document {
     /// one step.
     pub fn commit(&mut self) {
         let is_another = self.committed.replace(self.version) != Some(self.version);
+        if is_another && self.history.leads_elsewhere(&self.figure.show, &self.camera) {
+            // They'd explain a move that the camera hasn't made.
+            self.figure.show.operations.clear();
+        }
         if is_another || self.history.shows_other(&self.figure.show) {
             let is_step = self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
             if is_step {

@@ -141,6 +141,13 @@ impl History {
         chosen(&self.now.show) != chosen(show)
     }
 
+    /// True if the kept operations are still those of the last step, but the camera isn't, so they don't lead to it.
+    pub(in crate::gui) fn leads_elsewhere(&self, show: &Show, camera: &Camera) -> bool {
+        !show.operations.is_empty()
+            && self.now.show.operations == show.operations
+            && self.now.camera.parameters() != camera.parameters()
+    }
+
     /// Makes a step of another figure that has replaced the one before, which explained `before`.
     pub(in crate::gui) fn replace(&mut self, before: Show, of: (&Figure, Revision), camera: &Camera) {
         self.now.show = before;

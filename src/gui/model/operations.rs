@@ -33,8 +33,8 @@ pub struct Operations {
     pub(in crate::gui) done: Option<DoneStep>,
     /// The last operation done, by a button or a slider.
     pub(in crate::gui) last: Option<Ghost>,
-    /// The camera after the last operation that was kept in the figure. The next one continues from there.
-    kept_at: Option<Camera>,
+    /// The kept operations, and the camera after the last of them. The next one continues from there.
+    kept: Option<(Vec<Operation>, Camera)>,
 }
 
 impl Operations {
@@ -72,13 +72,14 @@ impl Operations {
     /// replaces them.
     pub(in crate::gui) fn keep(&mut self, camera: &Camera, shown: &mut Vec<Operation>) {
         let Some((operation, before)) = self.led_to(camera) else { return };
-        if self.kept_at.as_ref().is_none_or(|kept| kept.parameters() != before.parameters()) {
-            shown.clear();
-        } else if shown.len() == Show::MOST_OPERATIONS {
-            shown.remove(0);
+        let continued = self.kept.as_ref().filter(|(_, after)| after.parameters() == before.parameters());
+        let mut all = continued.map(|(kept, _)| kept.clone()).unwrap_or_default();
+        if all.len() == Show::MOST_OPERATIONS {
+            all.remove(0);
         }
-        shown.push(operation);
-        self.kept_at = Some(camera.clone());
+        all.push(operation);
+        shown.clone_from(&all);
+        self.kept = Some((all, camera.clone()));
     }
 }
 
@@ -111,7 +112,7 @@ impl Default for Operations {
             scrub: None,
             done: None,
             last: None,
-            kept_at: None,
+            kept: None,
         }
     }
 }

@@ -182,7 +182,15 @@ pub fn variants(
         let values = variations.iter().enumerate();
         values.map(|(depth, variation)| (&*variation.key, &*variation.values[place(index, depth)])).collect()
     };
-    (0..count).map(|index| varied_by(figure, camera, &chosen(index), convention)).collect()
+    let all: Result<Vec<Variant>, _> =
+        (0..count).map(|index| varied_by(figure, camera, &chosen(index), convention)).collect();
+    let mut all = all?;
+    if all.iter().any(|variant| variant.figure.camera != figure.camera) {
+        // The kept operations led to the figure's own camera.
+        let kept = |variant: &&mut Variant| variant.figure.show.operations == figure.show.operations;
+        all.iter_mut().filter(kept).for_each(|variant| variant.figure.show.operations.clear());
+    }
+    Ok(all)
 }
 
 /// The figure with keys set, and operations applied in their order. `camera` is that of the figure.
