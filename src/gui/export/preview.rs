@@ -12,7 +12,7 @@ use crate::gui::background::worker::Worker;
 use crate::gui::export::{Export, ExportSource};
 use crate::gui::model::export_error::ExportError;
 use crate::limits::MAX_COPIED_PIXELS;
-use crate::picture::{self, Crowded, FileOptions, Pixels};
+use crate::picture::{self, Crowded, FileOptions};
 use crate::progress::Progress;
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
@@ -50,8 +50,8 @@ struct PreviewJob {
 
 /// The result of a job.
 enum Drawn {
-    /// Pixels, the message if several pictures have little space on their paper, and the size of the export.
-    Picture(Pixels, Option<Crowded>, [u32; 2]),
+    /// An image, the message if several pictures have little space on their paper, and the size of the export.
+    Picture(ColorImage, Option<Crowded>, [u32; 2]),
     /// A picture of vectors as text.
     Svg(String),
 }
@@ -82,7 +82,11 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
             return Ok(Drawn::Svg(String::from_utf8_lossy(&file.bytes).into_owned()));
         }
         let (pixels, _) = picture::assembled(&sheet, export.crop, progress).await?;
-        Ok(Drawn::Picture(pixels, sheet.crowded, size))
+        // A texture that's minified on the screen skips rows of pixels, and with them thin strokes. The mean keeps them.
+        let (size_drawn, rgba) = ([pixels.width(), pixels.height()], pixels.rgba());
+        let room = room.map_or([f32::INFINITY; 2], |room| room.map(|side| side / FINENESS));
+        let shown = reduced(size_drawn, rgba, room);
+        Ok(Drawn::Picture(shown, sheet.crowded, size))
     }
 }
 
@@ -100,7 +104,7 @@ impl Preview {
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
             Some(Ok(Drawn::Picture(picture, crowded, size))) => {
                 (self.crowded, self.size) = (crowded, Some(size));
-                self.texture = Some(ctx.load_texture("export preview", image(&picture), TextureOptions::LINEAR));
+                self.texture = Some(ctx.load_texture("export preview", picture, TextureOptions::LINEAR));
                 self.fault = None;
             }
             Some(Err(error)) => {
@@ -111,7 +115,7 @@ impl Preview {
         if let Some(done) = copied {
             let outcome = done.outcome.unwrap_or(Err(ExportError::Panic));
             self.copied = Some(outcome.map(|drawn| match drawn {
-                Drawn::Picture(picture, ..) => ctx.copy_image(image(&picture)),
+                Drawn::Picture(picture, ..) => ctx.copy_image(picture),
                 Drawn::Svg(text) => ctx.copy_text(text),
             }));
         }
@@ -144,9 +148,17 @@ pub(in crate::gui) fn can_be_copied(export: &Export, [width, height]: [u32; 2]) 
     export.format.is_vector() || u64::from(width) * u64::from(height) <= MAX_COPIED_PIXELS
 }
 
-fn image(picture: &Pixels) -> ColorImage {
-    let size = [picture.width() as usize, picture.height() as usize];
-    ColorImage::from_rgba_premultiplied(size, picture.rgba())
+/// The picture at the size at which it fits into this number of pixels, each of them the mean of those that it replaces.
+fn reduced(size: [u32; 2], rgba: &[u8], room: [f32; 2]) -> ColorImage {
+    let factor = factor(size, room);
+    let whole = image::RgbaImage::from_raw(size[0], size[1], rgba.to_vec()).filter(|_| factor < 1.0);
+    let Some(whole) = whole else {
+        return ColorImage::from_rgba_premultiplied(size.map(|side| side as usize), rgba);
+    };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "pixels")]
+    let [width, height] = size.map(|side| (side as f32 * factor).round().max(1.0) as u32);
+    let small = image::imageops::thumbnail(&whole, width, height);
+    ColorImage::from_rgba_premultiplied([width as usize, height as usize], small.as_raw())
 }
 
 /// The reduction of a picture that fits into this number of pixels. 1 if it fits already.
@@ -159,6 +171,19 @@ fn factor([width, height]: [u32; 2], room: [f32; 2]) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_thin_stroke_stays_visible_wherever_it_lies() {
+        let (width, height) = (60, 401);
+        for row in 100..140 {
+            let mut rgba = vec![255; width * height * 4];
+            let line = row * width * 4..(row + 1) * width * 4;
+            rgba[line].chunks_exact_mut(4).for_each(|pixel| pixel[..3].fill(0));
+            let small = reduced([60, 401], &rgba, [60.0, 173.0]);
+            let darkest = small.pixels.iter().map(|pixel| pixel.r()).min();
+            assert!(darkest.is_some_and(|r| r < 180), "row {row}: {darkest:?}");
+        }
+    }
 
     #[test]
     fn what_is_larger_than_its_room_is_reduced_to_it() {

@@ -9,10 +9,11 @@ use std::path::{Path, PathBuf};
 use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
-use crate::figure::Bilingual;
+use crate::figure::{Bilingual, Figure};
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
 use crate::gui::model::document::source::Source;
 use crate::i18n::{Lang, messages, pictures, told, window};
+use crate::lessons::parse_bytes;
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
@@ -91,7 +92,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
                 return CardOutcome::Drawn(source, drawn.clone());
             }
             renderer.watch(progress);
-            let drawn = match text.and_then(|bytes| figure_from(&bytes)) {
+            let drawn = match text.and_then(|bytes| figure_of(&source, &bytes)) {
                 Ok(opened) => draw(&mut renderer, &source, opened, (theme, lang), progress),
                 Err(error) => Err(messages::file(lang, &source.name(), &error)),
             };
@@ -132,6 +133,19 @@ fn read(source: &Source) -> Result<Vec<u8>, FileError> {
     }
 }
 
+/// The figure of a card: that of its file, or the first step of a lesson, with title and sentence of the lesson.
+fn figure_of(source: &Source, bytes: &[u8]) -> Result<Opened, FileError> {
+    match source {
+        Source::File(path) if files::is_lesson(path) => {
+            let lesson = parse_bytes(bytes)?;
+            let first = lesson.steps.first().map(|step| (*step.figure).clone()).unwrap_or_default();
+            let figure = Figure { title: Some(lesson.title), caption: lesson.sentence, ..first };
+            Ok(Opened { figure, text: String::new(), from_picture: false })
+        }
+        _ => figure_from(bytes),
+    }
+}
+
 fn draw(
     renderer: &mut Renderer,
     source: &Source,
@@ -168,7 +182,7 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
         }
         Source::File(_) => {
             let bytes = read(source).unwrap_or_default();
-            let figure = figure_from(&bytes).map(|opened| opened.figure).unwrap_or_default();
+            let figure = figure_of(source, &bytes).map(|opened| opened.figure).unwrap_or_default();
             let text = figure_bytes(&bytes, MAX_FIGURE_BYTES).unwrap_or_default();
             let title = match &figure.title {
                 Some(title) => format!("{} ({})", in_lang(title), source.name()),
@@ -208,6 +222,22 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
 mod tests {
     use super::*;
     use crate::progress::at_once;
+
+    #[test]
+    fn a_lesson_has_the_card_of_its_first_step() {
+        let folder = std::env::temp_dir().join(format!("camera-lab-card-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a temporary folder");
+        let shipped = &crate::lessons::shipped()[0];
+        let path = folder.join("mine.toml");
+        std::fs::write(&path, shipped.text).expect("a file is written");
+        let source = Source::File(path);
+        let card = said_by(&source, Lang::En);
+        assert_eq!(card.title, format!("{} (mine)", shipped.lesson.title.en));
+        assert_eq!(Some(card.sentence), shipped.lesson.sentence.as_ref().map(|text| text.en.clone()));
+        let figure = figure_of(&source, shipped.text.as_bytes()).expect("a figure").figure;
+        assert!(figure.camera == shipped.lesson.steps[0].figure.camera);
+        std::fs::remove_dir_all(&folder).expect("the folder is removed");
+    }
 
     #[test]
     fn a_figure_file_says_what_it_is_in_its_first_comment() {

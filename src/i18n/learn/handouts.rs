@@ -3,10 +3,10 @@
 texts! {
     handout: "Handout…", "Material impresso…";
     handout_hint: "A lesson as pages to print, with figures, texts, questions and room for answers", "Uma lição como páginas para imprimir, com figuras, textos, perguntas e espaço para respostas";
-    sheet: "Exercise sheet…", "Folha de exercícios…";
+    sheet: "Exercise sheet…", "Lista de exercícios…";
     sheet_hint: "Exercises of your choice as pages to print, with or without solutions", "Exercícios à sua escolha como páginas para imprimir, com ou sem soluções";
     of_lesson: "A lesson", "Uma lição";
-    of_exercises: "An exercise sheet", "Uma folha de exercícios";
+    of_exercises: "An exercise sheet", "Uma lista de exercícios";
     language: "language", "idioma";
     answers: "with solutions", "com soluções";
     answers_hint: "Puts the answers and their worked steps on pages of their own at the end", "Põe as respostas e seus passos em páginas próprias no fim";
@@ -23,7 +23,9 @@ texts! {
     lesson: "Lesson", "Lição";
     numbers: "numbers no.", "números nº";
     numbers_hint: "Another number gives every exercise other numbers", "Outro número dá outros números a todos os exercícios";
-    choose: "Choose the exercises in the order of the sheet:", "Escolha os exercícios na ordem da folha:";
+    with_numbers: "With the numbers above", "Com os números acima";
+    same_for_all: "The same for everybody", "Iguais para todos";
+    choose: "Choose the exercises in the order of the sheet:", "Escolha os exercícios na ordem da lista:";
     preview: "The page as it will be printed", "A página como será impressa";
     drawing: "The pages are being made…", "As páginas estão sendo feitas…";
     nothing: "Choose an exercise.", "Escolha um exercício.";

@@ -149,16 +149,20 @@ fn lessons(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Op
 fn chosen_exercises(ui: &mut Ui, model: &Model, learn: &Learn, form: &mut HandoutForm, height: f32) {
     let lang = model.settings.lang;
     let area = ScrollArea::vertical().max_height(height.max(80.0)).auto_shrink([false, true]);
+    let t = texts(lang);
     area.show(ui, |ui| {
-        for entry in learn.exercises.entries() {
-            let place = form.exercises.iter().position(|id| *id == *entry.id);
-            let number = place.map_or_else(String::new, |place| format!("{}. ", place + 1));
-            let mut on = place.is_some();
-            ui.checkbox(&mut on, format!("{number}{}", exercises::title(lang, entry)));
-            match (on, place) {
-                (true, None) => form.exercises.push(entry.id.to_string()),
-                (false, Some(place)) => drop(form.exercises.remove(place)),
-                _ => {}
+        for (heading, is_family) in [(t.with_numbers, true), (t.same_for_all, false)] {
+            ui.weak(heading);
+            for entry in learn.exercises.entries().filter(|entry| entry.is_family == is_family) {
+                let place = form.exercises.iter().position(|id| *id == *entry.id);
+                let number = place.map_or_else(String::new, |place| format!("{}. ", place + 1));
+                let mut on = place.is_some();
+                ui.checkbox(&mut on, format!("{number}{}", exercises::title(lang, entry)));
+                match (on, place) {
+                    (true, None) => form.exercises.push(entry.id.to_string()),
+                    (false, Some(place)) => drop(form.exercises.remove(place)),
+                    _ => {}
+                }
             }
         }
     });

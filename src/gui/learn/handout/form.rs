@@ -31,7 +31,8 @@ impl HandoutForm {
         let open = learn.exercises.open.as_ref();
         let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
         let options = HandoutOptions { lang, columns: 1, answers: false, plan: false, late: true };
-        let first = crate::exercises::entries().next().map(|entry| entry.id.to_string());
+        // One that has the numbers of the sheet.
+        let first = crate::exercises::entries().find(|entry| entry.is_family).map(|entry| entry.id.to_string());
         Self {
             lesson: is_lesson.then(|| played(learn)).flatten(),
             exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
