@@ -89,7 +89,7 @@ words! {
         plane_near: "near", "frente";
         plane_far: "far", "fundo";
         single_precision: "in f32", "em f32";
-        pan: "Pan", "Deslocamento";
+        pan: "Pan", "Pan";
         section: "Section along u", "Corte ao longo de u";
         undistorted: "Undistorted", "Sem distorção";
         yes: "yes", "sim";

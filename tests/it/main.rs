@@ -14,6 +14,7 @@ mod camera_pixels;
 mod camera_properties;
 mod camera_yaml;
 mod cameras;
+mod claims;
 mod cli;
 mod code;
 mod compare;

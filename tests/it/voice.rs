@@ -8,6 +8,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use camera_lab::i18n::Lang;
 
@@ -264,8 +265,49 @@ fn faults(name: &str, text: &str, lang: Lang, most: &Bounds) -> Vec<String> {
         ("banned phrases", found.banned, most.banned),
         ("contractions and you, at least", most.person, found.person),
     ];
-    let above = rows.into_iter().filter(|(_, found, most)| found > most);
-    above.map(|(habit, found, most)| format!("{name}: {habit}: {found:.2}, allowed {most:.2}")).collect()
+    let above = rows.into_iter().enumerate().filter(|(_, (_, found, most))| found > most);
+    above
+        .map(|(row, (habit, found, most))| {
+            let lines = worst(text, lang, row).join("\n    ");
+            format!("{name}: {habit}: {found:.2}, allowed {most:.2}; the worst lines:\n    {lines}")
+        })
+        .collect()
+}
+
+/// The ten lines of a text that have a habit most often, each with its place. `row` is the habit's place among those of `faults`.
+fn worst(text: &str, lang: Lang, row: usize) -> Vec<String> {
+    let often = |line: &str| {
+        let found = habits(line, lang);
+        let rates = [found.chains, found.places, found.other, found.what, found.banned, 0.0];
+        // How often, not how often for each word: a short line isn't worse than a long one.
+        rates[row] * words_of(line).count() as f64
+    };
+    let mut lines: Vec<(f64, &str)> = text.lines().map(|line| (often(line), line)).filter(|(n, _)| *n > 0.0).collect();
+    lines.sort_by(|one, other| other.0.total_cmp(&one.0));
+    lines.iter().take(10).map(|(_, line)| format!("{}: {}", place(line), line.trim())).collect()
+}
+
+/// The file and the line of a text, by its longest part without code and formulas.
+fn place(line: &str) -> String {
+    static SOURCES: LazyLock<Vec<(PathBuf, String)>> = LazyLock::new(|| {
+        let folders = ["docs", "assets", "src", "crates"].into_iter();
+        let found =
+            folders.flat_map(|folder| [".md", ".toml", ".rs"].into_iter().flat_map(move |ends| files(folder, ends)));
+        let top =
+            ["README.md", "README.pt-BR.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| Path::new(ROOT).join(name));
+        found.chain(top).map(|path| (path.clone(), fs::read_to_string(path).unwrap())).collect()
+    });
+    let part = line
+        .split([']', '\\', '"'])
+        .flat_map(|part| part.split(" X "))
+        .max_by_key(|part| part.len())
+        .unwrap_or(line)
+        .trim();
+    let found = SOURCES.iter().find_map(|(path, text)| Some((path, text[..text.find(part)?].lines().count().max(1))));
+    found.map_or_else(
+        || "?".to_owned(),
+        |(path, at)| format!("{}:{at}", path.strip_prefix(ROOT).unwrap_or(path).display()),
+    )
 }
 
 /// The groups of texts, each with its bounds. A bound that isn't the native one is a ceiling: today's value, to be
@@ -340,6 +382,13 @@ fn habits_of_a_translation_are_found() {
     let strange =
         "Where nothing is typed, what is said is held against what was there; whoever reads it is told: so it is.";
     assert_eq!(faults("", strange, Lang::En, &NATIVE).len(), 4);
+    let said = faults(
+        "guides",
+        &page("docs/student.en.md").replace("If ", "Where "),
+        Lang::En,
+        &Bounds { places: 0.0, ..NATIVE },
+    );
+    assert!(said[0].contains("docs/student.en.md:"), "{}", said[0]);
     let native = "If you don't type anything, the window keeps your last value. It's compared with the file.";
     assert_eq!(faults("", native, Lang::En, &NATIVE), [""; 0]);
     let strange = "Onde seu arquivo não existe, isso é dito; sua cópia fica em seu lugar.";

@@ -374,7 +374,7 @@ mod tests {
             (Lang::En, "run time", "Numerics"),
             (Lang::En, "handout", "Handout…"),
             (Lang::En, "worksheet", "Handout…"),
-            (Lang::PtBr, "folha de exercícios", "Folha de exercícios…"),
+            (Lang::PtBr, "folha de exercícios", "Lista de exercícios…"),
             (Lang::PtBr, "legenda", "Título e legenda…"),
             (Lang::PtBr, "imagem vazia", "Diagnóstico da câmera"),
             (Lang::PtBr, "guinada", "Guinada"),

@@ -85,7 +85,7 @@ texts! {
     export_title: "Export progress", "Exportar o progresso";
     export_progress_hint: "A table for spreadsheets, with a row for each exercise and each known mistake", "Uma tabela para planilhas, com uma linha por exercício e por erro conhecido";
     progress_file: "progress.csv", "progresso.csv";
-    delete_progress: "Delete progress", "Apagar o progresso";
+    delete_progress: "Delete progress", "Excluir o progresso";
     delete_progress_hint: "Asks first", "Pergunta antes";
     delete_progress_text: "Your answers, solved exercises and mistakes are forgotten. The old file stays beside the new one as progress.bak until you delete progress again. To restore it, close the program and rename it to progress.toml.", "Suas respostas, os exercícios resolvidos e os erros são esquecidos. O arquivo antigo fica ao lado do novo como progress.bak até você apagar o progresso de novo. Para restaurá-lo, feche o programa e renomeie-o para progress.toml.";
     all_right: "Everything is right.", "Tudo está certo.";

@@ -93,7 +93,7 @@ pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
     }
     match reasons.is_empty() {
         true => both!(lang; "{other} has the same NDC as {mine}, so nothing differs.",
-            "{other} tem as mesmas NDC que {mine}, e nada difere."),
+            "{other} tem o mesmo NDC que {mine}, e nada difere."),
         false => both!(lang; "The entries of {other} that differ are marked. {}.",
             "Os elementos de {other} que diferem estão marcados. {}."; capital(&reasons.join("; "))),
     }

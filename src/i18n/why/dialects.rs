@@ -138,7 +138,7 @@ pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String 
     }
     if of.has_ndc() {
         let ndc = ndc.name();
-        said += &both!(lang; " for the NDC {ndc}", " para as NDC {ndc}");
+        said += &both!(lang; " for the NDC {ndc}", " para o NDC {ndc}");
     }
     if candidate.order != Order::Rows {
         said += ", ";
@@ -204,7 +204,7 @@ pub fn assumed(lang: Lang, found: &Recognised, assumed: Assumed) -> String {
         Assumed::Ndc(at) => {
             let [taken, name] = [best, other(at)].map(|c| ndc(c.reading.ndc));
             let camera = camera(lang, other(at));
-            both!(lang; "The NDC are {taken}. In {name} it has {camera}.", "As NDC são {taken}. Em {name}, tem {camera}.")
+            both!(lang; "The NDC are {taken}. In {name} it has {camera}.", "O NDC é {taken}. Em {name}, tem {camera}.")
         }
         Assumed::Image(size) => {
             let [m, n] = [size.width, size.height];

@@ -31,7 +31,7 @@ texts! {
     point_at: "Point at a dot to read it, and click to open its worst camera.", "Aponte para um ponto para lê-lo, e clique para abrir a pior câmera dele.";
     star: "* no other method is both as accurate and as fast", "* nenhum outro método é tão exato e tão rápido";
     // Below a table.
-    front: "Pareto front", "frente de Pareto";
+    front: "Pareto front", "fronteira de Pareto";
     time: "time of one item / ns", "tempo por item / ns";
 }
 

@@ -16,7 +16,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         Stage::Transform => pick!(lang; "view transform", "transf. de vista"),
         Stage::CullFaces => pick!(lang; "back faces", "faces de trás"),
         Stage::Clip => pick!(lang; "clipping", "recorte"),
-        Stage::Oblique => pick!(lang; "oblique window", "janela oblíqua"),
+        Stage::Oblique => pick!(lang; "off-axis window", "janela fora do eixo"),
         Stage::Divide => pick!(lang; "divide by w", "divisão por w"),
         Stage::Viewport => "viewport",
         Stage::Fill => pick!(lang; "fill", "preenchimento"),
@@ -108,8 +108,8 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         Stage::Lines => pick!(lang;
             "Edges, outlines of curved solids, lines, marks and texts, over the finished surfaces.",
             "Arestas, contornos de sólidos curvos, linhas, marcas e textos, sobre as superfícies prontas."),
-        Stage::Write => pick!(lang; "Colours go to image memory. Only here is z dropped. [3] §1.1, step 11",
-            "As cores vão para a memória de imagem. Só aqui z é descartado. [3] §1.1, passo 11"),
+        Stage::Write => pick!(lang; "Colours go to the frame buffer. Only here is z dropped. [3] §1.1, step 11",
+            "As cores vão para o frame buffer. Só aqui z é descartado. [3] §1.1, passo 11"),
     }
 }
 

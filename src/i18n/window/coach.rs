@@ -177,7 +177,7 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
     let back = if ndc.infinite { "B → ∞" } else { "B" };
     both!(lang; "In the NDC of {name}, z_n is {near} at F and {far} at {back}.",
-        "Nas NDC de {name}, z_n é {near} em F e {far} em {back}.")
+        "No NDC de {name}, z_n é {near} em F e {far} em {back}.")
 }
 
 /// The verdict of a depth buffer on two planes. `share` is the part of their common area in which the farther one is

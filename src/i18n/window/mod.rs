@@ -40,7 +40,7 @@ texts! {
     export: "Export images…", "Exportar imagens…";
     export_family: "Export a family…", "Exportar uma família…";
     export_family_hint: "A sheet of small images that show the figure at several values of a parameter, an operation or a style", "Uma folha de imagens pequenas, com a figura em vários valores de um parâmetro, de uma operação ou de um estilo";
-    export_hint: "One view or all three as PNG (with the figure inside), WebP or JPEG, for screen or paper", "Uma vista ou as três como PNG (com a figura dentro), WebP ou JPEG, para tela ou papel";
+    export_hint: "One view or all three as an image, for screen or paper. PNG, SVG and PDF carry the figure", "Uma vista ou as três como imagem, para tela ou papel. PNG, SVG e PDF levam a figura dentro";
     quit: "Quit", "Sair";
     quit_hint: "Closes the window", "Fecha a janela";
     undo: "Undo", "Desfazer";
@@ -225,7 +225,7 @@ texts! {
     shading_phong: "Phong", "Phong";
     not_saved: "Not saved, because the camera has to be fixed first:", "Não foi salvo, porque antes é preciso corrigir a câmera:";
     numbers_in_fields: "The fields show its numbers, next to a button that fixes them.", "Os campos mostram os números, ao lado de um botão que os corrige.";
-    visibility: "hidden faces", "faces ocultas";
+    visibility: "hidden surfaces", "faces ocultas";
     visibility_hint: "How the visible face is chosen. The painter sorts by centroids, and fails if faces overlap in a cycle [2], [3]", "Como se escolhe a face visível. O pintor ordena pelos centroides, e falha se faces se sobrepõem em ciclo [2], [3]";
     visibility_depth_buffer: "depth buffer", "z-buffer";
     visibility_painter: "painter", "pintor";

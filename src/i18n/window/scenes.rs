@@ -72,15 +72,15 @@ texts! {
     wrap_clamp: "border goes on", "borda continua";
     wrap_mirror: "mirrored", "espelhada";
     filter: "filter", "filtro";
-    filter_hint: "How a pixel gets its colour from texels. It takes the nearest, a blend of four, or a blend of four in each of two levels of detail", "Como um pixel obtém a cor dos texels. Usa o mais próximo, ou uma entre quatro, ou entre quatro em dois níveis de detalhe";
+    filter_hint: "How a pixel gets its colour from texels. It takes the nearest, a blend of four, or a blend of four in each of two mipmap levels", "Como um pixel obtém a cor dos texels. Usa o mais próximo, ou uma entre quatro, ou entre quatro em dois níveis de mipmap";
     filter_nearest: "nearest", "vizinho mais próximo";
     filter_bilinear: "bilinear", "bilinear";
     filter_trilinear: "trilinear", "trilinear";
     texture_reveal: "to see", "para ver";
-    texture_reveal_hint: "The inner workings of texturing, in all views. Choose u and v without w, levels of detail as colours, or texels", "O trabalho interno da texturização, em todas as vistas. Escolha u e v sem w, níveis de detalhe em cores ou texels";
+    texture_reveal_hint: "The inner workings of texturing, in all views. Choose u and v without w, mipmap levels as colours, or texels", "O trabalho interno da texturização, em todas as vistas. Escolha u e v sem w, níveis de mipmap em cores ou texels";
     texture_plain: "the texture", "a textura";
     texture_affine: "without w", "sem w";
-    texture_levels: "levels of detail", "níveis de detalhe";
+    texture_levels: "mipmap levels", "níveis de mipmap";
     texture_texels: "texels", "texels";
     texture_scale: "times", "vezes";
     texture_scale_hint: "Repetitions along u and v. A negative number mirrors", "Repetições ao longo de u e v. Um número negativo espelha";

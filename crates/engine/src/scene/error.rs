@@ -79,7 +79,7 @@ pub enum SceneError {
         found: usize,
     },
     /// Too large shadow maps.
-    #[error("have shadow maps of {texels} texels, six for a lamp; allowed: at most {MAX_SHADOW_TEXELS}")]
+    #[error("have shadow maps of {texels} texels, six for a point light; allowed: at most {MAX_SHADOW_TEXELS}")]
     ShadowMaps {
         /// The texels of all maps together.
         texels: u64,

@@ -1,0 +1,374 @@
+//! Claims of the pages, compared with the program: numbers of things, names of buttons and menus, options, and paths. Each failure names
+//! the file and the line.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use camera_lab::camera::Program;
+use camera_lab::exercises::families;
+use camera_lab::export::format::PictureFormat;
+use camera_lab::files::SHIPPED_FIGURES;
+use camera_lab::i18n::{Lang, window};
+use camera_lab::lessons::shipped;
+use camera_lab::numerics::Study;
+
+use crate::common::program::Bench;
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// A Markdown file that people read.
+struct Page {
+    /// From the project's folder.
+    path: String,
+    lang: Lang,
+    text: String,
+}
+
+impl Page {
+    fn place(&self, line: usize) -> String {
+        format!("{}:{}", self.path, line + 1)
+    }
+
+    /// The lines outside of code, numbered from 0.
+    fn prose(&self) -> impl Iterator<Item = (usize, &str)> {
+        let mut in_code = false;
+        self.text.lines().enumerate().filter(move |(_, line)| {
+            let fence = line.trim_start().starts_with("```");
+            in_code ^= fence;
+            !in_code && !fence
+        })
+    }
+}
+
+static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
+    let docs = std::fs::read_dir(Path::new(ROOT).join("docs")).expect("the folder of the guides exists");
+    let docs = docs.flatten().map(|entry| format!("docs/{}", entry.file_name().to_string_lossy()));
+    let docs = docs.filter(|path| path.ends_with(".md"));
+    let first = ["README.md", "README.pt-BR.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(str::to_owned);
+    let mut paths: Vec<String> = first.into_iter().chain(docs).collect();
+    paths.sort();
+    paths
+        .into_iter()
+        .map(|path| Page {
+            text: std::fs::read_to_string(Path::new(ROOT).join(&path)).expect("a page can be read"),
+            lang: if path.ends_with(".pt-BR.md") { Lang::PtBr } else { Lang::En },
+            path,
+        })
+        .collect()
+});
+
+fn assert_none(faults: &[String]) {
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+/// The number that a word stands for.
+fn number(word: &str, lang: Lang) -> Option<usize> {
+    let words: &[&str] = match lang {
+        Lang::En => &[
+            "two",
+            "three",
+            "four",
+            "five",
+            "six",
+            "seven",
+            "eight",
+            "nine",
+            "ten",
+            "eleven",
+            "twelve",
+            "thirteen",
+            "fourteen",
+            "fifteen",
+            "sixteen",
+            "seventeen",
+            "eighteen",
+            "nineteen",
+            "twenty",
+        ],
+        Lang::PtBr => &[
+            "duas",
+            "três",
+            "quatro",
+            "cinco",
+            "seis",
+            "sete",
+            "oito",
+            "nove",
+            "dez",
+            "onze",
+            "doze",
+            "treze",
+            "catorze",
+            "quinze",
+            "dezesseis",
+            "dezessete",
+            "dezoito",
+            "dezenove",
+            "vinte",
+        ],
+    };
+    let word = word.to_lowercase();
+    let word = if word == "dois" { "duas" } else { &word };
+    words.iter().position(|one| *one == word).map(|at| at + 2).or_else(|| word.parse().ok().filter(|n| *n > 1))
+}
+
+#[test]
+fn numbers_of_things_are_those_of_the_program() {
+    let counts = [
+        (["lessons", "lições"], shipped().len()),
+        (["studies", "estudos"], Study::ALL.len()),
+        (["choices of a graphics programmer", "escolhas de quem programa gráficos"], Study::ALL.len()),
+        (["programs", "programas"], Program::ALL.len()),
+        (["families of exercises", "famílias de exercícios"], families::ENTRIES.len()),
+        (["figures of the gallery", "figuras da galeria"], SHIPPED_FIGURES.len()),
+    ];
+    let (mut faults, mut compared) = (Vec::new(), 0);
+    for page in PAGES.iter() {
+        for (at, line) in page.prose() {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            for (k, claimed) in words.iter().enumerate().filter_map(|(k, word)| Some((k, number(word, page.lang)?))) {
+                let rest = words[k + 1..].join(" ").to_lowercase();
+                for ([en, pt], count) in counts {
+                    let name = if page.lang == Lang::En { en } else { pt };
+                    let follows = rest.strip_prefix(name).is_some_and(|rest| !rest.starts_with(char::is_alphabetic));
+                    if follows && claimed != count {
+                        faults.push(format!("{}: {claimed} {name}; the program has {count}", page.place(at)));
+                    }
+                    compared += usize::from(follows);
+                }
+            }
+        }
+    }
+    assert_none(&faults);
+    assert!(compared >= 8, "only {compared} numbers were compared");
+}
+
+/// The strings that stand as a pair, `"English", "Português"`, in a source.
+fn pairs(source: &str) -> Vec<[String; 2]> {
+    // Whatever lies between quotes, in order, with the code before each.
+    let mut parts = Vec::new();
+    let (mut text, mut code, mut quoted, mut escaped) = (String::new(), String::new(), false, false);
+    for letter in source.chars() {
+        match letter {
+            '"' if !escaped => {
+                if quoted {
+                    parts.push((std::mem::take(&mut code), std::mem::take(&mut text)));
+                }
+                quoted = !quoted;
+            }
+            _ if quoted => text.push(letter),
+            _ => code.push(letter),
+        }
+        escaped = letter == '\\' && !escaped;
+    }
+    let pair = |both: &[(String, String)]| (both[1].0.trim() == ",").then(|| [both[0].1.clone(), both[1].1.clone()]);
+    parts.windows(2).filter_map(pair).collect()
+}
+
+fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder can be read").flatten().map(|entry| entry.path());
+    entries
+        .flat_map(|path| if path.is_dir() { files_below(&path, ending) } else { vec![path] })
+        .filter(|path| path.to_string_lossy().ends_with(ending))
+        .collect()
+}
+
+/// Every text of the window, and every title of a lesson, an exercise, a figure or a reference page.
+fn names(lang: Lang) -> BTreeSet<String> {
+    let root = Path::new(ROOT);
+    let read = |path: PathBuf| std::fs::read_to_string(path).expect("a source can be read");
+    let texts = files_below(&root.join("src/i18n"), ".rs").into_iter().flat_map(|path| pairs(&read(path)));
+    let texts = texts.map(|[en, pt]| if lang == Lang::En { en } else { pt });
+    let (key, page) = if lang == Lang::En { ("en = ", "en.md") } else { ("pt-BR = ", "pt-BR.md") };
+    let titles = files_below(&root.join("assets"), ".toml").into_iter().flat_map(|path| {
+        let text = read(path);
+        let titles = text.lines().filter(|line| line.starts_with("title"));
+        titles.filter_map(|line| Some(line.split_once(key)?.1.split('"').nth(1)?.to_owned())).collect::<Vec<_>>()
+    });
+    let headings = ["assets/exercises", "assets/notes"].into_iter().flat_map(|folder| {
+        let text = read(root.join(folder).join(page));
+        let headings = text.lines().filter(|line| line.starts_with('#'));
+        headings.filter_map(|line| Some(line.split_once(": ")?.1.to_owned())).collect::<Vec<_>>()
+    });
+    let known = texts.chain(titles).chain(headings);
+    known.map(|name| name.trim_end_matches(['…', ':', '▾']).trim().to_lowercase()).collect()
+}
+
+/// Names that a guide emphasizes and that belong to others: to systems, to Blender, to the lecture notes.
+const OF_OTHERS: [&str; 9] = [
+    "Auto",
+    "Fit",
+    "Câmera Virtual",
+    "Open with",
+    "Abrir com",
+    "More info",
+    "Mais informações",
+    "Run anyway",
+    "Executar assim mesmo",
+];
+
+#[test]
+fn names_of_buttons_and_menus_are_those_of_the_window() {
+    let known = [Lang::En, Lang::PtBr].map(|lang| (lang, names(lang)));
+    let (mut faults, mut compared) = (Vec::new(), 0);
+    let guides = ["student", "lecturer", "author", "command-line", "cameras", "without-rust", "README"];
+    for page in PAGES.iter().filter(|page| guides.iter().any(|guide| page.path.contains(guide))) {
+        let (_, known) = known.iter().find(|(lang, _)| *lang == page.lang).expect("every language has its names");
+        for (at, line) in page.prose() {
+            let outside_code: String = line.split('`').step_by(2).collect::<Vec<_>>().join("`");
+            let plain = outside_code.replace("**", "");
+            for emphasized in plain.split('*').skip(1).step_by(2) {
+                // Names begin with a capital letter. Others are emphasis, or letters of mathematics.
+                let is_name = emphasized.chars().next().is_some_and(char::is_uppercase) && emphasized.len() > 1;
+                for name in emphasized.split('▸').map(str::trim).filter(|_| is_name) {
+                    let plain = name.trim_end_matches(['…', ':', '▾', '.', ',']).trim();
+                    compared += 1;
+                    if !known.contains(&plain.to_lowercase()) && !OF_OTHERS.contains(&plain) {
+                        faults.push(format!("{}: *{name}* is no name in the window", page.place(at)));
+                    }
+                }
+            }
+        }
+    }
+    assert_none(&faults);
+    assert!(compared > 200, "only {compared} names were compared");
+}
+
+#[test]
+fn commands_and_options_in_pages_exist() {
+    let bench = Bench::new("claims");
+    let help = |words: &[&str]| {
+        let output = bench.command(&[words, &["--help"]].concat()).output().expect("the program runs");
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    /// The words that begin a line of the section of commands.
+    fn commands(help: &str) -> Vec<&str> {
+        let lines =
+            help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| line.starts_with("  "));
+        lines.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next()).collect()
+    }
+    let whole = help(&[]);
+    let known = commands(&whole);
+    assert!(known.len() > 10, "{whole}");
+    let mut options = whole.clone();
+    for command in &known {
+        let text = help(&[command]);
+        for below in commands(&text) {
+            options += &help(&[command, below]);
+        }
+        options += &text;
+    }
+    let options: BTreeSet<&str> =
+        options.split(|c: char| !c.is_alphanumeric() && c != '-').filter(|word| word.starts_with("--")).collect();
+    let mut faults = Vec::new();
+    let ours =
+        ["student", "lecturer", "author", "command-line", "cameras", "without-rust", "README", "numerics", "limits"];
+    for page in PAGES.iter().filter(|page| ours.iter().any(|name| page.path.contains(name))) {
+        for (at, line) in page.text.lines().enumerate() {
+            for (start, _) in line.match_indices("camera-lab ") {
+                let before = line[..start].chars().next_back();
+                let word = line[start + 11..].split_whitespace().next().unwrap_or_default();
+                let is_command = word.chars().all(|c| c.is_ascii_lowercase()) && !word.is_empty();
+                // In prose the name of the program is followed by a verb.
+                let in_code = before == Some('`') || before.is_none() || line.starts_with("camera-lab ");
+                if in_code && is_command && !known.contains(&word) {
+                    faults.push(format!("{}: camera-lab {word} is no command", page.place(at)));
+                }
+            }
+            let is_other = ["cargo ", "pip ", "npm ", "apt"].iter().any(|name| line.contains(name));
+            for word in line.split(|c: char| !c.is_alphanumeric() && c != '-').filter(|word| word.starts_with("--")) {
+                let is_option =
+                    word.len() > 3 && word.chars().all(|c| c == '-' || c.is_ascii_lowercase()) && !word.ends_with('-');
+                if is_option && !is_other && !options.contains(word) {
+                    faults.push(format!("{}: {word} is no option", page.place(at)));
+                }
+            }
+        }
+    }
+    assert_none(&faults);
+}
+
+#[test]
+fn formats_that_carry_their_figure_are_named_wherever_it_matters() {
+    let bench = Bench::new("claims-formats");
+    let help = bench.command(&["render", "--help"]).output().expect("the program runs");
+    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let figure = help.lines().find(|line| line.contains("camera-lab wrote")).expect("the help of FIGURE");
+    let hints = [Lang::En, Lang::PtBr].map(|lang| window::texts(lang).export_hint);
+    for text in hints.into_iter().chain([figure]) {
+        for format in PictureFormat::ALL {
+            assert_eq!(text.contains(format.name()), format.carries_figure(), "{}: {text}", format.name());
+        }
+    }
+}
+
+/// A file that people take for a figure gets its kind and the way out, and not a fault of TOML.
+#[test]
+fn a_file_of_another_kind_is_called_by_its_name() {
+    let bench = Bench::new("other-kinds");
+    bench.write("figure.toml", "");
+    for (name, says) in [("a.jpg", "is a JPEG"), ("a.webp", "is a WebP"), ("a.tex", "is a LaTeX")] {
+        bench.run(&["render", "figure.toml", "--size", "64x48", "-o", name]).done();
+        for command in ["inspect", "diagnose"] {
+            let run = bench.run(&[command, name]);
+            assert_eq!(run.status, Some(2), "{run:?}");
+            let expected = format!("{name} {says}, which can't hold its figure. PNG, SVG and PDF can");
+            assert!(run.err.contains(&expected), "{command} {name}: {}", run.err);
+        }
+    }
+    bench.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let run = bench.run(&["inspect", "m.obj", "--lang", "pt-BR"]);
+    assert!(run.status == Some(2) && run.err.contains("m.obj é uma malha"), "{run:?}");
+    // A figure is one under any name.
+    bench.write("figure.obj", "");
+    bench.run(&["inspect", "figure.obj"]).done();
+}
+
+#[test]
+fn paths_in_pages_exist() {
+    let tops = [
+        "src/",
+        "crates/",
+        "tests/",
+        "docs/",
+        "dist/",
+        "assets/",
+        "benches/",
+        "examples/",
+        "fuzz/",
+        ".ci/",
+        ".github/",
+    ];
+    let (mut faults, mut compared) = (Vec::new(), 0);
+    for page in PAGES.iter() {
+        for (at, line) in page.text.lines().enumerate() {
+            for code in line.split('`').skip(1).step_by(2) {
+                for word in code.split_whitespace().filter(|word| tops.iter().any(|top| word.starts_with(top))) {
+                    // A pattern, or a place that a command fills.
+                    if word.contains(['*', '{', '<', '…'])
+                        || word.chars().any(char::is_uppercase) && !word.contains(".md")
+                    {
+                        continue;
+                    }
+                    compared += 1;
+                    let path = word.split(['#', ':']).next().unwrap_or_default().trim_end_matches([',', '.', '/']);
+                    if !Path::new(ROOT).join(path).exists() {
+                        faults.push(format!("{}: {word} doesn't exist", page.place(at)));
+                    }
+                }
+            }
+        }
+    }
+    assert_none(&faults);
+    assert!(compared > 20, "only {compared} paths were compared");
+}
+
+#[test]
+fn a_claim_that_is_wrong_is_found() {
+    assert_eq!(number("Eighteen", Lang::En), Some(18));
+    assert_eq!(number("dezoito", Lang::PtBr), Some(18));
+    assert_eq!(number("one", Lang::En), None);
+    let source = r#"save: "Save \"it\"", "Gravar"; pick!(lang; "a", "b") "lone" ; "c""#;
+    assert_eq!(pairs(source), [["Save \\\"it\\\"", "Gravar"], ["a", "b"]]);
+}
