@@ -7,6 +7,7 @@ import base64
 import gzip
 import lzma
 import pathlib
+import re
 import sys
 
 # What people download at most.
@@ -122,6 +123,24 @@ def main(made: pathlib.Path, out: pathlib.Path) -> None:
     print(f"index.html and its files: {total} bytes compressed; camera-lab.html: {len(alone.encode())} bytes")
     if total > MOST_BYTES:
         sys.exit(f"more than {MOST_BYTES} bytes to download")
+    wrong = wrong_sizes(total, len(alone.encode()))
+    if wrong:
+        sys.exit("\n".join(wrong))
+
+
+def wrong_sizes(total: int, alone: int) -> list[str]:
+    """The sizes in the guides that aren't those of this page: each number of MB on a line about it has to be one of three, to 3 %."""
+    root = pathlib.Path(__file__).parents[2]
+    wrong = []
+    for path in [*root.glob("docs/*.md"), *root.glob("README*.md")]:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if "camera-lab.html" not in line and "assemble.py" not in line:
+                continue
+            for claimed in re.findall(r"(\d+[.,]\d+) MB", line):
+                size = float(claimed.replace(",", ".")) * 1e6
+                if all(abs(size - of) > 0.03 * of for of in (total, alone, MOST_BYTES)):
+                    wrong.append(f"{path.relative_to(root)}:{number}: {claimed} MB; the page has {total / 1e6:.2f}, camera-lab.html {alone / 1e6:.2f} MB")
+    return wrong
 
 
 main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
