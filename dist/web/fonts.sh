@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
 # Makes the fonts of the page, assets/fonts/page: the characters that a figure or a text of this program is likely to hold, of the fonts
-# beside them, with the same outlines. What they lack, the browser writes in the window. Needs fonttools (pip install fonttools); to be
-# run when the fonts or the lists below change.
+# beside them, with the same outlines. The browser writes other characters in the window. Images leave them out. There are no instructions
+# for hinting either, 25 kB packed: images don't use them, and the window hints letters without instructions by itself.
+# Needs fonttools (pip install fonttools). Run it when the fonts or the lists below change.
 set -euo pipefail
 cd "$(dirname "$0")/../../assets/fonts"
 
-# Latin, Greek and Cyrillic letters, signs, arrows, mathematics, and the symbols on buttons.
-letters=U+0020-024F,U+0259,U+02B0-036F,U+0370-03FF,U+0400-045F,U+0490-0491,U+1E00-1EFF,U+2000-215F,U+2190-230F,U+2318,U+23CE
-letters+=,U+1D2C-1D6A,U+2500-25FF,U+2600-2606,U+2610-2612,U+2630,U+270E,U+2713-2718,U+26A0,U+27E8-27E9,U+2B12-2B1B,U+FFFD
+# Latin and Greek letters, signs, arrows, mathematics, and the symbols on buttons.
+letters=U+0020-017F,U+0259,U+02B0-036F,U+0370-03FF,U+2000-215F,U+2190-230F,U+2318,U+23CE
+letters+=,U+1D2C-1D6A,U+2580-25FF,U+2600-2606,U+2610-2612,U+2630,U+270E,U+2713-2718,U+26A0,U+27E8-27E9,U+2B12-2B1B,U+FFFD
 # In code and in columns of numbers.
 columns=U+0020-017F,U+02C6-02DD,U+0300-0304,U+0307-0308,U+0370-03CF,U+2010-2027,U+2030-203A,U+2070-209F,U+2190-2199,U+2200-2265
-columns+=,U+2308-230B,U+2500-257F,U+25A0-25FF,U+2713-2718,U+FFFD
+columns+=,U+2308-230B,U+25A0-25FF,U+2713-2718,U+FFFD
 
 subset() {
     pyftsubset "$1.ttf" --output-file="page/$1.ttf" --unicodes="$2" --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline \
-        --name-IDs='' --drop-tables+=FFTM,MATH
+        --no-hinting --name-IDs='' --drop-tables+=FFTM,MATH
 }
 # For titles and the heads of sections, in the window and in the page alike. Debian's package fonts-dejavu-core has the whole font.
 heads=U+0020-017F,U+0370-03CF,U+2010-2027,U+2030-203A,U+2070-209F,U+2190-2199,U+2200-2265
