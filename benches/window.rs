@@ -235,6 +235,12 @@ fn main() {
     }
     if wanted("azimuth") {
         let t = window::texts(Lang::En);
+        // The slider is in the row of its name, which opens at a click.
+        let name = window.place(Role::DisclosureTriangle, t.azimuth).map(|place| place.center());
+        for pressed in [true, false] {
+            name.iter().for_each(|name| window.press(*name, pressed));
+        }
+        window.frame(Vec::new());
         let slider = window.place(Role::Slider, &format!("{}: {}", t.azimuth, t.scrub)).map(|place| place.center());
         drag("azimuth", window, slider, vec2(3.0, 0.0));
     }

@@ -141,6 +141,7 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
+    use crate::gui::kit::keys;
     use crate::gui::model::command::WITHOUT_VALUE;
     use crate::gui::model::layout::{ObserverChange, Tab};
     use crate::i18n::{Lang, window};
@@ -170,6 +171,41 @@ mod tests {
                 assert!(seen.insert((keys.modifiers, keys.logical_key)), "{:?}: {keys:?}", row.command);
             }
         }
+    }
+
+    /// The guides give keys behind the name of a command, as in `*File ▸ Copy a link…* (Ctrl+K)`.
+    #[test]
+    fn keys_in_the_guides_are_those_of_their_commands() {
+        let (mut faults, mut compared, ctx) = (Vec::new(), 0, Context::default());
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        for name in ["student", "lecturer", "author", "command-line", "cameras", "numerics"] {
+            for lang in [Lang::En, Lang::PtBr] {
+                let page = format!("docs/{name}.{}.md", lang.tag());
+                let text = std::fs::read_to_string(folder.join(&page)).expect("a guide");
+                for (number, line) in text.lines().enumerate() {
+                    for (at, _) in line.match_indices("* (") {
+                        let command = line[..at].rsplit('*').next().and_then(|path| path.split(" ▸ ").last());
+                        let keys = line[at + 3..].split([')', ',']).next().unwrap_or_default();
+                        let command = command.and_then(|label| {
+                            let is_it = |command: &Command| {
+                                command.label(window::texts(lang)).trim_end_matches('…') == label.trim_end_matches('…')
+                            };
+                            Command::all().find(is_it)
+                        });
+                        let is_key = keys.starts_with(['C', 'A', 'S', 'F']) && !keys.contains(' ');
+                        let Some(command) = command.filter(|_| is_key) else { continue };
+                        compared += 1;
+                        let own: Vec<String> =
+                            command.row().all_keys().map(|own| keys::written(&ctx, &own, lang)).collect();
+                        if !own.iter().any(|own| own == keys) {
+                            faults.push(format!("{page}:{}: {keys}; {command:?} has {own:?}", number + 1));
+                        }
+                    }
+                }
+            }
+        }
+        assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+        assert!(compared > 30, "only {compared} keys were compared");
     }
 
     #[test]
