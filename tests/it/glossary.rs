@@ -77,6 +77,22 @@ fn said_of_itself(text: &str) -> String {
     text.lines().map(|line| Some(line).filter(said).unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
+/// The texts of a lesson in one language, whose key is `lang`. The rest is blank, so lines keep their numbers.
+fn in_lesson(text: &str, lang: &str) -> String {
+    let blank = |text: &str| text.chars().map(|c| if c == '\n' { c } else { ' ' }).collect::<String>();
+    let (begin, mut out, mut rest) = (format!("{lang} = "), String::new(), text);
+    while let Some(at) = rest.find(&begin) {
+        let (before, after) = rest.split_at(at + begin.len());
+        out += &blank(before);
+        let mark = if after.starts_with("'''") { "'''" } else { "\"" };
+        let inner = after.strip_prefix(mark).unwrap_or_default();
+        let end = inner.find(mark).unwrap_or(inner.len());
+        out += &inner[..end];
+        rest = &after[after.len() - inner.len() + end..];
+    }
+    out + &blank(rest)
+}
+
 /// The part of a line in one language: of `name: "English", "Português";` the first text is English, and of
 /// `{ en = "English", pt-BR = "Português" }`.
 fn in_language<'a>(line: &'a str, only: &str, of_file: Option<&str>) -> &'a str {
@@ -115,7 +131,11 @@ fn texts_say_what_the_glossary_says() {
         .into_iter()
         .flat_map(|folder| files(folder, ".toml"))
         .map(|path| (path.clone(), said_of_itself(&fs::read_to_string(path).unwrap().to_lowercase())));
-    let texts: Vec<(PathBuf, String)> = [("assets/notes", ".md"), ("assets/exercises", ".md")]
+    let lessons = files("assets/lessons", ".toml").into_iter().flat_map(|path| {
+        let text = fs::read_to_string(&path).unwrap().to_lowercase();
+        [("en", "en"), ("pt-br", "pt")].map(|(key, lang)| (path.clone(), Some(lang), in_lesson(&text, key)))
+    });
+    let texts: Vec<(PathBuf, Option<&str>, String)> = [("assets/notes", ".md"), ("assets/exercises", ".md")]
         .into_iter()
         .chain([("docs", ".en.md"), ("docs", ".pt-BR.md"), ("src/cli/args", ".rs"), ("", "README.md")])
         .flat_map(|(folder, ends)| files(folder, ends))
@@ -124,17 +144,19 @@ fn texts_say_what_the_glossary_says() {
         .filter(|path| !path.ends_with("window/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))
         .chain(figures)
+        .map(|(path, text)| (path.clone(), language(&path), text))
+        .chain(lessons)
         .collect();
     let mut wrong = Vec::new();
     for Row { terms, banned } in &rows {
         for term in terms {
-            let is_used = texts.iter().any(|(_, text)| has(text, &term.to_lowercase()));
+            let is_used = texts.iter().any(|(_, _, text)| has(text, &term.to_lowercase()));
             assert!(is_used, "no text has \"{term}\"");
         }
-        for (path, text) in &texts {
+        for (path, lang, text) in &texts {
             for (number, line) in text.lines().enumerate() {
                 for Banned { term, only } in banned {
-                    let words = only.map_or(line, |only| in_language(line, only, language(path)));
+                    let words = only.map_or(line, |only| in_language(line, only, *lang));
                     if has(words, term) {
                         let place = format!("{}:{}", path.display(), number + 1);
                         wrong.push(format!("{place}: {term}; the glossary has {}", terms.join(", ")));
@@ -152,6 +174,10 @@ fn terms_are_found_as_words_in_their_language() {
     let line = "depth: \"depth buffer\", \"z-buffer\";";
     assert!(!has(in_language(line, "en", None), "z-buffer") && has(in_language(line, "pt", None), "z-buffer"));
     assert!(in_language("z-buffer", "en", Some("pt")).is_empty());
+    let lesson = "text = { en = '''\nA depth\nbuffer.''', pt-br = '''\nUm z-buffer.''' }\nname = { en = \"a\", pt-br = \"b\" }";
+    let [en, pt] = ["en", "pt-br"].map(|key| in_lesson(lesson, key));
+    assert_eq!(en.split_whitespace().collect::<Vec<_>>(), ["A", "depth", "buffer.", "a"]);
+    assert_eq!(pt.lines().nth(3).map(str::trim), Some("Um z-buffer."));
     let file = "# z-buffer\ntitle = { en = \"depth buffer\", pt-br = \"z-buffer\" }\nname = \"z-buffer\"";
     let said = said_of_itself(file);
     let lines: Vec<&str> = said.lines().collect();
