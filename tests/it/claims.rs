@@ -235,6 +235,12 @@ fn names_of_buttons_and_menus_are_those_of_the_window() {
     assert!(compared > 200, "only {compared} names were compared");
 }
 
+/// The commands in a text of help: the words that begin a line of their section.
+fn commands(help: &str) -> Vec<&str> {
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| line.starts_with("  "));
+    lines.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next()).collect()
+}
+
 #[test]
 fn commands_and_options_in_pages_exist() {
     let bench = Bench::new("claims");
@@ -242,12 +248,6 @@ fn commands_and_options_in_pages_exist() {
         let output = bench.command(&[words, &["--help"]].concat()).output().expect("the program runs");
         String::from_utf8_lossy(&output.stdout).into_owned()
     };
-    /// The words that begin a line of the section of commands.
-    fn commands(help: &str) -> Vec<&str> {
-        let lines =
-            help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| line.starts_with("  "));
-        lines.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next()).collect()
-    }
     let whole = help(&[]);
     let known = commands(&whole);
     assert!(known.len() > 10, "{whole}");
@@ -323,6 +323,27 @@ fn a_file_of_another_kind_is_called_by_its_name() {
     // A figure is one under any name.
     bench.write("figure.obj", "");
     bench.run(&["inspect", "figure.obj"]).done();
+}
+
+#[test]
+fn every_fuzz_target_and_command_is_listed() {
+    let read = |path: &str| std::fs::read_to_string(Path::new(ROOT).join(path)).expect("a file of the project");
+    let script = read(".ci/fuzz");
+    let targets = script.lines().find_map(|line| line.strip_prefix("targets=(")).expect("the targets");
+    let table = read("docs/testing.md");
+    let missing = |page: &str, name: &str| !page.contains(&format!("`{name}`"));
+    let mut faults: Vec<String> = Vec::new();
+    for target in targets.trim_end_matches(')').split_whitespace().filter(|target| missing(&table, target)) {
+        faults.push(format!("docs/testing.md: `{target}` is missing"));
+    }
+    let bench = Bench::new("claims-commands");
+    let help = bench.command(&["--help"]).output().expect("the program runs");
+    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let changes = read("CHANGELOG.md");
+    for command in commands(&help).into_iter().filter(|name| *name != "help" && missing(&changes, name)) {
+        faults.push(format!("CHANGELOG.md: `{command}` is missing"));
+    }
+    assert_none(&faults);
 }
 
 #[test]

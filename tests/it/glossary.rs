@@ -174,7 +174,8 @@ fn terms_are_found_as_words_in_their_language() {
     let line = "depth: \"depth buffer\", \"z-buffer\";";
     assert!(!has(in_language(line, "en", None), "z-buffer") && has(in_language(line, "pt", None), "z-buffer"));
     assert!(in_language("z-buffer", "en", Some("pt")).is_empty());
-    let lesson = "text = { en = '''\nA depth\nbuffer.''', pt-br = '''\nUm z-buffer.''' }\nname = { en = \"a\", pt-br = \"b\" }";
+    let lesson =
+        "text = { en = '''\nA depth\nbuffer.''', pt-br = '''\nUm z-buffer.''' }\nname = { en = \"a\", pt-br = \"b\" }";
     let [en, pt] = ["en", "pt-br"].map(|key| in_lesson(lesson, key));
     assert_eq!(en.split_whitespace().collect::<Vec<_>>(), ["A", "depth", "buffer.", "a"]);
     assert_eq!(pt.lines().nth(3).map(str::trim), Some("Um z-buffer."));
