@@ -162,7 +162,7 @@ pub enum DepthFormat {
     Fixed16,
     /// Whole numbers of 24 bits.
     Fixed24,
-    /// Single precision, 1 at the front plane and 0 at the back plane.
+    /// Single precision and reversed: greater in front, 0 at the back of the range that a drawing spreads its depths over.
     #[default]
     Float,
 }

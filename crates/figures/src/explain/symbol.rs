@@ -81,7 +81,7 @@ crate::worded! {
         InverseProjection = "M_p⁻¹",
         /// M_p M_v: world → clip.
         ViewProjection = "M_p M_v",
-        /// (M_p `M_v)⁻¹`
+        /// `(M_p M_v)⁻¹`: clip → world.
         InverseViewProjection = "(M_p M_v)⁻¹",
         /// `M_vp`, of (5.24) before the floor, and (5.25): NDC → viewport.
         Viewport = "M_vp",

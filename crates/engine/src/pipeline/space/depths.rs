@@ -36,9 +36,9 @@ pub struct DepthScale {
 /// The distances from the plane of the eye between which anything is visible, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InView {
-    /// Depth of the nearest point.
+    /// The distance of the nearest point.
     pub nearest: f64,
-    /// The greatest. Less than the least if nothing is in view.
+    /// The distance of the farthest point. Less than `nearest` if nothing is in view.
     pub farthest: f64,
     /// The size of the numbers from which they are computed.
     pub magnitude: f64,

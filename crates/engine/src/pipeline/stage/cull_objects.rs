@@ -1,4 +1,4 @@
-//! **Cull objects**: drop the objects whose bounding box is outside the volume.
+//! **Cull objects**: measure which objects have their bounding box outside the volume, so they can be dropped.
 //!
 //! *Notes*: `[3]` §1.2 names the removal of what can't be seen before clipping, without saying how; there each polygon
 //! is tested. *Textbook*: the eight corners of an object's bounding box against the six planes: if all are outside one

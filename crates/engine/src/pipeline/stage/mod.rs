@@ -1,5 +1,5 @@
-//! The stages that run in the geometry half of the pipeline, one file each, in the order in which a point
-//! goes through them:
+//! The stages that run in the geometry half of the pipeline, one file each, in the order of the
+//! notes:
 //!
 //! | stage | from → to | file |
 //! | --- | --- | --- |

@@ -1,10 +1,10 @@
-//! The loop over the vertices of an object: the stages Transform, Oblique window, Divide and Viewport in one go.
+//! The loop over the vertices of an object: the stages Transform, Off-axis window, Divide and Viewport in one go.
 //!
 //! *Notes*: `[0]` §5.3, object → world → view → clip by M_m, M_v and M_p, then NDC by Eq. (5.6), and §5.5 for the
 //! pixel. `[2]`, *Transformações de um vértice*, draws the same way. *Textbook*: a pass over all vertices for each
 //! stage, or one 4 × 4 matrix for all of them up to the divide. *Here*: each vertex goes through all spaces while it's
 //! in registers, [`BLOCK`] vertices at a time with an array for each coordinate, so that the compiler makes vector
-//! instructions of every step (eight lanes of `f32`, four or eight of `f64`). That's why the four stages have one time
+//! instructions of every step (eight lanes of `f32`, two or four of `f64`). That's why the four stages have one time
 //! in the report, and why a vertex outside the volume is divided too. Each vertex is worked on once, however many
 //! triangles share it.
 

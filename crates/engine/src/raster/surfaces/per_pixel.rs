@@ -3,8 +3,7 @@
 //! The standard way interpolates each attribute divided by w. There are up to sixteen: normal, position, coordinates,
 //! colour, light, place in a shadow map. Here the share of each vertex in a pixel is computed once, with one division,
 //! and every attribute is the sum of its three values with these shares. Each lane has attributes of its own: one pixel
-//! each of eight tiny triangles, or eight pixels of one triangle, whose attributes are then the same in all lanes. That
-//! took the instructions for eight textured pixels from 1490 to 806.
+//! each of eight tiny triangles, or eight pixels of one triangle, whose attributes are then the same in all lanes.
 
 use crate::appearance::{LightShare, TextureReveal};
 use crate::drawing::{Base, BlockedLight, Lighting, Shadow, Surface, SurfaceLight};

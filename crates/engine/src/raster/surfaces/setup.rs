@@ -118,7 +118,7 @@ impl<K: Simd> Borders<K> {
         if right == 3 {
             lines[3] = lines[2];
         }
-        // Rows with a sample in the box. Samples on its lower border belong to no one.
+        // Rows with a sample in the box. Samples on its lower border belong to the triangle below.
         let rows = |y: i32| {
             let row = |l: usize| f64::from((y - HALF - sample[l][1] + STEPS - 1) >> 8);
             f64x4::from_slice(simd, &[row(0), row(1), row(2), row(3)])
