@@ -18,6 +18,7 @@ mod operated;
 pub mod own;
 mod own_texts;
 mod placing;
+mod place;
 mod products;
 mod progress;
 mod statement_facts;

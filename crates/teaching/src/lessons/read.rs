@@ -195,12 +195,14 @@ fn task(
     }
     let at = section.at;
     let figure = subject.figure.clone();
-    // A place refers to the figure that comes after the question.
-    let subject = match see {
-        See::Changed(after) if section.is_present("place") => Subject { figure: Figure::clone(after), ..subject },
-        _ => subject,
+    // A place refers to the figure that comes after the question. Coordinates are those of the step.
+    let after = match see {
+        See::Changed(after) if section.is_present("place") => {
+            Subject { figure: Figure::clone(after), ..subject.clone() }
+        }
+        _ => subject.clone(),
     };
-    let mut entry = question(section, String::new(), subject, title.clone(), faults)?;
+    let mut entry = question(section, [subject, after], title.clone(), faults)?;
     if let Err(found) = entry.with_texts(|text| {
         let filled = in_both(&[text.en.clone(), text.pt_br.clone()], report)?;
         *text = filled.into();
