@@ -273,6 +273,10 @@ fn no_number_that_is_wrong_by_a_third_is_right() {
                     }
                     let judged = check(entry, exercise, ask, &typed(&wrong, |x| x.to_string())).unwrap();
                     let context = format!("{} seed {} {}: {wrong:?}", entry.id, exercise.seed, ask.name);
+                    // Right for other numbers that the statement leaves open: for another A.
+                    if judged.numbers.is_some() && entry.id == "1-III" {
+                        continue;
+                    }
                     assert!(!judged.right && !judged.entries.iter().flatten().nth(k).unwrap(), "{context}");
                     tried += 1;
                 }

@@ -26,6 +26,7 @@ mod diagnose_causes;
 mod diagnose_exact;
 mod exercise_follows;
 mod exercise_mistakes;
+mod exercise_own_numbers;
 mod exercise_slips;
 mod exercise_slips_others;
 mod exercise_unnamed;

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::follows::Follows;
+use super::Free;
+use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
 use super::textbook;
@@ -30,6 +31,10 @@ pub struct Exercise {
     pub subject: Subject,
     /// Numbers that the notes leave open and an answer may choose, with the values chosen here.
     pub free: Vec<(&'static str, f64)>,
+    /// Those of them that the student gave beside the answers. They decide.
+    pub chosen: Free,
+    /// The answers from which the others follow. The first one decides.
+    pub holds: Vec<Holds>,
     /// The facts of the statement, by their names in its text.
     pub facts: Vec<(&'static str, Fact)>,
     /// Assumptions for questions that the source leaves open, as the names of their texts.

@@ -7,6 +7,7 @@ use super::acceptance::is_right;
 use super::answer::Answer;
 use super::beside::Beside;
 use super::exercise::{Ask, Expected, TOLERANCE};
+use super::own_numbers::OwnNumbers;
 use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::value::Table;
 use crate::camera::Camera;
@@ -33,6 +34,8 @@ pub struct Judged {
     pub diagnosis: Option<Diagnosis>,
     /// The names of other answers, if this one is right for their wrong values.
     pub carried: Vec<String>,
+    /// The numbers for which it was judged, if they aren't those of the statement, or if it's right for others.
+    pub numbers: Option<OwnNumbers>,
     /// The number of the first worked step that the right answers beside it don't prove done.
     pub first_step: usize,
     /// The parsed answer.
@@ -110,6 +113,7 @@ fn judged(ask: &Ask, answer: &Answer, entries: Vec<Vec<bool>>, diagnosis: Option
         conditions: Vec::new(),
         diagnosis,
         carried: Vec::new(),
+        numbers: None,
         first_step: 0,
         understood: answer.clone(),
     }
