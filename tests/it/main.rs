@@ -24,6 +24,7 @@ mod depth_in_view;
 mod diagnose;
 mod diagnose_causes;
 mod diagnose_exact;
+mod exercise_causes;
 mod exercise_follows;
 mod exercise_mistakes;
 mod exercise_own_numbers;

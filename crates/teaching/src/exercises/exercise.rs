@@ -16,7 +16,7 @@ use super::worked::{Worked, worked};
 use crate::camera::{Camera, ParameterKey, Parameters};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;
-use crate::exercises::mistakes::slip::Slips;
+use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::figure::{Bilingual, Figure};
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 
@@ -137,6 +137,10 @@ pub struct Ask {
     pub whole: bool,
     /// A place in the image: two numbers, pixels from its left edge and from its upper one.
     pub places: bool,
+    /// Columns are points, in any order.
+    pub any_order: bool,
+    /// Slips in steps that the question doesn't contain, because it gives their result or needs none.
+    pub not_asked: fn(Slip) -> bool,
     /// The path to the right answer in the report of the exercise's subject, if it has one.
     pub quantity: Option<QuantityPath>,
     /// The readings of the question. An answer is right if it's right in one of them. The first follows from the
@@ -284,6 +288,8 @@ impl Ask {
             share: TOLERANCE,
             whole: false,
             places: false,
+            any_order: false,
+            not_asked: |_| false,
             quantity: None,
             readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
@@ -401,6 +407,11 @@ impl Ask {
     /// Gives it worked steps of its own.
     pub fn worked_as(self, way: Vec<Worked>) -> Self {
         Self { way: Some(way), ..self }
+    }
+
+    /// Leaves out slips in steps that the question doesn't contain.
+    pub fn without_steps(self, not_asked: fn(Slip) -> bool) -> Self {
+        Self { not_asked, ..self }
     }
 
     /// Requires whole numbers.

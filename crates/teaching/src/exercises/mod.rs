@@ -96,7 +96,7 @@ impl Entry {
     pub fn exercise(&self, seed: u64, free: &Free) -> Exercise {
         let exercise = match &self.make {
             Make::Shipped(make) => make(seed, free),
-            Make::Family(make) => make(&mut families::numbers(&self.id, seed)),
+            Make::Family(make) => families::without_coincidences(&self.id, seed, *make),
             Make::Own(exercise) => Exercise::clone(exercise),
         };
         Exercise { id: self.id.clone().into_owned(), seed, chosen: free.clone(), ..exercise }

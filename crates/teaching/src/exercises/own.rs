@@ -11,13 +11,14 @@ use super::subject::Subject;
 use super::value::Table;
 use super::{Entry, Make};
 use crate::exercises::mistakes::mistake::Mistake;
+use crate::exercises::mistakes::slip::Slip;
 use crate::figure::Bilingual;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section, at_most};
 use crate::figure::words::Words;
 use crate::figure::{Figure, FigureError};
 use crate::formula;
-use crate::inspect::quantity::QuantityPath;
+use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath};
 use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
 use crate::scene::Preset;
 
@@ -41,6 +42,22 @@ impl Entry {
             }
         }
         Ok(())
+    }
+}
+
+impl Entry {
+    /// Marks the questions about a point whose coordinates in the VRC are given, by its index.
+    pub(crate) fn with_views_given(&mut self, is_given: impl Fn(usize) -> bool) {
+        let Make::Own(exercise) = &mut self.make else { return };
+        for ask in &mut Arc::make_mut(exercise).asks {
+            let point = match ask.quantity.map(|path| path.quantity) {
+                Some(Quantity::Point(k, number)) if number != PointNumber::View => Some(k),
+                _ => None,
+            };
+            if point.is_some_and(&is_given) {
+                ask.not_asked = Slip::is_before_view;
+            }
+        }
     }
 }
 

@@ -134,7 +134,7 @@ fn step(
             figure: figure.clone(),
             operations: Vec::new(),
         };
-        report.as_ref().and_then(|report| task(asked, subject, &see, (&title, report), faults))
+        report.as_ref().and_then(|report| task(asked, subject, &see, (&title, &text, report), faults))
     } else {
         report.filter(|_| to_try.is_table()).map(|report| Task::Try(goal(to_try, &figure, &report, faults)))
     };
@@ -197,7 +197,7 @@ fn task(
     mut section: Section<'_>,
     subject: Subject,
     see: &See,
-    (title, report): (&Bilingual, &Report),
+    (title, told, report): (&Bilingual, &Bilingual, &Report),
     faults: &mut Vec<Fault>,
 ) -> Option<Task> {
     if section.is_present("exercise") {
@@ -215,6 +215,8 @@ fn task(
         _ => subject.clone(),
     };
     let mut entry = question(section, [subject, after], title.clone(), faults)?;
+    // Coordinates that the step prints needn't be computed.
+    entry.with_views_given(|point| told.en.contains(&format!("{{points.{point}.view")));
     if let Err(found) = entry.with_texts(|text| {
         *text = in_both(text, report)?.into();
         Ok(())

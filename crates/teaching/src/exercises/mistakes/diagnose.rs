@@ -71,6 +71,7 @@ pub(in crate::exercises) fn diagnose(
     };
     let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
         .into_iter()
+        .filter(|slip| !(ask.not_asked)(*slip))
         .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
         .filter(|(slip, table)| differs(table) && ask.nature.shows(slip.mistake()))
         .collect();
@@ -160,7 +161,7 @@ fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
         }
     }
     let has = |mistakes: &[Mistake]| causes.iter().any(|cause| mistakes.contains(&cause.mistake));
-    if is_lost_sign && has(&[Mistake::UReversed, Mistake::VReversed]) && !has(&[Mistake::Sign]) {
+    if is_lost_sign && causes.len() < MOST && has(&[Mistake::UReversed, Mistake::VReversed]) && !has(&[Mistake::Sign]) {
         causes.push(Cause::of(Mistake::Sign));
     }
     let others = causes.split_off(causes.len().min(1));

@@ -57,13 +57,14 @@ pub(super) fn rays(_seed: u64) -> Exercise {
                 if slips == Slips::NONE { subject.value(path) } else { textbook::value(&subject, path, slips) }
             });
             let sum: Vec<f64> = u?.entries.iter().zip(&v?.entries).map(|(u, v)| u + v).collect();
-            let sum = DVec3::from_slice(&sum);
+            let sum = DVec3::from_slice(&sum) * if slips.has(Slip::RayReversed) { -1.0 } else { 1.0 };
             let keeps = slips.any(&[Slip::LengthForgotten, Slip::RayNotNormalised]);
             Some(Table::from(if keeps { sum } else { sum.normalize_or_zero() }))
         }
     });
     let direction = direction.of_nature(Nature::Direction);
-    let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path);
+    // The statement has a point of the window, and no pixels.
+    let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path).without_steps(Slip::is_of_pixels);
     let [parallel_origin, parallel_direction, perspective_origin] = rays_of_vrc(&through);
     let asks = vec![
         of("parallel_origin", &through, Quantity::Ray(0, RayNumber::Origin)).worked_as(parallel_origin),

@@ -126,7 +126,7 @@ pub(super) fn vertices(free: &Free) -> Exercise {
         ask.of_nature(Nature::Size)
     };
     let asks = vec![
-        matrix_of_points("local", Vec::new(), move |_| Some(local.clone())),
+        Ask { any_order: true, ..matrix_of_points("local", Vec::new(), move |_| Some(local.clone())) },
         number("side", ["a", "M"], month),
         number("height", ["h", "D"], day),
     ];
@@ -199,6 +199,7 @@ pub(super) fn projection(free: &Free) -> Exercise {
                 matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
             );
             let view = if slips.has(Slip::ViewForgotten) { DMat4::IDENTITY } else { view };
+            let projection = if slips.has(Slip::ProjectionForgotten) { DMat4::IDENTITY } else { projection };
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
