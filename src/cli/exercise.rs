@@ -144,7 +144,7 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
         "points": subject.points.iter().map(|point| point.to_array()).collect::<Vec<_>>(),
         "pixels": subject.pixels,
         "ops": subject.operations.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "free": exercise.free.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<Map<_, _>>(),
+        "free": by_name(&exercise.free),
         "asks": exercise.asks.iter().map(|ask| asked(lang, exercise, ask)).collect::<Vec<_>>(),
         "lesson": lesson_of(&exercise.id).map(|way| json!({ "id": way.lesson.id, "step": way.step + 1 })),
         "picture": exercise.figure_to_match().map(|_| picture_command(exercise)),
@@ -159,6 +159,10 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
         object["steps"] = json!(steps);
     }
     object
+}
+
+fn by_name(numbers: &[(&str, f64)]) -> Map<String, Value> {
+    numbers.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect()
 }
 
 pub(super) fn asked(lang: Lang, exercise: &Exercise, ask: &Ask) -> Value {
@@ -334,6 +338,12 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
         "diagnosis": diagnosis,
         "off": ask.off(&verdict.understood),
         "carried": verdict.carried,
+        "numbers": verdict.numbers.as_ref().map(|own| json!({
+            "values": by_name(&own.values),
+            "from": own.ask,
+            "instead": own.instead.as_deref().map(by_name),
+            "message": texts::own_numbers(lang, verdict),
+        })),
         "understood": texts::understood(lang, ask, &verdict.understood),
         "reading": Some(verdict.reading).filter(|name| !name.is_empty()),
         "conditions": verdict.conditions.iter().map(|name| texts::condition(lang, name)).collect::<Vec<_>>(),
@@ -361,6 +371,9 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         }
         for (condition, is) in verdict.conditions.iter().zip(&entries) {
             let _ = writeln!(text, "  {} {}", if *is { '✓' } else { '✗' }, texts::condition(lang, condition));
+        }
+        if let Some(numbers) = texts::own_numbers(lang, verdict) {
+            let _ = writeln!(text, "  {numbers}");
         }
         if let Some(carried) = texts::carried(lang, verdict) {
             let _ = writeln!(text, "  {carried}");

@@ -246,6 +246,28 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
     }
 }
 
+/// It stands in the file once, and the text of one step shows it again.
+#[test]
+fn the_sentence_to_keep_is_one_text_shown_twice() {
+    for shipped in shipped() {
+        let (lesson, id) = (&shipped.lesson, &shipped.lesson.id);
+        assert_eq!(shipped.text.matches("**{sentence}**").count(), 2, "{id}: once in each language");
+        for (lang, called) in [(Lang::En, "The sentence to keep:"), (Lang::PtBr, "A frase para guardar:")] {
+            let sentence = told(lang, lesson.sentence.as_ref().unwrap());
+            let texts: Vec<String> = lesson.steps.iter().map(|step| words::text(lang, step)).collect();
+            let shown = texts.iter().filter(|text| text.contains(&format!("{called} **{sentence}**")));
+            assert_eq!(shown.count(), 1, "{id} {lang:?}");
+            assert_eq!(texts.iter().filter(|text| text.contains(called)).count(), 1, "{id} {lang:?}");
+        }
+    }
+    let with = |text: &str| parse(&LESSON.replace("text = \"$F = {camera.near}$\"", &format!("text = \"{text}\"")));
+    assert_eq!(with("Keep {sentence}").unwrap_err().key, "[[step]] text", "a lesson without one");
+    let sentence = "sentence = { en = \"F is {camera.near}.\", pt-BR = \"F é {camera.near}.\" }\n[[step]]";
+    let lesson = LESSON.replacen("[[step]]", sentence, 1).replace("$F = {camera.near}$", "Keep: {sentence}");
+    let lesson = parse(&lesson).unwrap();
+    assert_eq!(words::text(Lang::PtBr, &lesson.steps[1]), "Keep: F é 2.");
+}
+
 #[test]
 fn every_exercise_is_reached_by_a_lesson_and_knows_it() {
     let reached: Vec<&str> = shipped().iter().flat_map(|shipped| families_of(&shipped.lesson)).collect();

@@ -124,6 +124,8 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     const DIGITS: usize = 6;
     match &verdict.diagnosis {
         _ if verdict.right || !verdict.carried.is_empty() => Vec::new(),
+        // The reason has been given.
+        _ if verdict.numbers.as_ref().is_some_and(|own| own.instead.is_some()) => Vec::new(),
         Some(diagnosis) => exercises::hints(lang, ask, diagnosis).into_iter().map(str::to_owned).collect(),
         None => {
             let steps = exercises::steps(lang, exercise, ask, DIGITS);

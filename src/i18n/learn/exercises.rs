@@ -200,6 +200,32 @@ pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     })
 }
 
+/// The numbers that the statement leaves open and for which the answer was judged. `None` if they're those of the
+/// statement and nothing depends on them.
+pub fn own_numbers(lang: Lang, judged: &Judged) -> Option<String> {
+    let own = judged.numbers.as_ref()?;
+    let (ask, values) = (&own.ask, named_numbers(lang, &own.values));
+    Some(match &own.instead {
+        Some(instead) => {
+            let instead = named_numbers(lang, instead);
+            both!(lang; "This is right for {instead}. But your {ask} is for {values}, and all answers need the same numbers.",
+                "Isto está certo para {instead}. Mas sua resposta {ask} vale para {values}, e todas as respostas precisam dos mesmos números.")
+        }
+        None if judged.right => both!(lang; "It's right for {values}.", "Está certo para {values}."),
+        None => both!(lang; "Your {ask} is for {values}, so this was checked with them.",
+            "Sua resposta {ask} vale para {values}, e por isso esta foi conferida com esses números."),
+    })
+}
+
+/// F = 3 and B = 10
+fn named_numbers(lang: Lang, values: &[(&'static str, f64)]) -> String {
+    let one = |(name, value): &(&str, f64)| match *name {
+        "theta" => format!("θ = {}°", lang.mark().number(*value, 6)),
+        _ => format!("{name} = {}", number(lang.mark(), *value)),
+    };
+    values.iter().map(one).collect::<Vec<_>>().join(pick!(lang; " and ", " e "))
+}
+
 /// The count of numbers: a vector's, or a matrix' by rows and columns.
 fn shape([rows, columns]: [usize; 2]) -> String {
     if columns == 1 { rows.to_string() } else { format!("{rows} × {columns}") }

@@ -143,7 +143,7 @@ pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
 
 /// The text of a step, in Markdown.
 pub fn text(lang: Lang, step: &Step) -> String {
-    filled(lang, &step.text, &step.figure)
+    filled(lang, &lessons::with_sentence(&step.text, step.sentence.as_ref()), &step.figure)
 }
 
 /// The speaker's notes of a step, in Markdown.

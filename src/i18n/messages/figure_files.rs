@@ -166,8 +166,12 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::NonZeroScale => both!(lang; "three finite numbers, [x, y, z], none of them 0",
             "três números finitos, [x, y, z], nenhum deles 0"),
         Allowed::Camera => both!(lang; "the name of one of the [[cameras]]", "o nome de uma das [[cameras]]"),
-        Allowed::PointInImage => both!(lang; "the name of a point of the figure, or [x, y, z], that lies in the image",
-            "o nome de um ponto da figura, ou [x, y, z], que caia na imagem"),
+        Allowed::PointInImage => pick!(lang;
+            "a point that lies in the image: the name of a point of the figure, [x, y, z], { object = \"…\", vertex = \"…\" }, { view = [x, y, z] }, { ndc = [x, y, z] }, { clip = [x, y, z, w] } or { pixel = [i, j] }".to_owned(),
+            "um ponto que caia na imagem: o nome de um ponto da figura, [x, y, z], { object = \"…\", vertex = \"…\" }, { view = [x, y, z] }, { ndc = [x, y, z] }, { clip = [x, y, z, w] } ou { pixel = [i, j] }".to_owned()),
+        Allowed::ObjectPoint => pick!(lang;
+            "a point that this object has: \"tip\" of a cone or a pyramid, \"center\", \"corner:1\" to \"corner:8\" of its own box, or \"vertex:1\" and so on; objects from a file have none".to_owned(),
+            "um ponto que este objeto tem: \"tip\" de um cone ou de uma pirâmide, \"center\", \"corner:1\" a \"corner:8\" de sua própria caixa, ou \"vertex:1\" e assim por diante; objetos de um arquivo não têm nenhum".to_owned()),
         Allowed::Seen => {
             both!(lang; "\"next\", or a list such as [\"roll=30\", \"camera.near=2\"]",
             "\"next\", ou uma lista como [\"roll=30\", \"camera.near=2\"]")

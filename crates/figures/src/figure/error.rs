@@ -142,8 +142,11 @@ pub enum Allowed {
     TextureScale,
     /// The name of one of the `[[cameras]]`.
     Camera,
-    /// The name of a point of the figure, or `[x, y, z]`, with a place in the image.
+    /// A point with a place in the image: the name of one of the figure, `[x, y, z]`, a point of an object, or
+    /// coordinates in another space.
     PointInImage,
+    /// The name of a point of an object.
+    ObjectPoint,
     /// `"next"`, or a list of operations and keys with their values.
     Seen,
     /// A list of `[x, y, z]`.

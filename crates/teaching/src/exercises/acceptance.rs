@@ -15,14 +15,44 @@ pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
             Camera::new(parameters).is_ok_and(|camera| conditions(&camera).iter().all(|(_, is)| *is))
         }
         (expected, Answer::Numbers { rows, columns, entries }) => expected.table().is_some_and(|right| {
-            [*rows, *columns] == right.shape()
-                && entries.iter().zip(&right.entries).all(|(given, right)| ask.accepts(*given, *right))
+            [*rows, *columns] == right.shape() && {
+                let entries = in_order(entries, &ask.order(entries, &right));
+                entries.iter().zip(&right.entries).all(|(given, right)| ask.accepts(*given, *right))
+            }
         }),
         _ => false,
     })
 }
 
+/// The entries of a table with its columns in this order.
+pub(super) fn in_order<T: Copy>(entries: &[T], order: &[usize]) -> Vec<T> {
+    let rows = entries.chunks_exact(order.len().max(1));
+    rows.flat_map(|row| order.iter().filter_map(|column| row.get(*column)).copied().collect::<Vec<_>>()).collect()
+}
+
 impl Ask {
+    /// The given column that belongs to each of the right ones: the same, or if the columns are points in any order, one
+    /// that equals it. Those that equal none keep their order.
+    pub(super) fn order(&self, given: &[Option<f64>], right: &Table) -> Vec<usize> {
+        let columns = right.columns.max(1);
+        if !self.any_order || given.len() != right.entries.len() {
+            return (0..columns).collect();
+        }
+        let equals = |k: usize, of: usize| {
+            let mut rows = given.chunks_exact(columns).zip(right.rows());
+            rows.all(|(given, right)| self.accepts(given[k], right[of]))
+        };
+        let mut free: Vec<usize> = (0..columns).collect();
+        let matched: Vec<Option<usize>> = (0..columns)
+            .map(|of| {
+                let place = free.iter().position(|k| equals(*k, of))?;
+                Some(free.remove(place))
+            })
+            .collect();
+        let mut rest = free.into_iter();
+        matched.into_iter().filter_map(|found| found.or_else(|| rest.next())).collect()
+    }
+
     /// The distance of an answer from the right place in the image, in pixels to the right and down. `None` for other
     /// answers.
     pub fn off(&self, answer: &Answer) -> Option<[f64; 2]> {

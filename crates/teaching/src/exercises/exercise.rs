@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::follows::Follows;
+use super::Free;
+use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
 use super::textbook;
@@ -15,7 +16,7 @@ use super::worked::{Worked, worked};
 use crate::camera::{Camera, ParameterKey, Parameters};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;
-use crate::exercises::mistakes::slip::Slips;
+use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::figure::{Bilingual, Figure};
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 
@@ -30,6 +31,10 @@ pub struct Exercise {
     pub subject: Subject,
     /// Numbers that the notes leave open and an answer may choose, with the values chosen here.
     pub free: Vec<(&'static str, f64)>,
+    /// Those of them that the student gave beside the answers. They decide.
+    pub chosen: Free,
+    /// The answers from which the others follow. The first one decides.
+    pub holds: Vec<Holds>,
     /// The facts of the statement, by their names in its text.
     pub facts: Vec<(&'static str, Fact)>,
     /// Assumptions for questions that the source leaves open, as the names of their texts.
@@ -132,6 +137,10 @@ pub struct Ask {
     pub whole: bool,
     /// A place in the image: two numbers, pixels from its left edge and from its upper one.
     pub places: bool,
+    /// Columns are points, in any order.
+    pub any_order: bool,
+    /// Slips in steps that the question doesn't contain, because it gives their result or needs none.
+    pub not_asked: fn(Slip) -> bool,
     /// The path to the right answer in the report of the exercise's subject, if it has one.
     pub quantity: Option<QuantityPath>,
     /// The readings of the question. An answer is right if it's right in one of them. The first follows from the
@@ -279,6 +288,8 @@ impl Ask {
             share: TOLERANCE,
             whole: false,
             places: false,
+            any_order: false,
+            not_asked: |_| false,
             quantity: None,
             readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
@@ -396,6 +407,11 @@ impl Ask {
     /// Gives it worked steps of its own.
     pub fn worked_as(self, way: Vec<Worked>) -> Self {
         Self { way: Some(way), ..self }
+    }
+
+    /// Leaves out slips in steps that the question doesn't contain.
+    pub fn without_steps(self, not_asked: fn(Slip) -> bool) -> Self {
+        Self { not_asked, ..self }
     }
 
     /// Requires whole numbers.

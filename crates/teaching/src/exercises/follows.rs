@@ -25,6 +25,38 @@ impl fmt::Debug for Follows {
     }
 }
 
+/// Numbers by their names.
+pub(super) type Named = Vec<(&'static str, f64)>;
+/// Estimates from the entries of an answer, one list for each way to find them.
+type Find = Arc<dyn Fn(&[f64]) -> Vec<Named> + Send + Sync>;
+
+/// An answer from which numbers that are left open follow.
+#[derive(Clone)]
+pub struct Holds {
+    /// The name of its question.
+    pub ask: &'static str,
+    /// The names of the numbers.
+    pub names: &'static [&'static str],
+    pub(super) find: Find,
+}
+
+impl fmt::Debug for Holds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Holds({} in {})", self.names.join(", "), self.ask)
+    }
+}
+
+impl Holds {
+    /// `find` estimates the numbers from the entries, row by row. It may give anything, even nothing.
+    pub(super) fn new(
+        ask: &'static str,
+        names: &'static [&'static str],
+        find: impl Fn(&[f64]) -> Vec<Named> + Send + Sync + 'static,
+    ) -> Self {
+        Self { ask, names, find: Arc::new(find) }
+    }
+}
+
 /// A vector of length 1 along another.
 pub(super) fn unit(v: DVec3) -> Option<DVec3> {
     v.try_normalize()

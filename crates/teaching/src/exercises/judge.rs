@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use super::acceptance::is_right;
+use super::acceptance::{in_order, is_right};
 use super::answer::Answer;
 use super::beside::Beside;
 use super::exercise::{Ask, Expected, TOLERANCE};
+use super::own_numbers::OwnNumbers;
 use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::value::Table;
 use crate::camera::Camera;
@@ -33,6 +34,8 @@ pub struct Judged {
     pub diagnosis: Option<Diagnosis>,
     /// The names of other answers, if this one is right for their wrong values.
     pub carried: Vec<String>,
+    /// The numbers for which it was judged, if they aren't those of the statement, or if it's right for others.
+    pub numbers: Option<OwnNumbers>,
     /// The number of the first worked step that the right answers beside it don't prove done.
     pub first_step: usize,
     /// The parsed answer.
@@ -110,6 +113,7 @@ fn judged(ask: &Ask, answer: &Answer, entries: Vec<Vec<bool>>, diagnosis: Option
         conditions: Vec::new(),
         diagnosis,
         carried: Vec::new(),
+        numbers: None,
         first_step: 0,
         understood: answer.clone(),
     }
@@ -151,6 +155,8 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
                 let cause = if is_turned { table } else { Cause::of(Mistake::WrongShape) };
                 return judged(ask, answer, none, Some(Diagnosis::of(cause)));
             }
+            let order = ask.order(entries, &right);
+            let entries = in_order(entries, &order);
             let is_right: Vec<bool> =
                 entries.iter().zip(&right.entries).map(|(given, right)| ask.accepts(*given, *right)).collect();
             let diagnosis = if is_right.iter().all(|is| *is) {
@@ -160,7 +166,13 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
                 let given: Option<Vec<f64>> = entries.iter().copied().collect();
                 given.and_then(|given| diagnose(ask, expected, &right, &given, beside))
             };
-            let rows = is_right.chunks(right.columns.max(1)).map(<[bool]>::to_vec).collect();
+            // In the order of the answer.
+            let diagnosis = diagnosis.map(|diagnosis| Diagnosis {
+                entry: diagnosis.entry.map(|[row, column]| [row, order[column]]),
+                ..diagnosis
+            });
+            let back: Vec<usize> = (0..order.len()).filter_map(|k| order.iter().position(|at| *at == k)).collect();
+            let rows = is_right.chunks(right.columns.max(1)).map(|row| in_order(row, &back)).collect();
             judged(ask, answer, rows, diagnosis)
         }
         _ => judged(ask, answer, vec![vec![false]], None),

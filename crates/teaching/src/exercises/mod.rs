@@ -16,7 +16,9 @@ mod mistakes;
 pub mod notes;
 mod operated;
 pub mod own;
+mod own_numbers;
 mod own_texts;
+mod place;
 mod placing;
 mod products;
 mod progress;
@@ -32,11 +34,13 @@ use std::sync::Arc;
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use beside::Beside;
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
+pub use follows::Holds;
 pub use judge::{Judged, judge_answer};
 pub use mistakes::diagnose::Diagnosis;
 pub use mistakes::mistake::Mistake;
 pub use mistakes::nature::Nature;
 pub use mistakes::slip::{Cause, Slip, Slips};
+pub use own_numbers::OwnNumbers;
 pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 pub use progress::{Guess, MANY_WRONG, Made, Next, Progress, ProgressError, Stage, Tried, Why};
 pub use subject::{Subject, place_of};
@@ -92,10 +96,10 @@ impl Entry {
     pub fn exercise(&self, seed: u64, free: &Free) -> Exercise {
         let exercise = match &self.make {
             Make::Shipped(make) => make(seed, free),
-            Make::Family(make) => make(&mut families::numbers(&self.id, seed)),
+            Make::Family(make) => families::without_coincidences(&self.id, seed, *make),
             Make::Own(exercise) => Exercise::clone(exercise),
         };
-        Exercise { id: self.id.clone().into_owned(), seed, ..exercise }
+        Exercise { id: self.id.clone().into_owned(), seed, chosen: free.clone(), ..exercise }
     }
 }
 
@@ -107,12 +111,43 @@ pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Resul
     check_beside(entry, exercise, ask, text, &[])
 }
 
-/// Judges a text as an answer, beside the answers to other questions of the exercise, by their names. A formula in a
-/// number that the notes leave open has to be right for other numbers too.
+/// Judges a text as an answer, beside the answers to other questions of the exercise, by their names. Numbers that the
+/// notes leave open are those of the answers, unless the exercise was made with others. A formula in such a number has
+/// to be right for other numbers too.
 ///
 /// # Errors
 /// [`AnswerError`] if the text can't be read as an answer. Then nothing is judged.
 pub fn check_beside(
+    entry: &Entry,
+    exercise: &Exercise,
+    ask: &Ask,
+    text: &str,
+    answers: &[(String, Answer)],
+) -> Result<Judged, AnswerError> {
+    if exercise.holds.is_empty() {
+        return check_for_numbers(entry, exercise, ask, text, answers);
+    }
+    let answer = (ask.name.clone(), read_answer(text, ask, &exercise.free)?);
+    let others = answers.iter().filter(|(name, _)| *name != ask.name).cloned();
+    let all: Vec<(String, Answer)> = others.chain([answer.clone()]).collect();
+    let Some((decided, own)) = own_numbers::decided(entry, exercise, &all) else {
+        return check_for_numbers(entry, exercise, ask, text, &all);
+    };
+    let own_ask = own.asks.iter().find(|other| other.name == ask.name).unwrap_or(ask);
+    let judged = check_for_numbers(entry, &own, own_ask, text, &all)?;
+    let is_of_statement = decided.values.iter().all(|value| exercise.free.contains(value));
+    let is_explained = judged.right || decided.ask == ask.name || own_numbers::is_known(own_ask, &judged.understood);
+    let instead = if is_explained { None } else { own_numbers::instead(entry, exercise, &answer) };
+    Ok(match instead {
+        Some(_) => {
+            Judged { diagnosis: None, carried: Vec::new(), numbers: Some(OwnNumbers { instead, ..decided }), ..judged }
+        }
+        None => Judged { numbers: Some(decided).filter(|_| !is_of_statement), ..judged },
+    })
+}
+
+/// Judges an answer for the numbers of an exercise.
+fn check_for_numbers(
     entry: &Entry,
     exercise: &Exercise,
     ask: &Ask,

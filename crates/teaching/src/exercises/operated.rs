@@ -31,6 +31,9 @@ fn slipped(operation: Operation, slips: Slips) -> Operation {
     if let Some(angle) = operation.angle() {
         let angle = if slips.has(Slip::OppositeAngle) { -angle } else { angle };
         let angle = if slips.has(Slip::TurnInRadians) { Angle::from_radians(angle.degrees()) } else { angle };
+        let angle = if slips.has(Slip::HalfTurn) { Angle::from_degrees(angle.degrees() / 2.0) } else { angle };
+        // sin(90° − α) = cos α
+        let angle = if slips.has(Slip::SineForCosine) { Angle::from_degrees(90.0 - angle.degrees()) } else { angle };
         let others: [(Slip, Turn); 5] = [
             (Slip::Elevated, Operation::Elevation),
             (Slip::Turned, Operation::Azimuth),
@@ -59,7 +62,7 @@ fn slipped(operation: Operation, slips: Slips) -> Operation {
         Operation::Zoom(by) => Operation::Zoom(factor(by)),
         Operation::Dolly(by) => Operation::Dolly(factor(by)),
         Operation::Pan { dx, dy } => {
-            let both = slips.any(&[Slip::OppositeAngle, Slip::UReversed]);
+            let both = slips.any(&[Slip::OppositePan, Slip::UReversed]);
             let dx = if both || slips.has(Slip::UReversedAlone) { -dx } else { dx };
             let dy = if both || slips.has(Slip::VReversed) { -dy } else { dy };
             Operation::Pan { dx, dy }

@@ -3,22 +3,22 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use super::exercise::{Ask, Exercise, Expected, Kind, Unit};
 use super::own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
+use super::place;
 use super::statement_facts::about;
 use super::subject::Subject;
 use super::value::Table;
 use super::{Entry, Make};
 use crate::exercises::mistakes::mistake::Mistake;
+use crate::exercises::mistakes::slip::Slip;
 use crate::figure::Bilingual;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section, at_most};
 use crate::figure::words::Words;
 use crate::figure::{Figure, FigureError};
 use crate::formula;
-use crate::inspect::quantity::QuantityPath;
+use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath};
 use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
 use crate::scene::Preset;
 
@@ -42,6 +42,22 @@ impl Entry {
             }
         }
         Ok(())
+    }
+}
+
+impl Entry {
+    /// Marks the questions about a point whose coordinates in the VRC are given, by its index.
+    pub(crate) fn with_views_given(&mut self, is_given: impl Fn(usize) -> bool) {
+        let Make::Own(exercise) = &mut self.make else { return };
+        for ask in &mut Arc::make_mut(exercise).asks {
+            let point = match ask.quantity.map(|path| path.quantity) {
+                Some(Quantity::Point(k, number)) if number != PointNumber::View => Some(k),
+                _ => None,
+            };
+            if point.is_some_and(&is_given) {
+                ask.not_asked = Slip::is_before_view;
+            }
+        }
     }
 }
 
@@ -150,7 +166,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
         if asks.iter().any(|other| other.name == name) && !name.is_empty() {
             section.fault("name", Problem::Duplicate);
         }
-        asks.extend(ask(section, name, &subject, &mut texts, faults));
+        asks.extend(ask(section, name, [&subject; 2], &mut texts, faults));
     }
     own(id, subject, asks, texts)
 }
@@ -160,17 +176,17 @@ fn own(id: String, subject: Subject, asks: Vec<Ask>, texts: OwnTexts) -> Exercis
     Exercise { id, facts: Vec::new(), asks, texts: Some(Arc::new(texts)), ..about(subject) }
 }
 
-/// An exercise of one question, in a section of its own; `None`, and a fault, if it's impossible.
+/// An exercise of one question, in a section of its own; `None`, and a fault, if it's impossible. `told` is the subject
+/// that its text describes, and `subject` the one that it's about.
 pub(crate) fn question(
     section: Section<'_>,
-    id: String,
-    subject: Subject,
+    [told, subject]: [Subject; 2],
     title: Bilingual,
     faults: &mut Vec<Fault>,
 ) -> Option<Entry> {
     let mut texts = OwnTexts { title, ..OwnTexts::default() };
-    let ask = ask(section, QUESTION.to_owned(), &subject, &mut texts, faults)?;
-    Some(entry(own(id, subject, vec![ask], texts)))
+    let ask = ask(section, QUESTION.to_owned(), [&told, &subject], &mut texts, faults)?;
+    Some(entry(own(String::new(), subject, vec![ask], texts)))
 }
 
 /// A name that's valid in a command line and in a file.
@@ -218,11 +234,12 @@ pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2])
     Some(texts.into())
 }
 
-/// A question; `None`, and a fault, if it's impossible.
+/// A question; `None`, and a fault, if it's impossible. The subjects are the one that the text describes, and the one
+/// that the question is about.
 fn ask(
     mut section: Section<'_>,
     name: String,
-    subject: &Subject,
+    subjects: [&Subject; 2],
     texts: &mut OwnTexts,
     faults: &mut Vec<Fault>,
 ) -> Option<Ask> {
@@ -231,7 +248,7 @@ fn ask(
     let whole = section.is_present("whole").then(|| section.switch("whole"));
     let tolerance = section.is_present("tolerance").then(|| section.positive("tolerance", 1.0));
     let (choices, own_choices) = choices(&mut section);
-    let ask = asked(&mut section, &name, subject, choices, unit);
+    let ask = asked(&mut section, &name, subjects, choices, unit);
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
     faults.extend(section.finish());
     let mut ask = ask?;
@@ -261,16 +278,16 @@ fn choices(section: &mut Section<'_>) -> (Vec<String>, BTreeMap<String, Bilingua
     (names, texts.collect())
 }
 
-/// An ask by its `quantity` or its `answer`.
+/// An ask by its `place`, its `quantity` or its `answer`.
 fn asked(
     section: &mut Section<'_>,
     name: &str,
-    subject: &Subject,
+    [told, subject]: [&Subject; 2],
     choices: Vec<String>,
     unit: Option<Unit>,
 ) -> Option<Ask> {
     if section.is_present("place") {
-        return placed(section, name, subject);
+        return place::asked(section, name, told, subject);
     }
     let quantity = section.text("quantity");
     match (section.is_present("quantity"), section.is_present("answer")) {
@@ -312,37 +329,6 @@ fn asked(
             }
         },
     }
-}
-
-/// `place`: the place of a point in the image, by its name or its coordinates.
-fn placed(section: &mut Section<'_>, name: &str, subject: &Subject) -> Option<Ask> {
-    for key in ["quantity", "answer"] {
-        if section.is_present(key) {
-            section.refuse(key, Allowed::Either("place", "quantity, answer"));
-        }
-        section.skip(key);
-    }
-    let point = if section.is_list("place") {
-        Some(section.vector("place", DVec3::ZERO))
-    } else {
-        let named = section.text("place");
-        let found = |name: String| subject.figure.points.iter().find(|point| point.name == name);
-        named.and_then(found).map(|point| point.position)
-    };
-    let image = subject.figure.image;
-    let sides = [image.width, image.height].map(f64::from);
-    let is_inside = |place: &[f64; 2]| place.iter().zip(sides).all(|(at, side)| (0.0..=side).contains(at));
-    let Some(place) = point.and_then(|point| subject.place(point)).filter(is_inside) else {
-        section.refuse("place", Allowed::PointInImage);
-        return None;
-    };
-    let table = Table { rows: 2, columns: 1, entries: place.to_vec() };
-    let ask = Ask::computed(name, Kind::Vector(2), Vec::new(), move |slips| {
-        (slips == super::Slips::NONE).then(|| table.clone())
-    });
-    // A twentieth of the image is accurate enough for the eye.
-    let tolerance = (sides[0].min(sides[1]) / 20.0).round().max(1.0);
-    Some(Ask { places: true, unit: Unit::Pixels, tolerance, share: f64::INFINITY, ..ask })
 }
 
 /// `answer`: one of the choices, or numbers.

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::Free;
 use super::exercise::{Exercise, Fact};
 use super::subject::Subject;
 use crate::camera::{ImageSize, Parameters, Projection};
@@ -53,6 +54,8 @@ pub(super) fn about(subject: Subject) -> Exercise {
         seed: 0,
         subject,
         free: Vec::new(),
+        chosen: Free::new(),
+        holds: Vec::new(),
         facts,
         assumptions: Vec::new(),
         answered: None,

@@ -176,6 +176,7 @@ impl<'a> Textbook<'a> {
             PointNumber::View if self.slips.has(Slip::WorldGiven) => world.into(),
             PointNumber::View => seen.truncate().into(),
             PointNumber::Clip if self.slips.has(Slip::ClipDivided) => (clip / clip.w).into(),
+            PointNumber::Clip if self.slips.has(Slip::ProjectionForgotten) => seen.truncate().extend(1.0).into(),
             PointNumber::Clip if self.slips.has(Slip::ClipWithOne) => clip.truncate().extend(1.0).into(),
             PointNumber::Clip => clip.into(),
             PointNumber::Ndc => ndc.into(),
@@ -219,8 +220,9 @@ impl<'a> Textbook<'a> {
     fn pixel(&self, window: DVec2) -> [f64; 2] {
         let ImageSize { width, height } = self.subject.figure.image;
         let [m, n] = self.sizes(width, height);
-        let ViewWindow { left, bottom, top, .. } = self.window;
-        let i = self.floored(m * ((window.x - left) / self.window.width()));
+        let ViewWindow { left, right, bottom, top } = self.window;
+        let across = if self.slips.has(Slip::XFlipped) { right - window.x } else { window.x - left };
+        let i = self.floored(m * (across / self.window.width()));
         let share = if self.slips.has(Slip::YNotFlipped) { window.y - bottom } else { top - window.y };
         let j = self.floored(n * (share / self.window.height()));
         if self.slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] }
@@ -249,7 +251,8 @@ impl<'a> Textbook<'a> {
         let half = if slips.has(Slip::PixelCorner) { 0.0 } else { 0.5 };
         let half = if slips.has(Slip::OneBased) { half - 1.0 } else { half };
         let [i, j] = if slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] };
-        let x = self.window.left + self.window.width() * (i as f64 + half) / m;
+        let along = self.window.width() * (i as f64 + half) / m;
+        let x = if slips.has(Slip::XFlipped) { self.window.right - along } else { self.window.left + along };
         let down = self.window.height() * (j as f64 + half) / n;
         let y = if slips.has(Slip::YNotFlipped) { self.window.bottom + down } else { self.window.top - down };
         let in_perspective = self.projection() == Projection::Perspective;
@@ -281,6 +284,7 @@ impl<'a> Textbook<'a> {
             RayNumber::Origin => (position + across).into(),
             RayNumber::Direction if in_perspective => {
                 let direction = across + forward * self.near_of_window();
+                let direction = if slips.has(Slip::RayReversed) { -direction } else { direction };
                 let keeps_length = slips.has(Slip::RayNotNormalised);
                 (if keeps_length { direction } else { direction.normalize_or_zero() }).into()
             }
@@ -353,6 +357,8 @@ fn window(camera: &Camera, slips: Slips) -> ViewWindow {
         }
     };
     let aspect = parameters.aspect;
+    let is_across = camera.projection() == Projection::Perspective && slips.has(Slip::AngleAcross);
+    let height = if is_across { height / aspect } else { height };
     let width = height * over_height(aspect, slips);
     ViewWindow { left: -width / 2.0, right: width / 2.0, bottom: -height / 2.0, top: height / 2.0 }
 }
@@ -434,10 +440,12 @@ fn projection_matrix(camera: &Camera, window: &ViewWindow, rows: u32, slips: Sli
         Projection::Perspective if everywhere => -near,
         Projection::Perspective if slips.has(Slip::NearForgottenInScale) => 1.0,
         Projection::Perspective if slips.has(Slip::DistanceInScale) => camera.distance(),
+        Projection::Perspective if slips.has(Slip::FarInScale) => far,
         Projection::Perspective if slips.has(Slip::PrintedScale) => f64::from(rows),
         Projection::Perspective => near,
     };
-    let [x, y] = [twice * along / width, twice * along / height];
+    let [x, y] =
+        if slips.has(Slip::WindowAsNdc) { [along; 2] } else { [twice * along / width, twice * along / height] };
     let end = if slips.has(Slip::PrintedLastRow) { 0.0 } else { 1.0 };
     let rows = match projection {
         Projection::Perspective => [

@@ -65,8 +65,10 @@ impl PartialEq for OpenLesson {
 pub struct Step {
     /// One line in each language.
     pub title: Bilingual,
-    /// Its text in Markdown, with `{quantity}` for the numbers of its figure.
+    /// Its text in Markdown, with `{quantity}` for the numbers of its figure, and `{sentence}` for that of its lesson.
     pub text: Bilingual,
+    /// The sentence to keep of its lesson, in Markdown.
+    pub sentence: Option<Bilingual>,
     /// The speaker's notes, in Markdown.
     pub notes: Option<Bilingual>,
     /// The whole figure.

@@ -1,7 +1,7 @@
 //! Puts the numbers of a figure into the texts of a lesson, in place of the paths in braces.
 
 use crate::camera::Convention;
-use crate::figure::{Figure, ShownProbe};
+use crate::figure::{Bilingual, Figure, ShownProbe};
 use crate::inspect::quantity::{Numbers, QuantityPath};
 use crate::inspect::{InspectError, Report};
 use crate::numbers::{DecimalMark, significant, without_rests};
@@ -28,6 +28,14 @@ pub(super) fn pixels_of(figure: &Figure) -> Vec<[i64; 2]> {
         Some(ShownProbe::Pixel(pixel)) => vec![pixel],
         _ => Vec::new(),
     }
+}
+
+/// The text with the sentence of its lesson in place of `{sentence}`.
+pub fn with_sentence(text: &Bilingual, sentence: Option<&Bilingual>) -> Bilingual {
+    const PLACE: &str = "{sentence}";
+    let Some(sentence) = sentence else { return text.clone() };
+    let put = |text: &str, sentence: &str| text.replace(PLACE, sentence.trim());
+    [put(&text.en, &sentence.en), put(&text.pt_br, &sentence.pt_br)].into()
 }
 
 /// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`, where `quantity` is a path

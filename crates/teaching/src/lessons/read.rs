@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::condition::{Condition, Goal, Range, angle as angle_between};
 use super::lesson::{Lesson, Link, Question, See, Step, Task};
-use super::numbers_in_texts::{filled, numbers_of, pixels_of};
+use super::numbers_in_texts::{filled, numbers_of, pixels_of, with_sentence};
 use crate::camera::Camera;
 use crate::exercises::own::{bilingual_list, harmless, name, question, told};
 use crate::exercises::{self, Entry, Kind, Subject};
@@ -63,7 +63,7 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     let sections = at_most(sections, MAX_LESSON_STEPS, "[[step]]", faults);
     faults.extend(root.finish());
     let mut stacked = Stacked::default();
-    let steps = sections.into_iter().map(|section| step(section, &mut stacked, faults)).collect();
+    let steps = sections.into_iter().map(|section| step(section, &mut stacked, sentence.as_ref(), faults)).collect();
     Lesson { id, title, sentence, minutes, aims, plan, pretest, posttest, before, steps }
 }
 
@@ -98,7 +98,12 @@ fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
     harmless(section, key, texts)
 }
 
-fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>) -> Step {
+fn step(
+    mut section: Section<'_>,
+    stacked: &mut Stacked,
+    sentence: Option<&Bilingual>,
+    faults: &mut Vec<Fault>,
+) -> Step {
     let title = line(&mut section, "title");
     let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
     let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
@@ -113,8 +118,8 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
     let figure = Figure { title: Some(title.clone()).filter(|title| !title.en.is_empty()), ..figure };
     // A faulty figure has no numbers to check.
     let report = numbers_of(&figure).ok().filter(|_| is_good);
-    let text = with_numbers(&mut section, "text", report.as_ref());
-    let notes = section.is_present("notes").then(|| with_numbers(&mut section, "notes", report.as_ref()));
+    let text = with_numbers(&mut section, "text", sentence, report.as_ref());
+    let notes = section.is_present("notes").then(|| with_numbers(&mut section, "notes", None, report.as_ref()));
     let [mut asked, to_try] = ["ask", "try"].map(|key| section.section(key, &format!("[step.{key}]")));
     let links = section.sections("links", "[[step.links]]");
     if asked.is_table() && to_try.is_table() {
@@ -129,12 +134,13 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
             figure: figure.clone(),
             operations: Vec::new(),
         };
-        report.as_ref().and_then(|report| task(asked, subject, &see, (&title, report), faults))
+        report.as_ref().and_then(|report| task(asked, subject, &see, (&title, &text, report), faults))
     } else {
         report.filter(|_| to_try.is_table()).map(|report| Task::Try(goal(to_try, &figure, &report, faults)))
     };
     let links = links.into_iter().filter_map(|section| section.finished(faults, link)).collect();
-    Step { title, text, notes, figure: Arc::new(figure), seconds, task, see, links }
+    let sentence = sentence.cloned();
+    Step { title, text, sentence, notes, figure: Arc::new(figure), seconds, task, see, links }
 }
 
 /// `see`: the figure of the next step, or this one after operations and with other values of keys.
@@ -162,14 +168,26 @@ fn way(text: &str) -> Option<(String, String)> {
     Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
+<<<<<<< HEAD
 /// A text with the numbers of a figure, or an empty one if the key is missing. Without a report the numbers aren't checked.
 fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Report>) -> Bilingual {
     if !section.is_present(key) {
         return Bilingual::default();
     }
+=======
+/// A required text with the numbers of a figure, and with a sentence that may stand in it. Without a report they aren't
+/// checked.
+fn with_numbers(
+    section: &mut Section<'_>,
+    key: &'static str,
+    sentence: Option<&Bilingual>,
+    report: Option<&Report>,
+) -> Bilingual {
+    section.require(key, Allowed::Bilingual);
+>>>>>>> lessons
     let Some(texts) = section.told(key) else { return Bilingual::default() };
     if let Some(report) = report {
-        match in_both(&texts, report) {
+        match in_both(&with_sentence(&texts.clone().into(), sentence), report) {
             Ok(filled) => drop(harmless(section, key, filled)),
             Err(found) => section.fault(key, Problem::Value { found, allowed: Allowed::Quantity }),
         }
@@ -178,7 +196,7 @@ fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Re
 }
 
 /// A text in both languages with the numbers of a report.
-fn in_both([en, pt_br]: &[String; 2], report: &Report) -> Result<[String; 2], String> {
+fn in_both(Bilingual { en, pt_br }: &Bilingual, report: &Report) -> Result<[String; 2], String> {
     Ok([filled(en, report, MARKS[0])?, filled(pt_br, report, MARKS[1])?])
 }
 
@@ -187,7 +205,7 @@ fn task(
     mut section: Section<'_>,
     subject: Subject,
     see: &See,
-    (title, report): (&Bilingual, &Report),
+    (title, told, report): (&Bilingual, &Bilingual, &Report),
     faults: &mut Vec<Fault>,
 ) -> Option<Task> {
     if section.is_present("exercise") {
@@ -197,15 +215,18 @@ fn task(
     }
     let at = section.at;
     let figure = subject.figure.clone();
-    // A place refers to the figure that comes after the question.
-    let subject = match see {
-        See::Changed(after) if section.is_present("place") => Subject { figure: Figure::clone(after), ..subject },
-        _ => subject,
+    // A place refers to the figure that comes after the question. Coordinates are those of the step.
+    let after = match see {
+        See::Changed(after) if section.is_present("place") => {
+            Subject { figure: Figure::clone(after), ..subject.clone() }
+        }
+        _ => subject.clone(),
     };
-    let mut entry = question(section, String::new(), subject, title.clone(), faults)?;
+    let mut entry = question(section, [subject, after], title.clone(), faults)?;
+    // Coordinates that the step prints needn't be computed.
+    entry.with_views_given(|point| told.en.contains(&format!("{{points.{point}.view")));
     if let Err(found) = entry.with_texts(|text| {
-        let filled = in_both(&[text.en.clone(), text.pt_br.clone()], report)?;
-        *text = filled.into();
+        *text = in_both(text, report)?.into();
         Ok(())
     }) {
         let problem = Problem::Value { found, allowed: Allowed::Quantity };
@@ -250,7 +271,7 @@ fn exercise(section: &mut Section<'_>) -> Option<(String, u64)> {
 }
 
 fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut Vec<Fault>) -> Goal {
-    let text = with_numbers(&mut section, "text", Some(report));
+    let text = with_numbers(&mut section, "text", None, Some(report));
     let written = section.list("way", Allowed::Ways, way);
     let conditions = section.sections("until", "[step.try] until.");
     if conditions.is_empty() && section.faults.is_empty() {

@@ -152,10 +152,11 @@ fn check(learn_state: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
     learn_state.exercises.note(done);
     learn_state.exercises.took(ask, Checked { fields, judged });
-    // A mistake elsewhere may follow from this one, or may do so no more.
+    // A mistake elsewhere may follow from this one, or may do so no more. This one may also decide the numbers that the
+    // statement leaves open.
     for other in sheet.exercise.asks.iter().filter(|other| other.name != ask.name) {
-        let wrong = learn_state.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
-        let Some(fields) = wrong.map(|checked| checked.fields.clone()) else { continue };
+        let checked = learn_state.exercises.checked.get(&other.name);
+        let Some(fields) = checked.map(|checked| checked.fields.clone()) else { continue };
         if let Ok(judged) = judge(learn_state, other, &fields) {
             learn_state.exercises.checked.insert(other.name.clone(), Checked { fields, judged });
         }

@@ -45,6 +45,9 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
                 let text = format!("{sign} {}", said::condition(t.lang, condition));
                 ui.add(egui::Label::new(RichText::new(text).color(theme::verdict_color(ui, *right))).wrap());
             }
+            if let Some(numbers) = said::own_numbers(t.lang, judged) {
+                prose::show(ui, &numbers);
+            }
             if let Some(carried) = said::carried(t.lang, judged) {
                 prose::show(ui, &carried);
             }

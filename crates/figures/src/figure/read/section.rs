@@ -70,6 +70,11 @@ impl<'a> Section<'a> {
         self.item(key).is_some_and(Item::is_array)
     }
 
+    /// True if there is a text.
+    pub fn is_text(&self, key: &str) -> bool {
+        self.item(key).is_some_and(Item::is_str)
+    }
+
     /// True if there is a table, even an empty one.
     pub fn is_table(&self) -> bool {
         self.table.is_some()

@@ -185,7 +185,13 @@ pub(super) fn zoom_or_dolly(random: &mut Random) -> Exercise {
             let (zoom, dolly) = if is_other { (dolly, zoom) } else { (zoom, dolly) };
             let once = if slips.has(Slip::ScaleHalved) { 2.0 } else { 1.0 };
             let (zoom, dolly) = if slips.has(Slip::NothingDone) { (1.0, 1.0) } else { (zoom, dolly) };
-            let found = share(slips, by(zoom), distance / by(dolly) + further) * once;
+            let further = if slips.has(Slip::BehindForgotten) { 0.0 } else { further };
+            let at = if slips.has(Slip::DollyOfBehind) {
+                (distance + further) / dolly
+            } else {
+                distance / by(dolly) + further
+            };
+            let found = share(slips, by(zoom), at) * once;
             Some(Table::number(found))
         })
         .of_nature(Nature::Size)

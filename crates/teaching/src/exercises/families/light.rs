@@ -152,7 +152,9 @@ impl Vertex {
 /// The share of its own colour that a vertex sends back under lamps of these cosines.
 fn share(cosines: [f64; 2], slips: Slips) -> f64 {
     let least = if slips.has(Slip::NegativeLight) { f64::NEG_INFINITY } else { 0.0 };
-    let diffuse = if slips.has(Slip::DiffuseForgotten) { 1.0 } else { DIFFUSE };
+    let cosines = if slips.has(Slip::AbsoluteCosine) { cosines.map(f64::abs) } else { cosines };
+    let diffuse =
+        slips.pick([(Slip::DiffuseForgotten, 1.0), (Slip::MeanOfLights, DIFFUSE / cosines.len() as f64)], DIFFUSE);
     let ambient = if slips.has(Slip::AmbientForgotten) { 0.0 } else { AMBIENT };
     ambient + diffuse * cosines.into_iter().map(|cosine| cosine.max(least)).sum::<f64>()
 }

@@ -15,7 +15,58 @@ use super::Entry;
 use crate::camera::{Operation, Projection};
 use operations::{C, N, PF, U, V, turn};
 
-pub(super) use cameras::numbers;
+use super::{Exercise, Fact, Slip, Slips};
+use crate::numbers::random::Random;
+
+/// The last seed with its first numbers, coincidences or not, because sheets and lessons with them are printed.
+const LAST_PRINTED: u64 = 50;
+
+/// The exercise of a family for a seed. Numbers that make different mistakes look alike are drawn again.
+pub(super) fn without_coincidences(family: &str, seed: u64, make: fn(&mut Random) -> Exercise) -> Exercise {
+    const TRIES: usize = 200;
+    let mut random = cameras::numbers(family, seed);
+    let mut exercise = make(&mut random);
+    for _ in 1..TRIES {
+        if seed <= LAST_PRINTED || !has_coincidence(family, &exercise) {
+            break;
+        }
+        exercise = make(&mut random);
+    }
+    exercise
+}
+
+/// True for numbers of a statement that hide which one was used: F = A, D = e, and angles whose half has a tangent that
+/// another step has too, tan 30° = cot 60° and tan 45° = 1.
+fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
+    let number = |name: &str| {
+        exercise.facts.iter().find(|(other, _)| *other == name).and_then(|(_, fact)| match fact {
+            Fact::Number(number) | Fact::Angle(number) => Some(*number),
+            _ => None,
+        })
+    };
+    let is = |name: &str, values: &[f64]| number(name).is_some_and(|number| values.contains(&number));
+    let are_equal = |a: &str, b: &str| number(a).is_some() && number(a) == number(b);
+    let in_perspective = exercise.subject.figure.camera.projection == Projection::Perspective;
+    let tells = |slip: Slip| exercise.asks.iter().any(|ask| ask.tells(slip));
+    let are_alike = |a: Slip, b: Slip| {
+        exercise.asks.iter().filter(|ask| ask.tells(a)).any(|ask| {
+            let [a, b] = [a, b].map(|slip| ask.expected().slipped(Slips::one(slip)));
+            a.zip(b).is_some_and(|(a, b)| ask.accepts_all(&a.entries, &b))
+        })
+    };
+    match family {
+        // On the back plane Z is z_n, and one depth has the same Z without its range and without a minus.
+        "viewport" if !tells(Slip::DepthNotMapped) || are_alike(Slip::DepthRangeIgnored, Slip::DepthScaleSign) => true,
+        "window" | "perspective-matrix" | "ndc" | "inside" | "pixel" | "ray" | "viewport" | "zoom" | "vocabulary" => {
+            in_perspective && (is("theta", &[60.0, 90.0]) || are_equal("F", "A"))
+        }
+        "zoom-or-dolly" => is("theta", &[60.0, 90.0]) || are_equal("D", "e"),
+        "disparity" => is("theta", &[60.0, 90.0]),
+        // With ±45° the sine is the cosine, apart from its sign.
+        "elevation" | "azimuth" | "roll" | "yaw" | "pitch" => is("alpha", &[45.0, -45.0]),
+        _ => false,
+    }
+}
 
 /// All families, in the order in which they are learnt.
 pub static ENTRIES: &[Entry] = &[

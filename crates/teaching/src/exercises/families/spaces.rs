@@ -115,6 +115,7 @@ fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
     let near = slips.pick([(Slip::NearForgotten, 1.0), (Slip::DistanceForNear, distance)], parameters.near);
     let times = slips.pick([(Slip::SideWhole, 2.0), (Slip::HeightHalved, 0.5)], 1.0);
     let top = times * near * half_tangent(parameters.view_angle, slips);
+    let top = if slips.has(Slip::AngleAcross) { top / parameters.aspect } else { top };
     let right = top * over_height(parameters.aspect, slips);
     [-right, right, -top, top]
 }
@@ -160,7 +161,14 @@ pub(super) fn vocabulary(random: &mut Random) -> Exercise {
         let (m, n) = if slips.has(Slip::ColumnsAndRows) { (n, m) } else { (m, n) };
         let near = if slips.has(Slip::NearForgottenInScale) { 1.0 } else { parameters.near };
         let twice = if slips.has(Slip::ScaleDoubled) { 1.0 } else { 2.0 };
-        let f = [m * near / (twice * right), n * near / (twice * top)];
+        let f = if slips.has(Slip::ScaleInverted) {
+            [m * right / (twice * near), n * top / (twice * near)]
+        } else {
+            [m * near / (twice * right), n * near / (twice * top)]
+        };
+        // cot(θ/2) alone is inverted, and A stays where it is.
+        let tangent = if slips.has(Slip::TangentForCotangent) { top / near } else { 1.0 };
+        let f = f.map(|f| f * tangent * tangent);
         let by = slips.pick([(Slip::CentreWhole, 1.0), (Slip::CentreIgnored, 0.0)], 0.5);
         let less = if slips.has(Slip::CentresAtWhole) { 0.5 } else { 0.0 };
         let centre = if slips.has(Slip::CentresExchanged) { [n, m] } else { [m, n] };

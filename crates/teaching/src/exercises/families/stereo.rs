@@ -36,7 +36,9 @@ impl Pair {
         }
         let side = if slips.has(Slip::SizesExchanged) { self.image[0] } else { self.image[1] };
         let halves = if slips.has(Slip::ScaleDoubled) { 1.0 } else { 2.0 };
-        side / (halves * half_tangent(self.view_angle, slips))
+        let tangent = half_tangent(self.view_angle, slips);
+        let tangent = if slips.has(Slip::ScaleInverted) { 1.0 / tangent } else { tangent };
+        side / (halves * tangent)
     }
 
     /// f b, of which both disparity and depth are a fraction.
@@ -79,6 +81,9 @@ impl Pair {
     }
 
     fn shifted(&self, slips: Slips) -> f64 {
+        if slips.has(Slip::MeetingForDepth) {
+            return self.product(slips) / self.meeting;
+        }
         let shift = if slips.has(Slip::ShiftForgotten) { 0.0 } else { 1.0 / self.meeting };
         self.product(slips) * (1.0 / self.depth - shift)
     }

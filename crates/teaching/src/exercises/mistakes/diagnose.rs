@@ -71,6 +71,7 @@ pub(in crate::exercises) fn diagnose(
     };
     let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
         .into_iter()
+        .filter(|slip| !(ask.not_asked)(*slip))
         .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
         .filter(|(slip, table)| differs(table) && ask.nature.shows(slip.mistake()))
         .collect();
@@ -120,6 +121,22 @@ pub(in crate::exercises) fn diagnose(
     two_together(ask, (expected, right), given, &slipped, |table| agreed(table).is_some(), of_table)
 }
 
+/// True if a known mistake gives these numbers in one of the readings, to more digits than rounding matches by chance.
+pub(in crate::exercises) fn is_known_mistake(ask: &Ask, given: &[f64]) -> bool {
+    ask.readings.iter().any(|reading| {
+        let Some(right) = reading.expected.table() else { return false };
+        let is_made = |slip: &Slip| {
+            ask.nature.shows(slip.mistake())
+                && reading.expected.slipped(Slips::one(*slip)).is_some_and(|wrong| {
+                    wrong.shape() == right.shape()
+                        && agreement(ask, given, &wrong) == Some(Agreement::Exact)
+                        && !ask.accepts_all(&wrong.entries, &right)
+                })
+        };
+        Slip::ALL.iter().any(is_made)
+    })
+}
+
 /// Omits other operations that leave the quantity unchanged, as a roll leaves C, because they amount to doing nothing
 /// to it.
 fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(Slip, Table)> {
@@ -144,7 +161,7 @@ fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
         }
     }
     let has = |mistakes: &[Mistake]| causes.iter().any(|cause| mistakes.contains(&cause.mistake));
-    if is_lost_sign && has(&[Mistake::UReversed, Mistake::VReversed]) && !has(&[Mistake::Sign]) {
+    if is_lost_sign && causes.len() < MOST && has(&[Mistake::UReversed, Mistake::VReversed]) && !has(&[Mistake::Sign]) {
         causes.push(Cause::of(Mistake::Sign));
     }
     let others = causes.split_off(causes.len().min(1));
@@ -318,7 +335,7 @@ fn is_evidence(ask: &Ask, given: &[f64], right: &Table, table: &Table) -> bool {
 }
 
 /// The significant digits and the decimals of a number in its shortest form.
-fn digits(number: f64) -> (usize, usize) {
+pub(in crate::exercises) fn digits(number: f64) -> (usize, usize) {
     let text = format!("{}", number.abs());
     let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let significant = text.replace('.', "").trim_start_matches('0').len();

@@ -45,6 +45,8 @@ slips! {
     NothingDone = NotDone;
     /// The direction of a ray is **n**, without the minus.
     DirectionIsNormal = Sign "direction";
+    /// The direction of a ray from the point to C.
+    RayReversed = Sign "backwards";
     /// The axes of yaw and pitch as printed in `[0]`.
     PrintedAxes = AsPrinted "axes";
     /// VUP doesn't turn with the camera, as `[0]` prints for the elevation.
@@ -127,6 +129,8 @@ slips! {
     DistanceOnWindow = DistanceForNear;
     /// W = H / A.
     AspectInverted = AspectInverted;
+    /// θ from left to right: W = 2 F tan(θ/2), H = W / A.
+    AngleAcross = AspectInverted "across";
     /// W = H.
     AspectLeftOut = AspectInverted "left-out";
     /// θ/s.
@@ -156,7 +160,7 @@ slips! {
     /// Numbers of the VRC as those of the world.
     ViewAsWorld = ViewAsWorld;
     /// w = +z_c.
-    WSign = ZSign;
+    WSign = ZSign "w";
     /// The row of z has the opposite signs.
     DepthRowSign = ZSign;
     /// Looking along +z_c: both.
@@ -207,8 +211,16 @@ slips! {
     OffsetIgnored = OffsetIgnored;
     /// The principal point at (0, 0).
     CentreIgnored = OffsetIgnored "principal-point";
+    /// Columns from the right.
+    XFlipped = YNotFlipped "columns";
     /// The opposite angle.
     OppositeAngle = OppositeAngle;
+    /// The opposite motion.
+    OppositePan = OppositeAngle "pan";
+    /// Half of the angle.
+    HalfTurn = FactorTwo "angle";
+    /// sin α and cos α in each other's place.
+    SineForCosine = OrderReversed "sine";
     /// A rotation about **u** through PF.
     Elevated = OtherOperation "elevation";
     /// A rotation about **v** through PF.
@@ -277,6 +289,10 @@ slips! {
     ViewForLight = ViewForLight;
     /// A lamp behind the surface takes light away.
     NegativeLight = NegativeLight;
+    /// The light on the other side of the surface counts too: |N · L|.
+    AbsoluteCosine = NegativeLight "absolute";
+    /// The mean of both lights.
+    MeanOfLights = FactorTwo "lights";
     /// The angle in degrees instead of its cosine.
     CosineLeftAsAngle = AngleForCosine;
     /// The share of a right angle that an angle leaves.
@@ -299,6 +315,8 @@ slips! {
     LeftHandedUReversed = UReversed "left-handed";
     /// **v** points down, in the left-handed system of `[3]`.
     LeftHandedVReversed = VReversed "left-handed";
+    /// 2B/W for 2F/W.
+    FarInScale = NearFarAsCoordinates "scale";
     /// F and B exchanged.
     NearFarExchanged = NearFarAsCoordinates "exchanged";
     /// The scale of a perspective, 2F/W, in parallel projection.
@@ -317,6 +335,10 @@ slips! {
     OtherCorner = Sign "corner";
     /// M_p applied to points of the world.
     ViewForgotten = NotDone "view";
+    /// The point in the VRC, without M_p.
+    ProjectionForgotten = NotDone "projection";
+    /// x_p in place of x_n, without the scale of the window to 2.
+    WindowAsNdc = NotDone "scale";
     /// d²/(F 2^b): without B/(B − F), and 2^b for 2^b − 1.
     ApproximateStep = Approximation;
     /// Without B/(B − F).
@@ -373,6 +395,12 @@ slips! {
     EyesExchanged = Sign "eyes";
     /// Parallel windows, although they are shifted.
     ShiftForgotten = NotDone "shift";
+    /// D in place of d: the shift itself.
+    MeetingForDepth = DistanceForDepth "meeting";
+    /// The first pole in place of the one behind it.
+    BehindForgotten = NotDone "behind";
+    /// The dolly divides the distance of the pole behind PF, and not that of PF.
+    DollyOfBehind = WrongPoint "dolly";
 }
 
 /// [`Slips`] has a bit for each.
@@ -382,6 +410,42 @@ impl Slip {
     /// The mistake that this slip makes.
     pub const fn mistake(self) -> Mistake {
         self.cause().mistake
+    }
+
+    /// True if it's made on the way from the world to the VRC.
+    pub const fn is_before_view(self) -> bool {
+        self.is_of_axes()
+            || matches!(
+                self,
+                Self::TranslationNotRotated
+                    | Self::PositionNotNegated
+                    | Self::PositionAsItIs
+                    | Self::FocalPointAsOrigin
+                    | Self::AxesAsColumns
+                    | Self::AxesAsColumnsAlone
+                    | Self::OnlyTranslated
+                    | Self::OnlyRotated
+                    | Self::TranslationInRow
+                    | Self::RowsExchanged
+                    | Self::ViewInverted
+                    | Self::ViewForgotten
+                    | Self::ViewAsWorld
+            )
+    }
+
+    /// True if it's made between the window and the pixels.
+    pub const fn is_of_pixels(self) -> bool {
+        matches!(
+            self,
+            Self::ColumnsAndRows
+                | Self::SizesExchanged
+                | Self::YNotFlipped
+                | Self::XFlipped
+                | Self::PixelCorner
+                | Self::OneBased
+                | Self::NotFloored
+                | Self::RoundedNotFloored
+        )
     }
 
     /// True if it's made in computing the axes of the camera.

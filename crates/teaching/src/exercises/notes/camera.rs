@@ -8,7 +8,7 @@ use crate::exercises::placing::around_box;
 use crate::exercises::statement_facts::{about, image, with_point};
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{
-    Ask, Exercise, Fact, Free, Kind, Mistake, Nature, Slip, Slips, Subject, TOLERANCE, Table, Unit, textbook,
+    Ask, Exercise, Fact, Free, Holds, Kind, Mistake, Nature, Slip, Slips, Subject, TOLERANCE, Table, Unit, textbook,
 };
 use crate::explain::{Formula, Function, over, plus, sum, times};
 use crate::figure::{Figure, NamedPoint};
@@ -57,13 +57,14 @@ pub(super) fn rays(_seed: u64) -> Exercise {
                 if slips == Slips::NONE { subject.value(path) } else { textbook::value(&subject, path, slips) }
             });
             let sum: Vec<f64> = u?.entries.iter().zip(&v?.entries).map(|(u, v)| u + v).collect();
-            let sum = DVec3::from_slice(&sum);
+            let sum = DVec3::from_slice(&sum) * if slips.has(Slip::RayReversed) { -1.0 } else { 1.0 };
             let keeps = slips.any(&[Slip::LengthForgotten, Slip::RayNotNormalised]);
             Some(Table::from(if keeps { sum } else { sum.normalize_or_zero() }))
         }
     });
     let direction = direction.of_nature(Nature::Direction);
-    let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path);
+    // The statement has a point of the window, and no pixels.
+    let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path).without_steps(Slip::is_of_pixels);
     let [parallel_origin, parallel_direction, perspective_origin] = rays_of_vrc(&through);
     let asks = vec![
         of("parallel_origin", &through, Quantity::Ray(0, RayNumber::Origin)).worked_as(parallel_origin),
@@ -195,6 +196,7 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
         "v" => ask.following(&["n", "u"], |tables| Some(Table::from(tables[0].vector()?.cross(tables[1].vector()?)))),
         _ => ask,
     }));
+    let holds = planes_in_answers(&after);
     let exercise = about(after);
     let facts = [
         ("theta", Fact::Angle(90.0)),
@@ -206,10 +208,31 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     Exercise {
         facts: facts.into_iter().rev().collect(),
         free: vec![("F", near), ("B", far)],
+        holds,
         assumptions: vec!["angle-needs-distance", "planes-chosen", "zoom-stays", "elevation-sign"],
         asks,
         ..exercise
     }
+}
+
+/// F and B in M_p, and F in the upper right corner of the window, after the zoom or before it.
+fn planes_in_answers(subject: &Subject) -> Vec<Holds> {
+    let in_matrix = |m: &[f64]| {
+        let [m_22, m_33, m_34] = [5, 10, 11].map(|k| m.get(k).copied().unwrap_or_default());
+        // m_33 = −2/(B − F), m_34 = −(B + F)/(B − F), m_22 = 2/H, H = 2 F, a third of it after the zoom.
+        let depth = -2.0 / m_33;
+        let of = |near: f64| vec![("F", near), ("B", near + depth)];
+        vec![of(3.0 / m_22), of(1.0 / m_22), of((-m_34 * depth - depth) / 2.0)]
+    };
+    let camera = subject.camera().ok();
+    let in_corner = move |corner: &[f64]| {
+        let (Some(camera), [x, y, z]) = (&camera, corner) else { return Vec::new() };
+        let from_eye = DVec3::new(*x, *y, *z) - camera.position();
+        let corner_for_1 = (camera.volume_corners()[2] - camera.position()) / camera.near();
+        let along = from_eye.dot(corner_for_1) / corner_for_1.length_squared();
+        vec![vec![("F", along)], vec![("F", -from_eye.dot(camera.basis().n))]]
+    };
+    vec![Holds::new("Mp", &["F", "B"], in_matrix), Holds::new("corner", &["F"], in_corner)]
 }
 
 /// The steps from the point (1, 1, 0) of the VRC to its pixel. World coordinates aren't given or needed.

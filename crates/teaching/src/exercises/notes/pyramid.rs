@@ -10,7 +10,7 @@ use crate::camera::{ImageSize, Parameters, Projection};
 use crate::exercises::products::{multiplied, multiplied_as};
 use crate::exercises::statement_facts::{about, with_point};
 use crate::exercises::worked::{Worked, named, worked};
-use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Nature, Slip, Slips, Subject, Table, textbook};
+use crate::exercises::{Ask, Exercise, Fact, Free, Holds, Kind, Nature, Slip, Slips, Subject, Table, textbook};
 use crate::explain::{over, times};
 use crate::figure::Figure;
 use crate::inspect::quantity::{PointNumber, Quantity, ReportMatrix};
@@ -126,7 +126,7 @@ pub(super) fn vertices(free: &Free) -> Exercise {
         ask.of_nature(Nature::Size)
     };
     let asks = vec![
-        matrix_of_points("local", Vec::new(), move |_| Some(local.clone())),
+        Ask { any_order: true, ..matrix_of_points("local", Vec::new(), move |_| Some(local.clone())) },
         number("side", ["a", "M"], month),
         number("height", ["h", "D"], day),
     ];
@@ -199,6 +199,7 @@ pub(super) fn projection(free: &Free) -> Exercise {
                 matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
             );
             let view = if slips.has(Slip::ViewForgotten) { DMat4::IDENTITY } else { view };
+            let projection = if slips.has(Slip::ProjectionForgotten) { DMat4::IDENTITY } else { projection };
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
@@ -216,10 +217,36 @@ pub(super) fn projection(free: &Free) -> Exercise {
             Some(Table::from(projection? * (view? * (model? * APEX.extend(1.0)))))
         })
         .following(&["Mp"], move |tables| Some(Table::from(tables[0].matrix()? * apex_seen?)));
+    let holds = vec![
+        Holds::new("Mp", &LENS, |m| m.get(5).map_or_else(Vec::new, |m_22| lens_of(m[0], *m_22))),
+        lens_in_points("clip", seen.clone()),
+        lens_in_points("apex", seen.last().copied().into_iter().collect()),
+    ];
     let exercise = of.exercise(&["D", "M", "theta", "A"]);
     let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection)), clip, apex];
     let assumptions = vec!["lost-pyramid", "touches-planes", "angle-and-aspect", "distances-not-coordinates", "w-zero"];
-    Exercise { asks, assumptions, ..exercise }
+    Exercise { asks, assumptions, holds, ..exercise }
+}
+
+/// The numbers of III that are a free choice.
+const LENS: [&str; 2] = ["theta", "A"];
+
+/// θ and A from m_22 = cot(θ/2) and m_11 = m_22/A.
+fn lens_of(m_11: f64, m_22: f64) -> Vec<Vec<(&'static str, f64)>> {
+    vec![vec![(LENS[0], 2.0 * (1.0 / m_22).atan().to_degrees()), (LENS[1], m_22 / m_11)]]
+}
+
+/// θ and A in points of clip space: x_r = m_11 x_c and y_r = m_22 y_c, by least squares.
+fn lens_in_points(ask: &'static str, seen: Vec<DVec4>) -> Holds {
+    Holds::new(ask, &LENS, move |clip| {
+        let factor = |row: usize| {
+            let sums = seen.iter().zip(clip.iter().skip(row * seen.len())).fold((0.0, 0.0), |sums, (point, found)| {
+                (sums.0 + point[row] * found, sums.1 + point[row] * point[row])
+            });
+            sums.0 / sums.1
+        };
+        lens_of(factor(0), factor(1))
+    })
 }
 
 /// II and III in one: M_m, M_v, M_p, and the apex in clip space.
@@ -231,7 +258,13 @@ pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
         apex.way = Some(way_of_apex(&Birth::new(free)));
     }
     let asks = first.asks.into_iter().chain(last.asks).filter(|ask| wanted.contains(&ask.name.as_str())).collect();
-    Exercise { asks, free: Vec::new(), assumptions: vec!["touches-planes", "distances-not-coordinates"], ..last }
+    Exercise {
+        asks,
+        free: Vec::new(),
+        holds: Vec::new(),
+        assumptions: vec!["touches-planes", "distances-not-coordinates"],
+        ..last
+    }
 }
 
 /// The steps of the apex from its own space into the world, into the VRC, and into clip space.

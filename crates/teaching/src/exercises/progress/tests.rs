@@ -26,6 +26,7 @@ fn solve(progress: &mut Progress, entry: &Entry, seed: u64, now: u64) {
             conditions: Vec::new(),
             diagnosis: None,
             carried: Vec::new(),
+            numbers: None,
             first_step: 0,
             understood: crate::exercises::Answer::Choice(0),
         };
