@@ -168,23 +168,17 @@ fn way(text: &str) -> Option<(String, String)> {
     Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
-<<<<<<< HEAD
-/// A text with the numbers of a figure, or an empty one if the key is missing. Without a report the numbers aren't checked.
-fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Report>) -> Bilingual {
-    if !section.is_present(key) {
-        return Bilingual::default();
-    }
-=======
-/// A required text with the numbers of a figure, and with a sentence that may stand in it. Without a report they aren't
-/// checked.
+/// A text with the numbers of a figure, and with a sentence that may stand in it. Without a report they aren't checked. It's empty
+/// if the key is missing.
 fn with_numbers(
     section: &mut Section<'_>,
     key: &'static str,
     sentence: Option<&Bilingual>,
     report: Option<&Report>,
 ) -> Bilingual {
-    section.require(key, Allowed::Bilingual);
->>>>>>> lessons
+    if !section.is_present(key) {
+        return Bilingual::default();
+    }
     let Some(texts) = section.told(key) else { return Bilingual::default() };
     if let Some(report) = report {
         match in_both(&with_sentence(&texts.clone().into(), sentence), report) {
