@@ -352,7 +352,7 @@ fn in_line(markdown: &str) -> String {
     let text = markdown.replace("$$", "$").replace("**", "").replace('\n', " ");
     let part = |(k, part): (usize, &str)| match k % 2 {
         1 => formula_in_line(part),
-        _ => part.replace('*', ""),
+        _ => part.replace(['*', '`'], ""),
     };
     text.split('$').enumerate().map(part).collect::<String>().trim().to_owned()
 }

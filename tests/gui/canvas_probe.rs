@@ -4,9 +4,10 @@
 
 use camera_lab::camera::{Parameters, Projection};
 use camera_lab::figure::{Observer, ShownProbe};
+use camera_lab::lessons::shipped;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
-use camera_lab::views::{Probe, View, image_frame};
-use eframe::egui::{Key, Rect, vec2};
+use camera_lab::views::{Probe, View, image_frame, pick};
+use eframe::egui::{Id, Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
@@ -215,13 +216,42 @@ fn a_card_goes_with_the_window_until_it_is_moved() {
     h.run();
     h.drag_at(from);
     h.run_steps(2);
-    h.hover_at(from + vec2(90.0, -120.0));
+    h.hover_at(from + vec2(-90.0, -120.0));
     h.run_steps(2);
-    h.drop_at(from + vec2(90.0, -120.0));
+    h.drop_at(from + vec2(-90.0, -120.0));
     h.run();
     let moved = card(&h);
     assert_ne!(moved, expected[1]);
     h.set_size([1390.0, 890.0].into());
     h.run();
     assert_eq!(card(&h), moved);
+}
+
+/// In a lesson the rays and triangles of its probe meet in C.
+#[test]
+fn the_card_of_a_lesson_covers_neither_its_point_nor_the_camera() {
+    let mut shown = 0;
+    for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {
+        let Some(ShownProbe::World(point)) = step.figure.show.probe else { continue };
+        let mut h = stage(|state| {
+            state.model.document.edit(|figure| {
+                figure.clone_from(&step.figure);
+                figure.style.antialias = 1;
+            });
+            state.model.document.set_parameters(step.figure.camera);
+        });
+        h.set_size([900.0, 560.0].into());
+        h.run();
+        let card = h.ctx.memory(|memory| memory.area_rect(Id::unique("card of the probe"))).unwrap();
+        let rect = place(&h, WORLD);
+        let request = world(&h, rect);
+        let Some(places) = pick::places(&request) else { continue };
+        for p in [point, step.figure.camera.position] {
+            let at = places(p).unwrap();
+            let at = rect.min + vec2(at.x as f32, at.y as f32);
+            assert!(!card.contains(at), "{:?}: {p} at {at} under {card}", step.title.en);
+        }
+        shown += 1;
+    }
+    assert!(shown >= 3, "{shown}");
 }

@@ -11,6 +11,7 @@ use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::learn::exercises::choice_of;
 use camera_lab::i18n::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
+use camera_lab::i18n::why::notes::line;
 use camera_lab::i18n::{Lang, told};
 use camera_lab::lessons::{OpenLesson, Task, shipped};
 use eframe::egui::accesskit::Role;
@@ -331,7 +332,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
         if let Kind::Choice(choices) = &ask.kind {
             let right = exercise_sheet::answer(Lang::En, ask);
             let wrong = choices.iter().map(|choice| choice_of(Lang::En, ask, choice)).find(|name| *name != right);
-            window.harness.get_by_role_and_label(Role::RadioButton, wrong.unwrap()).click();
+            window.harness.get_by_role_and_label(Role::RadioButton, &line(wrong.unwrap())).click();
         } else {
             let shape @ [rows, columns] = ask.shape();
             let name = exercises::ask(Lang::En, exercise, ask).replace("**", "");
@@ -353,7 +354,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
             let Kind::Choice(choices) = choices else { panic!("a place is judged at once") };
             let right = exercise_sheet::answer(Lang::En, ask);
             let wrong = choices.iter().map(|choice| choice_of(Lang::En, ask, choice)).find(|name| *name != right);
-            window.harness.get_by_role_and_label(Role::RadioButton, wrong.unwrap()).click();
+            window.harness.get_by_role_and_label(Role::RadioButton, &line(wrong.unwrap())).click();
             window.run();
             says(window, t.check);
         }

@@ -8,6 +8,7 @@ mod canvas;
 mod canvas_keys;
 mod canvas_objects;
 mod canvas_probe;
+mod choices;
 mod coach;
 mod commands;
 mod compare;

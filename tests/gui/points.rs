@@ -5,7 +5,7 @@
 use camera_lab::camera::{Parameters, Place};
 use camera_lab::explain::{Notation, Setting, Style, forward};
 use camera_lab::figure::Explanation;
-use camera_lab::figure::{Figure, NamedPoint};
+use camera_lab::figure::{Figure, NamedPoint, ShownProbe};
 use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{ObjectSpec, Shape};
@@ -71,6 +71,19 @@ fn typed_in_any_space_the_point_goes_where_it_has_these_coordinates() {
         assert!(position(&window).abs_diff_eq(expected, 1e-12), "{field}: {} not {expected}", position(&window));
         window.command_key(Key::Z);
         assert_eq!(position(&window), P, "{field}");
+    }
+}
+
+/// One point has one set of coordinates.
+#[test]
+fn a_probe_pinned_on_a_point_goes_with_it_and_another_one_stays() {
+    for (pinned, goes) in [(P, true), (P + DVec3::X, false)] {
+        let mut window = window(Lang::En, P);
+        window.app_mut().state.model.document.show_mut().probe = Some(ShownProbe::World(pinned));
+        window.run();
+        window.enter("world x", "0.25");
+        let probe = window.state().model.document.figure().show.probe;
+        assert_eq!(probe, Some(ShownProbe::World(if goes { P.with_x(0.25) } else { pinned })));
     }
 }
 

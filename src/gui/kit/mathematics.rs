@@ -218,10 +218,18 @@ pub(in crate::gui) fn show(ui: &mut Ui, latex: &str, text: &str, size: f32) -> R
     response
 }
 
+/// The size of a formula in a line of words, as a share of theirs.
+const IN_LINE: f32 = 1.08;
+
+/// The width of a formula in a line of words.
+pub(in crate::gui) fn inline_width(ui: &Ui, latex: &str, font: &FontId) -> f32 {
+    Formula::new(ui, latex, &plain(latex), font.size * IN_LINE).size().x
+}
+
 /// A formula in a line of words, on their baseline.
 pub(in crate::gui) fn inline(ui: &mut Ui, latex: &str, font: &FontId, color: Color32) {
     let text = plain(latex);
-    let formula = Formula::new(ui, latex, &text, font.size * 1.08);
+    let formula = Formula::new(ui, latex, &text, font.size * IN_LINE);
     let sample = ui.painter().layout_no_wrap("x".to_owned(), font.clone(), color);
     let (place, response) = ui.allocate_exact_size(vec2(formula.size().x, sample.size().y), Sense::hover());
     formula.paint(ui.painter(), place.min + vec2(0.0, baseline_of(&sample) - formula.baseline()), color);

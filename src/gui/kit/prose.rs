@@ -2,12 +2,12 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use eframe::egui::{Id, Label, RichText, TextStyle, Ui};
+use eframe::egui::{FontId, Id, Label, Response, RichText, Sense, TextStyle, Ui};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 
 use super::mathematics;
 use super::theme;
-use crate::i18n::why::notes::plain;
+use crate::i18n::why::notes::{line, plain};
 
 /// Turns symbols such as `M_v` into mathematics. Text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {
@@ -126,6 +126,87 @@ pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
         ui.spacing_mut().interact_size.y = 0.0;
         CommonMarkViewer::new().render_math_fn(Some(&set)).show(ui, &mut cache, &with_bold(&with_symbols(markdown)));
     });
+}
+
+/// A short text in a row of other things. Formulas and bold words are set.
+pub(in crate::gui) fn in_row(ui: &mut Ui, markdown: &str) {
+    if has_marks(markdown) {
+        show(ui, markdown);
+    } else {
+        ui.label(markdown);
+    }
+}
+
+/// A radio button and its text, in a row of others. A click on either chooses it.
+pub(in crate::gui) fn radio(ui: &mut Ui, is_chosen: bool, markdown: &str) -> Response {
+    if !has_marks(markdown) {
+        return ui.radio(is_chosen, markdown);
+    }
+    let set = with_bold(&with_symbols(markdown));
+    let button = ui.spacing().icon_width + ui.spacing().icon_spacing;
+    let width = button + pieces(&set).map(|piece| piece.width(ui)).sum::<f32>();
+    let fits = width <= ui.max_rect().width();
+    if fits && width > ui.available_size_before_wrap().x {
+        ui.end_row();
+    }
+    let row = ui.horizontal_top(|ui| {
+        let button = ui.radio(is_chosen, "").accessible_name(line(markdown));
+        ui.spacing_mut().item_spacing.x = 0.0;
+        if fits {
+            pieces(&set).for_each(|piece| piece.show(ui));
+        } else {
+            show(ui, markdown);
+        }
+        button
+    });
+    // Above the words, which can be selected otherwise.
+    let words = row.response.rect.with_min_x(row.inner.rect.right());
+    let click = ui.interact(words, row.inner.id.with("words"), Sense::click());
+    if click.clicked() { click } else { row.inner }
+}
+
+/// A part of a short text.
+enum Piece<'a> {
+    Words(&'a str),
+    Bold(&'a str),
+    Formula(&'a str),
+}
+
+/// The parts of a text whose bold words are set as formulas.
+fn pieces(set: &str) -> impl Iterator<Item = Piece<'_>> {
+    set.split('$').enumerate().filter(|(_, part)| !part.is_empty()).map(|(k, part)| match part.strip_prefix(BOLD) {
+        Some(words) => Piece::Bold(words),
+        None if k % 2 == 1 => Piece::Formula(part),
+        None => Piece::Words(part),
+    })
+}
+
+impl Piece<'_> {
+    fn width(&self, ui: &Ui) -> f32 {
+        let font = TextStyle::Body.resolve(ui.style());
+        let words = |words: &str, font: FontId| {
+            ui.painter().layout_no_wrap(words.to_owned(), font, ui.visuals().text_color()).size().x
+        };
+        match self {
+            Self::Words(text) => words(&text.replace(['*', '`'], ""), font),
+            Self::Bold(text) => words(text, theme::bold(font.size)),
+            Self::Formula(latex) => mathematics::inline_width(ui, latex, &font),
+        }
+    }
+
+    fn show(&self, ui: &mut Ui) {
+        let font = TextStyle::Body.resolve(ui.style());
+        match self {
+            Self::Words(text) => drop(ui.label(text.replace(['*', '`'], ""))),
+            Self::Bold(text) => drop(ui.label(RichText::new(*text).font(theme::bold(font.size)))),
+            Self::Formula(latex) => mathematics::inline(ui, latex, &font, ui.visuals().text_color()),
+        }
+    }
+}
+
+/// True for a text with formulas, bold words or code.
+fn has_marks(markdown: &str) -> bool {
+    markdown.contains(['$', '*', '`'])
 }
 
 #[cfg(test)]

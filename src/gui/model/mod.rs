@@ -28,7 +28,7 @@ use crate::camera::{Camera, CameraError};
 use crate::explain::Matrix;
 use crate::figure::Figure;
 use crate::figure::points::free_name;
-use crate::figure::{Explanation, NamedPoint, Observers};
+use crate::figure::{Explanation, NamedPoint, Observers, ShownProbe};
 use crate::gui::background::memo::Memo;
 use crate::gui::model::document::source::Source;
 use crate::gui::model::layout::asked_layout::AskedLayout;
@@ -201,6 +201,17 @@ impl Model {
             }
         };
         self.follow.choose(&name);
+    }
+
+    /// Moves a point of the figure. A probe that's pinned on it goes with it.
+    pub(in crate::gui) fn move_point(&mut self, index: usize, position: DVec3) {
+        self.document.edit(|figure| {
+            let Some(point) = figure.points.get_mut(index) else { return };
+            if figure.show.probe == Some(ShownProbe::World(point.position)) {
+                figure.show.probe = Some(ShownProbe::World(position));
+            }
+            point.position = position;
+        });
     }
 
     /// The name of the figure in the window: that of its file, else its title.

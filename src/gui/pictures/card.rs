@@ -196,13 +196,18 @@ impl CardPlace {
         self.settles > 0
     }
 
-    /// The new position, in the corner of the pictures farthest from all their marks of the probe. `None` if it has its
+    /// The new position, in the corner of the pictures farthest from all their marks of the probe and of C. `None` if it has its
     /// place, and while the point of the probe is unknown, as in a heavy scene.
     fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>) -> Option<Pos2> {
         let point = point.filter(|_| self.is_placed_anew())?;
         self.settles -= 1;
         ctx.request_repaint();
-        let shown: Vec<Pos2> = panes.iter().filter_map(|pane| place_on_screen(pane, point)).collect();
+        // Nor does it cover the camera, where the rays and triangles of the probe meet.
+        let shown = panes.iter().flat_map(|pane| {
+            let eye = (pane.view != View::Image).then(|| pane.request.camera.position());
+            [Some(point), eye].into_iter().flatten().filter_map(|p| place_on_screen(pane, p))
+        });
+        let shown: Vec<Pos2> = shown.collect();
         let size = ctx.memory(|memory| memory.area_rect(id())).map_or(USUAL, |rect| rect.size());
         Some(farthest_corner(self.room, size, &shown))
     }

@@ -38,7 +38,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
     let setting = subject.setting(model).with_point_seen_from_object(position);
     let moved = places(ui, model, t, &setting);
     if let Some(position) = moved {
-        model.document.edit(|figure| figure.points[index].position = position);
+        model.move_point(index, position);
         ui.ctx().request_repaint();
     }
     ui.separator();

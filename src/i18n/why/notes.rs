@@ -155,6 +155,12 @@ pub fn plain(latex: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
+/// Markdown in a line, without its marks and with its formulas in plain signs.
+pub fn line(markdown: &str) -> String {
+    let part = |(k, part): (usize, &str)| if k % 2 == 1 { plain(part) } else { part.replace(['*', '`'], "") };
+    markdown.split('$').enumerate().map(part).collect()
+}
+
 /// Writes the command after a backslash. Returns the text after it.
 fn command<'a>(text: &mut String, rest: &'a str) -> &'a str {
     let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());

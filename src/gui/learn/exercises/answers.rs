@@ -306,7 +306,7 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
     let mut typing = Typing::default();
     ui.horizontal_wrapped(|ui| {
         for name in choices {
-            let response = ui.radio(text == name, said::choice_of(lang, ask, name));
+            let response = prose::radio(ui, text == name, said::choice_of(lang, ask, name));
             typing.in_focus |= response.has_focus();
             if response.clicked() {
                 text.clone_from(name);

@@ -119,13 +119,13 @@ fn row(ui: &mut Ui, t: &Texts, ask: &Ask, place: Place, is_answered: bool) -> bo
         let hint = format!("{letter}: {}", t.raise_hint);
         is_clicked = !is_answered && ui.button(letter).explained(hint).clicked();
         if !is_answered {
-            ui.label(name);
+            prose::in_row(ui, name);
             return;
         }
         let line = ui.text_style_height(&egui::TextStyle::Body);
         let sign = if is_right { "✓" } else { "✗" };
         ui.label(RichText::new(format!("{letter} {sign}")).strong().color(theme::verdict_color(ui, is_right)));
-        ui.label(name);
+        prose::in_row(ui, name);
         if most > 0 {
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 #[expect(clippy::cast_precision_loss, reason = "hands of a class")]

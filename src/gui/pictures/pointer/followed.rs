@@ -38,21 +38,13 @@ impl PointDrag {
         if model.follow.index(&model.document.figure().points) != Some(self.index) {
             model.follow.choose(&name);
         }
-        self.put(model, moved);
+        model.move_point(self.index, moved);
         ctx.request_repaint();
-    }
-
-    fn put(&self, model: &mut Model, p: DVec3) {
-        model.document.edit(|figure| {
-            if let Some(point) = figure.points.get_mut(self.index) {
-                point.position = p;
-            }
-        });
     }
 
     /// Puts it back in its former place.
     pub(in crate::gui::pictures) fn give_up(&self, model: &mut Model) {
-        self.put(model, self.before);
+        model.move_point(self.index, self.before);
     }
 
     /// Its position, and the way to drag it.
