@@ -1,10 +1,14 @@
-//! Names of mesh files in figures.
+//! The names in a figure that lead to files: meshes, textures, the photograph. Whatever writes a figure into another
+//! folder takes them through [`for_folder`].
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::{is_network, whole};
+use super::{disk, is_network, whole};
 use crate::figure::Figure;
-use crate::scene::Shape;
+
+/// The new names of files in a figure, by the old ones.
+pub type Renamed = BTreeMap<String, String>;
 
 /// The name of a file in a figure of this folder: relative to the folder, with slashes, if the file is in it, otherwise
 /// its whole path.
@@ -25,27 +29,33 @@ fn whole_folder(folder: &Path) -> PathBuf {
     whole(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
 }
 
-/// A figure that names files relative to the folder `from`, as it's written into the folder `to`. In another folder it
-/// gets new names for its meshes and its photograph, so that they are the same files. A figure without a folder names
-/// them relative to the folder in which the program was started.
-pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
-    let mut figure = figure.clone();
+/// A figure that names files relative to the folder `from`, as it's written into the folder `to`, and its new names. In
+/// another folder it gets new names for its meshes, textures and photograph, so that they are the same files. The files
+/// that a mesh names stay beside the mesh. A figure without a folder names them relative to the folder in which the
+/// program was started.
+pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> (Figure, Renamed) {
+    let (mut figure, mut renamed) = (figure.clone(), Renamed::new());
     if from.map(whole_folder) == to.map(whole_folder) {
-        return figure;
+        return (figure, renamed);
     }
-    let shapes = figure.scene.objects.iter_mut().filter_map(|object| object.shape.as_mut());
-    let meshes = shapes.filter_map(|shape| match shape {
-        Shape::Mesh { path } => Some(path),
-        _ => None,
-    });
-    for path in meshes.chain(figure.photograph.as_mut().map(|photograph| &mut photograph.file)) {
-        let file = from.unwrap_or(Path::new("")).join(&*path);
-        // A figure from elsewhere must not make the system look for another machine.
-        if !is_network(&file) && file.exists() {
-            *path = named_in_figure(to, &file);
+    for name in figure.files_mut() {
+        let file = from.unwrap_or(Path::new("")).join(&*name);
+        // A figure from elsewhere must not make the system look for another machine. An empty name hasn't been typed.
+        if !name.is_empty() && !is_network(&file) && disk::exists(&file) {
+            let new = named_in_figure(to, &file);
+            renamed.insert(std::mem::replace(name, new.clone()), new);
         }
     }
-    figure
+    (figure, renamed)
+}
+
+/// Gives new names to files.
+pub fn rename<'a>(names: impl Iterator<Item = &'a mut String>, renamed: &Renamed) {
+    for name in names {
+        if let Some(new) = renamed.get(name) {
+            new.clone_into(name);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -53,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn meshes_are_named_relative_to_their_figure() {
+    fn files_are_named_relative_to_their_figure() {
         let named = |folder: Option<&str>, path: &str| named_in_figure(folder.map(Path::new), Path::new(path));
         assert_eq!(named(Some("/lecture"), "/lecture/meshes/cow.obj"), "meshes/cow.obj");
         assert_eq!(named(Some("/lecture"), "/other/cow.obj"), "/other/cow.obj");
