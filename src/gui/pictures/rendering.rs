@@ -357,7 +357,7 @@ mod tests {
     #[test]
     fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
         let ctx = egui::Context::default();
-        let worker = drawing().without_thread(&ctx);
+        let worker = drawing(ShadowMaps::default()).without_thread(&ctx);
         let mut rendering = Rendering { worker, ..Rendering::default() };
         rendering.ask(&ctx, job(25));
         let rendered = rendering.collect(Duration::ZERO);
