@@ -1,6 +1,6 @@
-//! The files that a picture carries for its figure: meshes, the files that these name, textures, the photograph. Each is
-//! a comment after the text of the figure, `#camera-lab-file "NAME" BYTES`, packed and in Base64, so that every format
-//! that holds a figure carries them alike.
+//! The files that a picture carries for its figure: meshes, the files that these name, textures, the photograph. Each
+//! is a comment after the text of the figure, `#camera-lab-file "NAME" BYTES`, packed and in Base64, so that every
+//! format that holds a figure carries them alike.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

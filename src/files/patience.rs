@@ -74,7 +74,7 @@ mod threads {
         let (sender, receiver) = channel();
         let own = path.to_owned();
         thread::Builder::new().name("file".to_owned()).spawn(move || {
-            // Nobody may wait for it any more.
+            // The thread that wanted it may have given up.
             let _ = sender.send(work(&own));
             stalled().remove(&own);
         })?;

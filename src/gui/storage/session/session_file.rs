@@ -89,8 +89,8 @@ pub struct Restored {
 }
 
 impl SessionFile {
-    /// The session of a figure from `place`: its file, or the folder of the picture that it came from. `carried` are the
-    /// files in that picture.
+    /// The session of a figure from `place`: its file, or the folder of the picture that it came from. `carried` are
+    /// the files in that picture.
     pub(super) fn new(
         place: &[Option<PathBuf>; 2],
         (source, carried): (&str, &Carried),
