@@ -6,7 +6,7 @@ use crate::figure::Figure;
 use crate::i18n::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
 use crate::i18n::{Lang, pictures};
 use crate::lessons::{Lesson, Question, See, Step, Task};
-use crate::picture::{Composite, FormulaPart, Handout, HandoutEntry, NoComposite, Paragraph};
+use crate::picture::{Composite, FormulaPart, Handout, HandoutEntry, NoComposite, Paragraph, have_same_scene};
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views};
 
@@ -137,14 +137,39 @@ pub fn of_exercises<E>(
     Ok(Handout { title: t.exercises.to_owned(), language: lang.tag(), entries, columns })
 }
 
+/// The scenes of a handout. Figures with the same objects share one, so that equal pictures are drawn once.
+#[derive(Debug, Default)]
+pub struct Scenes(Vec<(Figure, SharedScene)>);
+
+impl Scenes {
+    /// The scene of a figure, which `build` makes if no figure before had it.
+    ///
+    /// # Errors
+    /// Those of `build`.
+    pub fn of<E>(&mut self, figure: &Figure, build: impl FnOnce() -> Result<Scene, E>) -> Result<SharedScene, E> {
+        if let Some((_, scene)) = self.0.iter().find(|(other, _)| have_same_scene(other, figure)) {
+            return Ok(scene.clone());
+        }
+        let scene = SharedScene::new(build()?);
+        self.0.push((figure.clone(), scene.clone()));
+        Ok(scene)
+    }
+}
+
 /// The pictures of a figure on a handout.
 ///
 /// # Errors
 /// The camera is impossible, or the pictures have no room.
-pub fn picture(figure: &Figure, scene: Scene, views: Views, size: Size, lang: Lang) -> Result<Composite, NoPicture> {
+pub fn picture(
+    figure: &Figure,
+    scene: &SharedScene,
+    views: Views,
+    size: Size,
+    lang: Lang,
+) -> Result<Composite, NoPicture> {
     let camera = Camera::new(&figure.camera)?;
-    let (shot, scene) = (Shot::of(figure), SharedScene::new(scene));
-    let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(lang), size);
+    let shot = Shot::of(figure);
+    let request = Request::new(&shot, View::Image, &camera, scene, pictures::labels(lang), size);
     // A lecturer turns the pictures of a lesson in a window, whose shape differs from that of a page.
     Ok(Composite::of(views, &request, &shot, None)?.gone_back())
 }

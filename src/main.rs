@@ -34,8 +34,8 @@ mod system {
         use camera_lab::gui::{self, GuiError, Start};
         use camera_lab::i18n::{command_line as texts, messages};
 
-        let cli::Opening { figure, file, allow_files, lang, asked_lang, lesson } = opening;
-        match gui::run(Start { figure, file, lang, allow_files, lesson }, asked_lang) {
+        let cli::Opening { figure, file, allow_files, lang, asked_lang, lesson, later } = opening;
+        match gui::run(Start { figure, file, lang, allow_files, lesson, later }, asked_lang) {
             Ok(()) => ExitCode::SUCCESS,
             Err(GuiError::NoWindow(why)) => no_window(1, &texts::no_window(lang, &why)),
             Err(GuiError::Camera(error)) => no_window(2, &messages::camera(lang, &error)),

@@ -3,11 +3,10 @@
 
 use super::args::AnimateArgs;
 use super::render::{no_picture, save};
-use super::{Failure, OpenFigure, progress, say, sweep};
+use super::{Failure, OpenFigure, progress, say, sweep, text_for_picture};
 use crate::camera::ImageSize;
 use crate::cli::args::figure::size;
 use crate::cli::args::words::written;
-use crate::figure::update;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Animation, FilmFormat, PictureFile};
 use crate::progress::at_once;
@@ -31,7 +30,7 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
         let name = messages::opened(lang, &args.figure);
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));
     }
-    let text = update(&subject.opened.text, &subject.opened.figure);
+    let text = text_for_picture(&args.figure, &subject.opened, &args.common, &args.output, lang);
     let written = written(args.common.lang);
     let told = pictures::told_of(written, &subject.opened.figure, &film.stills(), text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &told, progress)));

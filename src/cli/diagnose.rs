@@ -1,17 +1,18 @@
 //! `camera-lab diagnose`: how near a camera is to trouble with numbers, and why a picture is empty.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::args::DiagnoseArgs;
 use super::render::save;
-use super::{Failure, OpenFigure, json_of, print, progress, say, scene};
+use super::{Failure, OpenFigure, files_of, json_of, print, progress, say, scene, text_for_file};
 use crate::camera::{Camera, CameraError};
 use crate::cli::args::words::{TableFormat, written};
-use crate::figure::{Figure, update};
-use crate::files::{self, Opened};
+use crate::figure::Figure;
+use crate::files::{self, FileError, Opened};
 use crate::i18n::window::coach;
 use crate::i18n::{Lang, messages};
 use crate::numerics::diagnosis::{
@@ -19,6 +20,7 @@ use crate::numerics::diagnosis::{
 };
 use crate::numerics::health::{Health, health};
 use crate::progress::at_once;
+use crate::sanitize;
 
 /// The JSON output.
 #[derive(Serialize)]
@@ -169,14 +171,37 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
     };
     if let Some(path) = args.output.as_ref().filter(|_| args.repair) {
         let (repaired, note) = repaired(figure, &diagnosis, lang);
-        // The file may be for another folder than the one that its mesh paths are relative to.
-        let repaired = files::for_folder(&repaired, args.figure.parent(), path.parent());
-        save(path, update(&opened.text, &repaired).as_bytes(), None, lang)?;
+        save_repaired(args, &opened, &repaired, path, lang)?;
         if let Some(note) = note {
             say(&format!("{}: {note}", messages::opened(lang, &args.figure)));
         }
     }
     print(text.as_bytes(), lang)
+}
+
+/// Writes a repaired figure, from a picture with the files that it carries.
+fn save_repaired(
+    args: &DiagnoseArgs,
+    opened: &Opened,
+    repaired: &Figure,
+    path: &Path,
+    lang: Lang,
+) -> Result<(), Failure> {
+    if opened.carried.is_empty() {
+        let text = text_for_file((&args.figure, opened), repaired, path.parent(), lang)?;
+        return save(path, text.as_bytes(), None, lang);
+    }
+    let files = files_of(&args.figure, opened, &args.common);
+    let (moved, _, beside) = files::beside_figure(repaired, files, path);
+    for (path, bytes) in beside {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let made = files::disk::create_folder(folder).map_err(FileError::Write);
+        made.map_err(|error| Failure::Failed(messages::file(lang, &sanitize::path(folder), &error)))?;
+        save(&path, &bytes, None, lang)?;
+    }
+    // Its names are relative to the new file already.
+    let text = text_for_file((path, opened), &moved, path.parent(), lang)?;
+    save(path, text.as_bytes(), None, lang)
 }
 
 /// The figure with the repair of the first finding, or the message that replaces it.

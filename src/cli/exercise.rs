@@ -28,7 +28,7 @@ use crate::picture::{self, Composite, FileOptions, Metadata};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::no_files;
-use crate::views::{Size, View, Views, scene_of};
+use crate::views::{SharedScene, Size, View, Views, scene_of};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
@@ -245,8 +245,8 @@ fn picture_command(exercise: &Exercise) -> String {
 fn to_match(figure: &Figure, (written, size): (Lang, Size), name: &str, lang: Lang) -> Result<Composite, Failure> {
     let failed = |why: String| Failure::Failed(format!("{name}: {why}"));
     let scene = scene_of(figure, &mut no_files, &Progress::default());
-    let scene = scene.map_err(|error| failed(messages::scene(lang, &error)))?;
-    handout::picture(figure, scene, Views::One(View::Image), size, written).map_err(|error| match error {
+    let scene = SharedScene::new(scene.map_err(|error| failed(messages::scene(lang, &error)))?);
+    handout::picture(figure, &scene, Views::One(View::Image), size, written).map_err(|error| match error {
         NoPicture::Camera(error) => failed(messages::camera(lang, &error)),
         NoPicture::Composite(error) => no_picture(lang, name, error.into(), [size.width, size.height].map(u64::from)),
     })

@@ -15,8 +15,8 @@ pub(super) fn run(args: &InspectArgs, lang: Lang) -> Result<(), Failure> {
         Failure::BadInput(format!("{}: {}", messages::opened(lang, &args.figure), messages::inspect(lang, &error)))
     };
     let space = camera.clip_space(args.ndc).map_err(|error| bad_input(error.into()))?;
-    let report =
-        Report::of(&space, figure.image, figure.viewport, &points, &pixels).map_err(bad_input)?.with_cameras(figure);
+    let report = Report::of(&space, figure.image, figure.viewport, &points, &pixels).map_err(bad_input)?;
+    let report = report.with_cameras(figure, args.ndc).map_err(bad_input)?;
     let setting = Setting::new(space, figure.image, figure.viewport);
     let way_back = |(pixel, depth): ([i64; 2], f64)| {
         DepthPixelReport::new(&setting, pixel, depth)

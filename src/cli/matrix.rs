@@ -5,12 +5,11 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::{Failure, json_of, open, print};
+use super::{Failure, json_of, open, print, text_to_print};
 use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
 use crate::cli::args::figure::size;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{TableFormat, written};
-use crate::figure::update;
 use crate::files::{self, FileError};
 use crate::i18n::why::dialects;
 use crate::i18n::{Lang, messages};
@@ -75,7 +74,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     })?;
     let size = size(args.size.as_deref(), lang)?;
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
-    let mut figure = opened.figure;
+    let mut figure = opened.figure.clone();
     let stated = Stated {
         kind: args.kind,
         axes: args.axes,
@@ -99,7 +98,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
         TableFormat::Json => json_of(&Answer::new(&found, camera_names(&cameras), written))?,
         TableFormat::Text => {
             let names = if all { Vec::new() } else { camera_names(&cameras) };
-            comments(&found, &names, written) + &update(&opened.text, &figure)
+            comments(&found, &names, written) + &text_to_print((&args.figure, &opened), &figure, lang)?
         }
     };
     print(text.as_bytes(), lang)
@@ -107,9 +106,9 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
 
 /// Reads a file. For `images.txt` of COLMAP, adds the lenses of `cameras.txt` beside it.
 fn read(path: &Path) -> Result<Vec<u8>, FileError> {
-    let bytes = files::read_file(path)?;
+    let bytes = files::read_camera_file(path)?;
     if path.file_name().is_some_and(|name| name == "images.txt")
-        && let Ok(mut lenses) = files::read_file(&path.with_file_name("cameras.txt"))
+        && let Ok(mut lenses) = files::read_camera_file(&path.with_file_name("cameras.txt"))
     {
         lenses.push(b'\n');
         lenses.extend(bytes);

@@ -25,22 +25,23 @@ mod sweep;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 use serde::Serialize;
 
 use crate::camera::{Camera, Convention, ImageSize, Operation};
-use crate::figure::Figure;
 use crate::figure::read::line_of_object;
-use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, SourceFile};
+use crate::figure::{Figure, update};
+use crate::files::{self, FigureFiles, FileAccess, FileError, LeftOut, Opened, SourceFile};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::inspect::{InspectError, camera_after};
+use crate::inspect::{InspectError, camera_after, for_terminals};
 use crate::lessons::OpenLesson;
 use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
+use crate::share;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 use args::figure::FigureArgs;
 use args::words::written;
@@ -91,6 +92,8 @@ pub struct Opening {
     pub asked_lang: Option<Lang>,
     /// The lesson to play, the step to begin with (from 0), and the lesson's file.
     pub lesson: Option<OpenLesson>,
+    /// A file that answers too late for the start. The window opens it once it's there.
+    pub later: Option<PathBuf>,
 }
 
 /// Runs the program with the arguments of a process (the program's name first), up to the window.
@@ -167,7 +170,8 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
 
 /// The output for other programs.
 fn json_of(answer: &impl Serialize) -> Result<String, Failure> {
-    Ok(serde_json::to_string_pretty(answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n")
+    let text = serde_json::to_string_pretty(answer).map_err(|error| Failure::Failed(error.to_string()))?;
+    Ok(for_terminals(&text) + "\n")
 }
 
 /// The nearest known name to an unknown one.
@@ -190,11 +194,64 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     Ok((opened, camera))
 }
 
+/// Reads the files that a figure names.
+fn files_of(path: &Path, opened: &Opened, args: &FigureArgs) -> FigureFiles {
+    let reach = FileAccess::of(path, opened.from_picture, args.allow_files);
+    FigureFiles::new(path.parent().unwrap_or(Path::new("")), reach).with(&opened.carried)
+}
+
+/// The text of a figure for a picture, with the files of the figure. If they have no room, a message says so.
+fn text_for_picture(path: &Path, opened: &Opened, args: &FigureArgs, output: &Path, lang: Lang) -> String {
+    let text = |figure: &Figure| update(&opened.text, figure);
+    let (text, left_out) = files::text_in_picture(text, &opened.figure, files_of(path, opened, args), output);
+    say_left_out(left_out, output, lang);
+    text
+}
+
+/// Says which files a picture doesn't carry.
+fn say_left_out(left_out: Option<LeftOut>, output: &Path, lang: Lang) {
+    if let Some(left_out) = left_out {
+        say(&format!("{}: {}", sanitize::path(output), messages::left_out(lang, &left_out)));
+    }
+}
+
+/// The text of a figure for a figure file in the folder `to`, made from that of `opened` at `path`. Its files are the
+/// same from there.
+///
+/// # Errors
+/// One of its cameras is impossible, so no command could open the file.
+fn text_for_file(
+    (path, opened): (&Path, &Opened),
+    figure: &Figure,
+    to: Option<&Path>,
+    lang: Lang,
+) -> Result<String, Failure> {
+    let cameras = figure.cameras.iter().map(|camera| &camera.parameters);
+    std::iter::once(&figure.camera).chain(cameras).try_for_each(|camera| Camera::new(camera).map(drop)).map_err(
+        |error| {
+            let name = messages::opened(lang, path);
+            Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error)))
+        },
+    )?;
+    // The folder of a link is none.
+    let from = path.parent().filter(|_| share::link_of(path).is_none());
+    Ok(update(&opened.text, &files::for_folder(figure, from, to).0))
+}
+
+/// As [`text_for_file`], for standard output, which the user most likely sends into a file of this folder.
+fn text_to_print(from: (&Path, &Opened), figure: &Figure, lang: Lang) -> Result<String, Failure> {
+    let text = text_for_file(from, figure, Some(Path::new("")), lang)?;
+    if !from.1.carried.is_empty() {
+        let own = files::own_files(figure).into_keys().map(str::to_owned).collect();
+        say(&messages::not_printed(lang, &LeftOut(own)));
+    }
+    Ok(text)
+}
+
 /// The scene of a figure. Looks for its meshes beside the figure file. Lists on standard error the missing files
 /// without which the figure can still be drawn.
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, FileAccess::of(path, opened.from_picture, args.allow_files));
+    let mut files = files_of(path, opened, args);
     let read = |progress: &Progress| scene_of(&opened.figure, &mut |wanted| files.read(wanted), progress);
     let scene = progress::watched(lang, read).map_err(|error| {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));

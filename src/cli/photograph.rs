@@ -4,12 +4,11 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::{Failure, json_of, open, print};
+use super::{Failure, json_of, open, print, text_to_print};
 use crate::camera::{PhotographCamera, camera_of_photograph};
 use crate::cli::args::figure::size;
 use crate::cli::args::photograph::PhotographArgs;
 use crate::cli::args::words::{TableFormat, written};
-use crate::figure::update;
 use crate::i18n::why::photograph as texts;
 use crate::i18n::{Lang, messages};
 use crate::inspect::CameraReport;
@@ -43,16 +42,16 @@ struct Open {
 pub(super) fn run(args: &PhotographArgs, lang: Lang) -> Result<(), Failure> {
     let (marks, size) = (args.marks(lang)?, size(args.size.as_deref(), lang)?);
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
-    let mut figure = opened.figure;
+    let mut figure = opened.figure.clone();
     let image = size.unwrap_or(figure.image);
     let refused = |why: String| Failure::BadInput(format!("{}: {why}", messages::opened(lang, &args.figure)));
-    let found =
-        camera_of_photograph(&marks, image, camera.parameters()).map_err(|error| refused(texts::error(lang, error)))?;
+    let found = camera_of_photograph(&marks, image, camera.parameters())
+        .map_err(|error| refused(texts::error(lang, &error)))?;
     (figure.camera, figure.image) = (found.parameters, image);
     let written = written(args.common.lang);
     let text = match args.format {
         TableFormat::Json => json_of(&Answer::new(&found, [image.width, image.height], written))?,
-        TableFormat::Text => comments(&found, written) + &update(&opened.text, &figure),
+        TableFormat::Text => comments(&found, written) + &text_to_print((&args.figure, &opened), &figure, lang)?,
     };
     print(text.as_bytes(), lang)
 }

@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use super::args::RenderArgs;
-use super::{Failure, open, progress, say, scene};
+use super::{Failure, open, progress, say, scene, text_for_picture};
 use crate::camera::{Camera, ImageSize};
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::words::written;
-use crate::figure::update;
 use crate::files::{self, Opened, Overwrite};
 use crate::handout;
 use crate::i18n::window::{compare, labels as labels_words};
@@ -48,7 +47,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let request = Request { force_all_stages: args.force_all_stages, ..request };
     let sheet = progress::watched(lang, |progress| at_once(spec.sheet(&request, &shot, other.as_ref(), progress)));
     let sheet = sheet.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
-    let text = update(&opened.text, &opened.figure);
+    let text = text_for_picture(&args.figure, &opened, &args.common, &out.output, lang);
     let written = written(args.common.lang);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&out.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, spec.options, &told, progress)));

@@ -3,13 +3,12 @@
 use std::path::Path;
 
 use super::render::{no_picture, observer_of, report, save};
-use super::{Failure, open, progress, scene};
+use super::{Failure, open, progress, scene, text_for_picture};
 use crate::camera::Camera;
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::sheet::SheetArgs;
 use crate::cli::args::words::written;
-use crate::figure::update;
 use crate::figure::variation::{Variant, Variation, VariationError, variants};
 use crate::files::Opened;
 use crate::i18n::{Lang, families, messages, pictures};
@@ -73,7 +72,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let sheet =
         spec.family(&family, &request).map_err(|error| no_picture(lang, &name, error.into(), pixels.map(u64::from)))?;
     let written = written(args.common.lang);
-    let text = update(&opened.text, &opened.figure);
+    let text = text_for_picture(&args.figure, &opened, &args.common, &args.out.output, lang);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&args.out.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, spec.options, &told, progress)));
     let file = made.map_err(|error| no_picture(lang, &name, error, pixels.map(u64::from)))?;

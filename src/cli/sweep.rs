@@ -3,11 +3,11 @@
 use super::args::AnimateArgs;
 use super::render::{no_picture, observer_of, open_other, save};
 use super::sheet::members;
-use super::{Failure, open, progress, scene};
+use super::{Failure, open, progress, scene, text_for_picture};
 use crate::camera::{Camera, CameraPath, ImageSize};
 use crate::cli::args::words::written;
+use crate::figure::Figure;
 use crate::figure::variation::Variant;
-use crate::figure::{Figure, update};
 use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
 use crate::limits::MAX_FRAMES;
 use crate::picture::{FilmFormat, Sweep};
@@ -57,7 +57,7 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     let film = Sweep { requests, views: series.len(), seconds };
     let refused = |error| no_picture(lang, &name, error, [width, height].map(u64::from));
     let written = written(args.common.lang);
-    let text = update(&opened.text, &opened.figure);
+    let text = text_for_picture(&args.figure, &opened, &args.common, &args.output, lang);
     let told =
         pictures::told_of(written, &opened.figure, &film.stills().map_err(refused)?, text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(film.file(format, &told, progress)));

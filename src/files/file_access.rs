@@ -3,6 +3,7 @@
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
+use super::carried::Carried;
 use super::shipped::shipped_file;
 use super::{FileError, disk, is_network, read_at_most};
 use crate::limits::MAX_SCENE_BYTES;
@@ -10,8 +11,8 @@ use crate::sanitize;
 use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
 use crate::share;
 
-/// The files that a figure may name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The files that a figure may name, more from one to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FileAccess {
     /// The reach of a figure that came without a folder, as in a link. It has the meshes of the program.
     Link,
@@ -61,6 +62,7 @@ impl FileAccess {
 pub struct FigureFiles {
     folder: PathBuf,
     reach: FileAccess,
+    carried: Carried,
     left: usize,
     unread: Vec<ReadError>,
 }
@@ -68,7 +70,19 @@ pub struct FigureFiles {
 impl FigureFiles {
     /// The files of a figure whose paths are relative to `folder`.
     pub fn new(folder: &Path, reach: FileAccess) -> Self {
-        Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
+        let carried = Carried::default();
+        Self { folder: folder.to_owned(), reach, carried, left: MAX_SCENE_BYTES, unread: Vec::new() }
+    }
+
+    /// The same, with the files that a picture carries. They come before files of the same name on the disk.
+    #[must_use]
+    pub fn with(self, carried: &Carried) -> Self {
+        Self { carried: carried.clone(), ..self }
+    }
+
+    /// The folder that names are relative to.
+    pub fn folder(&self) -> &Path {
+        &self.folder
     }
 
     /// The same, with this number of bytes already read.
@@ -107,6 +121,11 @@ impl FigureFiles {
     }
 
     fn read_problem(&mut self, path: &Path, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadProblem> {
+        if let Some(carried) = self.carried.read(wanted.path, self.left) {
+            let bytes = carried?;
+            self.left = self.left.saturating_sub(bytes.len());
+            return Ok(bytes);
+        }
         if is_network(path) || is_network(Path::new(wanted.path)) {
             return Err(ReadProblem::Network);
         }
@@ -125,7 +144,7 @@ impl FigureFiles {
         };
         let bytes = read_at_most(&path, self.left as u64).map_err(|error| match error {
             FileError::Directory => ReadProblem::Directory,
-            FileError::TooLarge => ReadProblem::Budget,
+            FileError::TooLarge(_) => ReadProblem::Budget,
             FileError::NotRegular => ReadProblem::NotRegular,
             FileError::Network => ReadProblem::Network,
             FileError::Read(error) | FileError::Write(error) => ReadProblem::system(&error),

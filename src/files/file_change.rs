@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::SystemTime;
 
+use super::patience::in_time;
 use super::read_file;
 use crate::limits::MAX_FIGURE_BYTES;
 
@@ -27,7 +28,8 @@ pub enum FileChange {
 
 /// Looks at a file that held `known`. Doesn't read it if its time and size are still `stamp`.
 pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> FileChange {
-    let Ok(meta) = fs::metadata(path) else { return FileChange::Gone };
+    let Ok(meta) = in_time(path, |path| fs::metadata(path)) else { return FileChange::Other(None) };
+    let Ok(meta) = meta else { return FileChange::Gone };
     // Taken before the bytes are read, so that a later write has another one.
     let now = Stamp { modified: meta.modified().ok(), size: meta.len() };
     if stamp == Some(now) && now.modified.is_some() {

@@ -1,14 +1,17 @@
 //! The file system, for both shells: opens figures, and saves without losing data.
 
+mod carried;
 pub mod disk;
 mod file_access;
 mod file_change;
 mod lessons;
-mod mesh_paths;
+mod named_files;
 mod own_exercises;
+mod patience;
 #[cfg(not(target_arch = "wasm32"))]
 mod save;
 mod shipped;
+mod travel;
 mod windows_names;
 
 use std::borrow::Cow;
@@ -24,20 +27,26 @@ use crate::export::format::PictureFormat;
 use crate::export::png::{self, PngError};
 use crate::export::vector;
 use crate::figure::{Figure, FigureError, read};
-use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
+use crate::limits::{MAX_CAMERA_FILE_BYTES, MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::import::MESH_ENDINGS;
 use crate::scene::{ReadProblem, system_words};
 use crate::share::{self, ShareError};
+pub use carried::Carried;
 #[cfg(target_arch = "wasm32")]
 pub use disk::{is_read_only, read_at_most, remove_left_over, save};
 pub use file_access::{FigureFiles, FileAccess};
 pub use file_change::{FileChange, Stamp, look};
 pub use lessons::{OwnLessons, is_lesson_file as is_lesson, read_lesson, read_lessons};
-pub use mesh_paths::{for_folder, named_in_figure};
-pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
+pub use named_files::{Renamed, for_folder, named_in_figure, rename};
+pub use own_exercises::{BadExercise, OwnExercises, entries, read_exercises};
+pub use patience::WINDOW_WAIT;
+use patience::in_time;
+#[cfg(not(target_arch = "wasm32"))]
+pub use patience::limit_waiting;
 #[cfg(not(target_arch = "wasm32"))]
 pub use save::{is_read_only, remove_left_over, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};
+pub use travel::{LeftOut, beside_figure, own_files, text_in_picture};
 
 /// A reason why a file is unusable. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]
@@ -65,9 +74,9 @@ pub enum FileError {
     /// An existing file that may not be written.
     #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
-    /// A file larger than any file meant for this program.
-    #[error("is larger than any figure or image; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
-    TooLarge,
+    /// A file larger than any file meant for this use.
+    #[error("is too large; allowed: at most {}", size_words(*.0))]
+    TooLarge(u64),
     /// A folder with more exercises than a lecture has.
     #[error("has too many exercises; allowed: at most {MAX_OWN_EXERCISES}")]
     TooManyExercises,
@@ -108,10 +117,12 @@ pub struct Opened {
     pub text: String,
     /// True if the text came from a picture or a link. Saving must not replace the picture by it.
     pub from_picture: bool,
+    /// The files that came with it.
+    pub carried: Carried,
 }
 
 /// The file that a figure came from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SourceFile {
     /// Its [`whole`] path.
     pub path: PathBuf,
@@ -119,6 +130,8 @@ pub struct SourceFile {
     pub text: String,
     /// True if it's a picture that holds this text. Saving must not replace the picture by the text.
     pub is_picture: bool,
+    /// The files that the picture carries.
+    pub carried: Carried,
 }
 
 impl Opened {
@@ -126,7 +139,7 @@ impl Opened {
     pub fn at(self, path: &Path) -> (Figure, SourceFile) {
         // A link has no folder, so relative names in its figure lead nowhere.
         let path = if share::link_of(path).is_some() { PathBuf::new() } else { whole(path) };
-        (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
+        (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture, carried: self.carried })
     }
 }
 
@@ -165,19 +178,42 @@ pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
 pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<CameraError>), FileError> {
     let (bytes, is_link) = figure_bytes(path)?;
     let or_other = |error| other_kind(path, &bytes).unwrap_or(error);
-    let (text, from_picture) = figure_text(&bytes).map_err(or_other)?;
+    let (text, from_picture, carried) = figure_text(&bytes).map_err(or_other)?;
     let read = |text| read::parse_with_any_camera(read::text_of(text, MAX_FIGURE_BYTES)?);
     let (figure, error) = read(&text).map_err(|error| or_other(error.into()))?;
     let text = String::from_utf8_lossy(&text).into_owned();
-    Ok((Opened { figure, text, from_picture: from_picture || is_link }, error))
+    Ok((Opened { figure, text, from_picture: from_picture || is_link, carried }, error))
 }
 
 /// The bytes behind a path, and true if they come from a link.
 fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
     match share::link_of(path).and_then(share::text_in) {
         Some(text) => Ok((text?, true)),
-        None => Ok((read_file(path)?, false)),
+        None => Ok((read_figure_file(path)?, false)),
     }
+}
+
+/// True for a file that doesn't answer within the time that this thread waits.
+pub fn stalls(path: &Path) -> bool {
+    matches!(read_start(path, 1), Err(FileError::Read(error)) if error.kind() == io::ErrorKind::TimedOut)
+}
+
+/// The bytes of a figure file, or of a picture, which may be larger.
+///
+/// # Errors
+/// As for [`read_file`], also for a figure file that's longer than any.
+pub fn read_figure_file(path: &Path) -> Result<Vec<u8>, FileError> {
+    /// Enough to tell pictures from texts.
+    const HEAD: u64 = 4096;
+    match read_at_most(path, MAX_FIGURE_BYTES as u64) {
+        Err(FileError::TooLarge(_)) if is_picture(&read_start(path, HEAD)?) => read_file(path),
+        read => read,
+    }
+}
+
+/// True for bytes that begin like a picture that may hold a figure.
+fn is_picture(bytes: &[u8]) -> bool {
+    png::is_png(bytes) || vector::figure_in(bytes).is_some()
 }
 
 /// The figure in the bytes of a figure file, or of a PNG that holds one.
@@ -185,20 +221,24 @@ fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
 /// # Errors
 /// [`FileError`], which names the line of a fault in a figure file.
 pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
-    let (bytes, from_picture) = figure_text(bytes)?;
+    let (bytes, from_picture, carried) = figure_text(bytes)?;
     let figure = read::parse_bytes(&bytes)?;
-    Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
+    Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture, carried })
 }
 
-/// The text of the figure in the bytes of a file, and true if the file is a picture.
-fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FileError> {
+/// The text of the figure in the bytes of a file, true if the file is a picture, and the files that it carries.
+fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError> {
     let from_vectors = vector::figure_in(bytes);
     let from_picture = png::is_png(bytes) || from_vectors.is_some();
     let text = match from_vectors {
         Some(found) => found.filter(|text| text.len() <= MAX_FIGURE_BYTES).ok_or(PngError::NoFigure)?.into(),
         None => png::figure_bytes(bytes, MAX_FIGURE_BYTES)?,
     };
-    Ok((text, from_picture))
+    if !from_picture {
+        return Ok((text, false, Carried::default()));
+    }
+    let (text, carried) = Carried::split(text.into_owned());
+    Ok((text.into(), true, carried))
 }
 
 /// The bytes of a regular file of this machine.
@@ -215,14 +255,37 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
 /// As for [`read_file`].
 #[cfg(not(target_arch = "wasm32"))]
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-    let (file, length) = open_regular(path)?;
-    // A file that reports too large a size isn't read at all. One that grows meanwhile isn't trusted either.
-    if length > most {
-        return Err(FileError::TooLarge);
+    let read = move |path: &Path| {
+        let (file, length) = open_regular(path)?;
+        // A file that reports too large a size isn't read at all. One that grows meanwhile isn't trusted either.
+        if length > most {
+            return Err(FileError::TooLarge(most));
+        }
+        let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or_default());
+        file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
+        if bytes.len() as u64 > most { Err(FileError::TooLarge(most)) } else { Ok(bytes) }
+    };
+    in_time(path, read).map_err(FileError::Read)?
+}
+
+/// The bytes of a file with cameras of another program. Of a GLB file only its JSON, the meshes behind it aren't read.
+///
+/// # Errors
+/// As for [`read_file`], of at most [`MAX_CAMERA_FILE_BYTES`].
+pub fn read_camera_file(path: &Path) -> Result<Vec<u8>, FileError> {
+    /// Magic, version, length, length of the first chunk, its kind.
+    const HEAD: u64 = 20;
+    let head = read_start(path, HEAD)?;
+    match head.get(12..16).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes) {
+        Some(length) if head.starts_with(b"glTF") => {
+            let whole = HEAD + u64::from(length);
+            if u64::from(length) > MAX_CAMERA_FILE_BYTES {
+                return Err(FileError::TooLarge(MAX_CAMERA_FILE_BYTES));
+            }
+            read_start(path, whole)
+        }
+        _ => read_at_most(path, MAX_CAMERA_FILE_BYTES),
     }
-    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or_default());
-    file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
-    if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
 }
 
 /// The first bytes of a file, at most `most`.
@@ -231,9 +294,12 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
 /// As for [`read_file`].
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-    let mut bytes = Vec::new();
-    open_regular(path)?.0.take(most).read_to_end(&mut bytes).map_err(FileError::Read)?;
-    Ok(bytes)
+    let read = move |path: &Path| {
+        let mut bytes = Vec::new();
+        open_regular(path)?.0.take(most).read_to_end(&mut bytes).map_err(FileError::Read)?;
+        Ok(bytes)
+    };
+    in_time(path, read).map_err(FileError::Read)?
 }
 
 /// As in a folder, because a page has its files in memory.
@@ -268,6 +334,12 @@ fn open_regular(path: &Path) -> Result<(File, u64), FileError> {
     Ok((file, now.len()))
 }
 
+/// A size in bytes, as messages give it.
+pub fn size_words(bytes: u64) -> String {
+    let unit = |shift: u32, name: &str| (bytes >> shift > 0).then(|| format!("{} {name}", bytes >> shift));
+    unit(30, "GiB").or_else(|| unit(20, "MiB")).unwrap_or_else(|| format!("{bytes} bytes"))
+}
+
 /// Refuses a path that no file of this machine can have.
 fn check_path(path: &Path) -> Result<(), FileError> {
     if is_network(path) {
@@ -295,6 +367,9 @@ pub fn is_network(path: &Path) -> bool {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+    use std::time::{Duration, Instant};
+
+    use super::testing::{Directory, Stall};
     use super::*;
     use crate::progress::{Progress, at_once};
 
@@ -327,38 +402,112 @@ mod tests {
     fn devices_and_pipes_are_refused_before_anything_is_read() {
         assert!(matches!(read_file(Path::new("/dev/zero")), Err(FileError::NotRegular)));
         assert!(matches!(read_file(Path::new("/dev/null")), Err(FileError::NotRegular)));
-        let directory = testing::Directory::new("pipe");
+        let directory = Directory::new("pipe");
         let pipe = directory.path().join("pipe.toml");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status();
         assert!(made.is_ok_and(|status| status.success()));
         // Would wait for ever if it was opened.
         assert!(matches!(open_figure(&pipe), Err(FileError::NotRegular)));
     }
+
+    /// True if the file took too long.
+    fn is_late<T>(result: Result<T, FileError>) -> bool {
+        matches!(result, Err(FileError::Read(error) | FileError::Write(error)) if error.kind() == io::ErrorKind::TimedOut)
+    }
+
+    #[test]
+    fn no_access_to_a_stalled_file_takes_longer_than_the_limit() {
+        let directory = Directory::new("stalled");
+        let [slow, quick] = ["slow.toml", "quick.toml"].map(|name| directory.path().join(name));
+        for path in [&slow, &quick] {
+            fs::write(path, "[camera]\n").unwrap();
+        }
+        // A thread of its own, since the limit stays with the thread.
+        let (slow, quick) = (slow.clone(), quick.clone());
+        std::thread::spawn(move || {
+            limit_waiting(Duration::from_millis(300));
+            let stall = Stall::of(&slow);
+            let begin = Instant::now();
+            assert!(is_late(open_figure(&slow)));
+            assert!(begin.elapsed() >= Duration::from_millis(300));
+            // Each way to read and to write. Not even the limit is waited for again.
+            assert!(is_late(read_lesson(&slow)));
+            assert!(is_late(save(&slow, b"new", Overwrite::Writable)));
+            assert!(is_late(read_camera_file(&slow).map(drop)));
+            assert!(!is_lesson(&slow) && !is_read_only(&slow));
+            assert_eq!(look(&slow, b"", None), FileChange::Other(None));
+            let late = |result: io::Result<()>| result.is_err_and(|error| error.kind() == io::ErrorKind::TimedOut);
+            assert!(late(disk::write(&slow, b"")) && late(disk::remove(&slow)) && late(disk::rename(&slow, &quick)));
+            assert!(late(disk::lock(&slow).map(drop)) && late(disk::try_lock(&slow).map(drop)));
+            assert!(late(disk::create_folder(&slow)) && late(disk::canonical(&slow).map(drop)));
+            assert!(!disk::exists(&slow) && disk::may_exist(&slow) && disk::written(&slow).is_none());
+            assert!(begin.elapsed() < Duration::from_millis(600), "{:?}", begin.elapsed());
+            // Other files are as usual.
+            assert!(open_figure(&quick).is_ok());
+            drop(stall);
+            while is_late(open_figure(&slow)) {
+                assert!(begin.elapsed() < Duration::from_secs(60));
+                std::thread::sleep(Duration::from_millis(5));
+            }
+            assert!(open_figure(&slow).is_ok(), "it is as it was");
+        })
+        .join()
+        .unwrap();
+    }
 }
 
 #[cfg(test)]
-mod testing {
+pub(crate) mod testing {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use std::fs;
     use std::path::{Path, PathBuf};
+    use std::sync::{Condvar, Mutex};
+
+    /// The files and folders that stall at present.
+    static STALLS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+    static ENDED: Condvar = Condvar::new();
+
+    /// A file that stalls, or a folder with all its files, for as long as this value lives: whatever is done with it
+    /// waits, as on a network disk that has gone away.
+    pub(crate) struct Stall(PathBuf);
+
+    impl Stall {
+        pub(crate) fn of(path: &Path) -> Self {
+            STALLS.lock().unwrap().push(path.to_owned());
+            Self(path.to_owned())
+        }
+    }
+
+    impl Drop for Stall {
+        fn drop(&mut self) {
+            STALLS.lock().unwrap().retain(|path| *path != self.0);
+            ENDED.notify_all();
+        }
+    }
+
+    /// Waits while a file stalls.
+    pub(in crate::files) fn wait_while_stalled(path: &Path) {
+        let stalls = STALLS.lock().unwrap();
+        drop(ENDED.wait_while(stalls, |stalls| stalls.iter().any(|stalled| path.starts_with(stalled))));
+    }
 
     /// An empty directory of a test's own, gone at the end.
-    pub(super) struct Directory(PathBuf);
+    pub(crate) struct Directory(PathBuf);
 
     impl Directory {
-        pub(super) fn new(name: &str) -> Self {
+        pub(crate) fn new(name: &str) -> Self {
             let path = std::env::temp_dir().join(format!("camera-lab-files-{name}-{}", std::process::id()));
             let _ = fs::remove_dir_all(&path);
             fs::create_dir_all(&path).unwrap();
             Self(path)
         }
 
-        pub(super) fn path(&self) -> &Path {
+        pub(crate) fn path(&self) -> &Path {
             &self.0
         }
 
-        pub(super) fn names(&self) -> Vec<String> {
+        pub(crate) fn names(&self) -> Vec<String> {
             fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect()
         }
     }

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::patience::in_time;
 use super::{FileError, read_at_most};
 use crate::exercises::{self, Entry, own};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OWN_EXERCISES};
@@ -44,6 +45,16 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     Ok(found)
 }
 
+/// The paths in a folder, in no order.
+///
+/// # Errors
+/// [`FileError::Read`].
+pub fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    // An entry that the system can't describe has no name to report.
+    let read = |folder: &Path| Ok(fs::read_dir(folder)?.flatten().map(|entry| entry.path()).collect());
+    in_time(folder, read).and_then(|read| read).map_err(FileError::Read)
+}
+
 /// The files of a folder that end with `.toml`, in natural order.
 ///
 /// # Errors
@@ -53,8 +64,7 @@ pub(super) fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
         return Err(FileError::Network);
     }
     let mut files = Vec::new();
-    // An entry that the system can't describe has no name to report.
-    for path in fs::read_dir(folder).map_err(FileError::Read)?.flatten().map(|entry| entry.path()) {
+    for path in entries(folder)? {
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
             files.push(path);
         }

@@ -10,6 +10,7 @@ use std::io::{self, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use super::patience::in_time;
 use super::{FileError, Overwrite, check_path};
 use crate::scene::system_kind;
 
@@ -21,13 +22,21 @@ use crate::scene::system_kind;
 ///
 /// # Errors
 /// [`FileError::Write`] if the system refuses, [`FileError::ReadOnly`] depending on `overwrite`, and
-/// [`FileError::Directory`], [`FileError::Network`] or [`FileError::ReservedName`] for such paths.
+/// [`FileError::Directory`], [`FileError::NotRegular`] (a pipe or a socket), [`FileError::Network`] or
+/// [`FileError::ReservedName`] for such paths.
 pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileError> {
     check_path(path)?;
+    let bytes = bytes.to_owned();
+    in_time(path, move |path| save_now(path, &bytes, overwrite)).map_err(FileError::Write)?
+}
+
+fn save_now(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileError> {
     let target = end_of_links(path).map_err(FileError::Write)?;
     let result = match fs::metadata(&target) {
         Ok(before) if before.is_dir() => return Err(FileError::Directory),
-        // A device or a pipe can't be replaced.
+        // Opening a pipe would wait until another process reads from it.
+        Ok(before) if is_pipe(&before) => return Err(FileError::NotRegular),
+        // A device can't be replaced.
         Ok(before) if !before.is_file() => {
             return open_to_write(&target).and_then(|mut file| file.write_all(bytes)).map_err(FileError::Write);
         }
@@ -42,14 +51,30 @@ pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileE
     };
     result.map_err(FileError::Write)?;
     if let Some(folder) = folder_of(&target) {
-        remove_left_over(folder);
+        remove_left_over_now(folder);
     }
     Ok(())
 }
 
+/// True for pipes and sockets.
+#[cfg(unix)]
+fn is_pipe(file: &Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    file.file_type().is_fifo() || file.file_type().is_socket()
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Metadata) -> bool {
+    false
+}
+
 /// True if [`save`] needs [`Overwrite::ReadOnlyToo`].
 pub fn is_read_only(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
+    let is_read_only = |path: &Path| {
+        fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
+    };
+    // Saving itself says it if this takes too long.
+    in_time(path, is_read_only).unwrap_or(false)
 }
 
 /// Root may write every file, so the owner's setting counts.
@@ -227,6 +252,11 @@ fn sync_folder_of(target: &Path) {
 
 /// Removes temporary files left by killed programs, which no process is writing any more.
 pub fn remove_left_over(folder: &Path) {
+    // A folder that takes too long is cleaned up meanwhile.
+    let _ = in_time(folder, remove_left_over_now);
+}
+
+fn remove_left_over_now(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
         let Some(process) = process_of(&entry.file_name()) else { continue };
@@ -399,6 +429,17 @@ mod tests {
             save_writable(&place("a.toml"), b"x").unwrap();
             assert_eq!(directory.names().len(), 5);
             assert_eq!(fs::read(place("mine")).unwrap(), b"mine");
+        }
+
+        #[test]
+        fn a_pipe_is_refused_and_not_waited_for() {
+            let directory = Directory::new("fifo");
+            let pipe = directory.path().join("pipe.png");
+            let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+            assert!(made.is_ok_and(|status| status.success()));
+            // Would wait for ever for a reader if it was opened.
+            assert!(matches!(save_writable(&pipe, b"x"), Err(FileError::NotRegular)));
+            save_writable(Path::new("/dev/null"), b"x").unwrap();
         }
 
         #[test]

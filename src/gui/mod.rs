@@ -22,6 +22,8 @@ use crate::scene::Preset;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
+use model::action::AfterSave;
+use std::path::PathBuf;
 
 /// The initial state of the window.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +38,8 @@ pub struct Start {
     pub allow_files: bool,
     /// The lesson being played. Its step has the figure.
     pub lesson: Option<OpenLesson>,
+    /// A file to open once the window is there.
+    pub later: Option<PathBuf>,
 }
 
 /// The reason why there is no window.
@@ -65,9 +69,9 @@ pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 /// [`GuiError::NoWindow`] if there is no display or no usable OpenGL.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
-    let restore = start.file.is_none() && start.lesson.is_none() && start.figure == fresh();
+    let restore = start.file.is_none() && start.lesson.is_none() && start.later.is_none() && start.figure == fresh();
     // After the preferences, among which are the panels.
-    let lesson = start.lesson.take();
+    let (lesson, later) = (start.lesson.take(), start.later.take());
     let state = State::new(start)?;
     let mut viewport = eframe::egui::ViewportBuilder::default()
         .with_title("Camera Lab")
@@ -92,8 +96,9 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
             } else {
                 app.state.file_flow.news.tell(storage::session::News::NoHome);
             }
-            if let Some(open) = lesson {
-                app::file_flow::begin(&context.egui_ctx, &mut app.state, model::action::AfterSave::Lesson(open));
+            let opened = lesson.map(AfterSave::Lesson).or(later.map(AfterSave::OpenPath));
+            if let Some(open) = opened {
+                app::file_flow::begin(&context.egui_ctx, &mut app.state, open);
             }
             Ok(Box::new(app))
         }),

@@ -89,3 +89,11 @@ fn write(path: &PathBuf, picture: &Picture) {
     let mut writer = encoder.write_header().expect("a header");
     writer.write_image_data(&picture.rgba).expect("the pixels");
 }
+
+/// A small PNG with the text of a figure in it, and nothing else.
+pub(crate) fn png_with(text: &str) -> Vec<u8> {
+    use camera_lab::export::png;
+    use camera_lab::progress::{Progress, at_once};
+    let pixmap = Pixmap::new(2, 2).expect("two by two");
+    at_once(png::encode(pixmap, text, None, None, &Progress::default())).expect("encoded")
+}

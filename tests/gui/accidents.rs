@@ -41,7 +41,7 @@ fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
     pipe(&folder.file("pipe.toml"));
     let mut window = Window::new(Lang::En);
     for (name, said) in [
-        ("huge.toml", "huge.toml is larger than any figure or image; allowed: at most 1 GiB"),
+        ("huge.toml", "huge.toml is too large; allowed: at most 8 MiB"),
         ("folder.toml", "folder.toml is a directory"),
         ("pipe.toml", "pipe.toml is a device, a pipe or a socket"),
         ("gone.toml", "gone.toml cannot be read: there is no such file"),
@@ -54,7 +54,7 @@ fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
     window.enter("B", "40");
     window.drop_files([&*huge]);
     window.click(en::WINDOW.dont_save);
-    assert!(window.says("huge.toml is larger than any figure"));
+    assert!(window.says("huge.toml is too large"));
     assert_eq!(window.state().model.document.draft().far, 40.0);
     assert!(window.state().model.document.is_changed());
 }

@@ -16,8 +16,8 @@ const PAIR: &str = "[camera]\nname = \"left\"\nposition = [2, 2, 6]\n[[cameras]]
 
 fn window(lang: Lang, text: &str) -> Window {
     let figure = camera_lab::figure::read::parse(text).expect("a figure");
-    let state =
-        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
+    let state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+        .expect("a possible camera");
     Window::with_state(state, [1280.0, 1000.0])
 }
 

@@ -19,8 +19,8 @@ use crate::words::{en, pt};
 fn house(lang: Lang) -> Window {
     let text = "[camera]\nposition = [2.5, 3, 5]\n[scene]\npreset = \"house\"\n[style]\nantialias = 1\n";
     let figure = camera_lab::figure::read::parse(text).expect("a figure");
-    let mut state =
-        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+        .expect("a possible camera");
     state.file_flow.native = false;
     state.model.layout.maximized = Some(View::Image);
     Window::with_state(state, [1280.0, 800.0])
@@ -144,8 +144,9 @@ fn the_numbers_at_the_pointer_are_those_of_its_side() {
     let text = "[camera]\nposition = [2.5, 3, 5]\n[image]\nwidth = 800\nheight = 600\n[scene]\npreset = \"empty\"\n\
                 [compare]\nwith = { \"image.width\" = 80, \"image.height\" = 60 }\n";
     let figure = camera_lab::figure::read::parse(text).expect("a figure");
-    let mut state = State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None })
-        .expect("a possible camera");
+    let mut state =
+        State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None, later: None })
+            .expect("a possible camera");
     state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1280.0, 800.0]);
     let wiper = window.wiper().center();

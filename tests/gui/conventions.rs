@@ -100,8 +100,14 @@ fn rows_and_the_left_hand_are_said() {
 
 /// A window of its size with the canonical volume alone, in a convention.
 fn canonical(ndc: Ndc) -> Window {
-    let start =
-        Start { figure: camera_lab::gui::fresh(), file: None, lang: Lang::En, allow_files: false, lesson: None };
+    let start = Start {
+        figure: camera_lab::gui::fresh(),
+        file: None,
+        lang: Lang::En,
+        allow_files: false,
+        lesson: None,
+        later: None,
+    };
     let mut state = State::new(start).expect("a possible camera");
     state.file_flow.native = false;
     state.model.layout.maximized = Some(View::Canonical);

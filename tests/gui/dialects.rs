@@ -20,7 +20,8 @@ use crate::words::{en, pt};
 fn window(lang: Lang, shown: Explanation) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Empty;
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);
     // So high that nothing has to be scrolled.
     let mut window = Window::with_state(state, [1100.0, 1900.0]);

@@ -29,7 +29,8 @@ pub(super) fn window_of(lang: Lang, size: [f32; 2]) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, size);
     window.run();

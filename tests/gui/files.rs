@@ -3,17 +3,20 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use camera_lab::appearance::Rgba;
 use camera_lab::export::png;
 use camera_lab::figure::{Explanation, View};
-use camera_lab::gui::app::file_flow::questions::Dialog;
+use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::progress::{Progress, at_once};
+use camera_lab::scene::ObjectPaint;
 use camera_lab::{files, gui};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
+use crate::named_files;
 use crate::words::en;
 
 /// A folder that is there for one test.
@@ -239,9 +242,15 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
 fn operations_of_the_command_line_are_a_change_of_the_file() {
     let text = "[camera]\nnear = 0.5\n";
     let mut figure = camera_lab::figure::read::parse(text).expect("a figure");
-    let file = files::SourceFile { path: "f.toml".into(), text: text.to_owned(), is_picture: false };
-    let start =
-        |figure| gui::Start { figure, file: Some(file.clone()), lang: Lang::En, allow_files: false, lesson: None };
+    let file = files::SourceFile { path: "f.toml".into(), text: text.to_owned(), ..Default::default() };
+    let start = |figure| gui::Start {
+        figure,
+        file: Some(file.clone()),
+        lang: Lang::En,
+        allow_files: false,
+        lesson: None,
+        later: None,
+    };
     assert!(!gui::State::new(start(figure.clone())).expect("a camera").model.document.is_changed());
     figure.camera.position.y = 7.0;
     let state = gui::State::new(start(figure)).expect("a camera");
@@ -357,4 +366,102 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     window.key(Key::F11);
     assert_eq!(window.state().model.layout.shown, [true, false, true]);
     assert!(!window.state().learn.has_unsaved(&window.state().model));
+}
+
+/// True if the window shows every file of its figure.
+fn shows_all_files(window: &Window) -> bool {
+    let model = &window.state().model;
+    let scene = model.scene_cache.scene();
+    let is_textured = |object: &camera_lab::scene::Object| matches!(object.paint, ObjectPaint::Texture(_));
+    let red = |object: &camera_lab::scene::Object| object.paint == ObjectPaint::Solid(Rgba::rgb(255, 0, 0));
+    scene.photograph.is_some() && scene.objects.iter().any(is_textured) && scene.objects.iter().any(red)
+}
+
+#[test]
+fn save_as_into_another_folder_keeps_mesh_materials_texture_and_photograph() {
+    let folder = Folder::new("names");
+    for part in ["a", "far"] {
+        fs::create_dir(folder.file(part)).expect("a folder");
+    }
+    named_files::write(&folder.file("a"));
+    let (own, far) = (folder.file("a/figure.toml"), folder.file("far/new.toml"));
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(&own);
+    assert!(shows_all_files(&window));
+    window.enter("B", "40");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    window.choose(&far);
+    assert!(shows_all_files(&window) && !window.state().model.document.is_changed());
+    // Saving again, and each state of the history, lead to the same files.
+    window.command_key(Key::S);
+    window.command_key(Key::Z);
+    assert!(shows_all_files(&window));
+    assert_ne!(window.state().model.document.figure().camera.far, 40.0);
+    window.command_key(Key::S);
+    let mut again = Window::new(Lang::En);
+    again.command_key(Key::O);
+    again.choose(&far);
+    assert!(shows_all_files(&again));
+    for name in named_files::NAMES {
+        fs::rename(folder.file("a").join(name), folder.file(name)).expect("moved");
+    }
+    let without = Window::opened(&far);
+    assert!(!shows_all_files(&without));
+    assert!(without.says("are missing"), "the image names the missing files");
+}
+
+#[test]
+fn an_image_exported_elsewhere_carries_its_files_and_saving_its_figure_writes_them_too() {
+    let folder = Folder::new("carried");
+    for part in ["a", "far"] {
+        fs::create_dir(folder.file(part)).expect("a folder");
+    }
+    named_files::write(&folder.file("a"));
+    let mut window = Window::opened(&folder.file("a/figure.toml"));
+    let image = folder.file("far/image.png");
+    window.command_key(Key::E);
+    window.click(en::WINDOW.export_action);
+    window.choose(&image);
+    window.wait(|window| image.exists() && !window.says("Exporting"));
+    // With its files, the figure is also saved into a folder that can be sent.
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::F);
+    window.run();
+    window.choose(&folder.file("far/sent.toml"));
+    assert!(shows_all_files(&window));
+    fs::rename(folder.file("a"), folder.file("gone")).expect("moved");
+    let moved = folder.file("moved");
+    fs::rename(folder.file("far"), &moved).expect("moved");
+    for file in ["image.png", "sent.toml"] {
+        let mut other = Window::opened(&moved.join(file));
+        assert!(shows_all_files(&other), "{file}");
+        other.enter("B", "40");
+        other.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+        other.run();
+        other.choose(&folder.file("saved.toml"));
+        if file == "image.png" {
+            assert!(shows_all_files(&other), "saved from {file}");
+            assert!(shows_all_files(&Window::opened(&folder.file("saved.toml"))));
+        }
+    }
+}
+
+#[test]
+fn a_step_added_to_a_lesson_elsewhere_says_which_files_the_lesson_cannot_show() {
+    let folder = Folder::new("step-names");
+    fs::create_dir(folder.file("a")).expect("a folder");
+    named_files::write(&folder.file("a"));
+    let mut window = Window::opened(&folder.file("a/figure.toml"));
+    // The lesson reads its own folder and below.
+    for (lesson, is_said) in [("lesson.toml", false), ("b/lesson.toml", true)] {
+        fs::create_dir_all(folder.file("b")).expect("a folder");
+        window.app_mut().state.file_flow.dialog = Some(Dialog::Path(Purpose::Step, String::new()));
+        window.run();
+        window.choose(&folder.file(lesson));
+        let (lesson, _) = files::read_lesson(&folder.file(lesson)).expect("a lesson");
+        assert_eq!(window.says("the lesson won't show"), is_said, "{:?}", window.state().model.message);
+        let names: Vec<&str> = lesson.steps[0].figure.files().map(|(name, _)| name).collect();
+        assert!(is_said || names.iter().all(|name| name.starts_with("a/")), "{names:?}");
+    }
 }

@@ -107,7 +107,8 @@ fn wrong_view_matrix(state: &mut State) {
 /// A window that shows a tab beside one picture.
 fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut State)) -> Window {
     let figure = camera_lab::gui::fresh();
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.file_flow.native = false;
     state.model.document.edit(|figure| {
         let points = [("A", DVec3::new(0.5, 1.2, 1.5)), ("B", DVec3::new(-1.5, 0.0, -1.0))];
@@ -157,7 +158,9 @@ fn of_the_whole_window() {
     let path = folder.join("assets/figures/corridor.toml");
     for (lang, code) in [(Lang::En, "en"), (Lang::PtBr, "pt-BR")] {
         let (figure, file) = camera_lab::files::open_figure(&path).unwrap().at(&path);
-        let mut state = State::new(Start { figure, file: Some(file), lang, allow_files: false, lesson: None }).unwrap();
+        let mut state =
+            State::new(Start { figure, file: Some(file), lang, allow_files: false, lesson: None, later: None })
+                .unwrap();
         state.file_flow.native = false;
         let mut window = Window::with_state(state, [1280.0, 720.0]);
         draw(&mut window, &folder.join(format!("docs/images/window.{code}.png")));

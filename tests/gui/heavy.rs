@@ -30,8 +30,9 @@ fn window(change: impl FnOnce(&mut State)) -> Window {
     ];
     figure.style.antialias = 1;
     (figure.image.width, figure.image.height) = (160, 120);
-    let mut state = State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None })
-        .expect("a possible camera");
+    let mut state =
+        State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None, later: None })
+            .expect("a possible camera");
     state.model.layout.maximized = Some(View::Image);
     change(&mut state);
     let window = Window::with_state(state, [1100.0, 900.0]);

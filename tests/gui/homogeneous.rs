@@ -21,7 +21,8 @@ fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
     figure.camera = Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..figure.camera };
     figure.points =
         points.iter().map(|(name, position)| NamedPoint { name: (*name).to_owned(), position: *position }).collect();
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 1300.0]);
     window.explain(Explanation::Homogeneous);

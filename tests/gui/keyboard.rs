@@ -32,7 +32,8 @@ impl Window {
 
 fn fresh() -> State {
     let (figure, file) = (camera_lab::gui::fresh(), None);
-    State::new(Start { figure, file, lang: Lang::En, allow_files: false, lesson: None }).expect("a possible camera")
+    State::new(Start { figure, file, lang: Lang::En, allow_files: false, lesson: None, later: None })
+        .expect("a possible camera")
 }
 
 /// A window with all three pictures.

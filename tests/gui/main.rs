@@ -34,6 +34,8 @@ mod lens;
 mod lesson_writing;
 mod lessons;
 mod lost_work;
+#[path = "../common/named_files.rs"]
+mod named_files;
 mod notes;
 mod numerics;
 mod order;

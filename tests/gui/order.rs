@@ -27,7 +27,8 @@ fn window(lang: Lang, selected: Option<&str>) -> Window {
         ObjectSpec::group("arm").at(0.0, 1.0, 0.0),
         ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 90.0, 0.0).scaled(1.0, 2.0, 3.0).under("arm"),
     ];
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::World);
     let selected = selected.map(|name| camera_lab::gui::model::scene_tree::Selected::Object(name.to_owned()));
     state.model.tree.select(selected);
@@ -108,7 +109,8 @@ fn taking_over_is_in_sight_in_a_small_window_also_when_the_list_is_scrolled() {
         let t = texts(lang);
         let mut figure = camera_lab::gui::fresh();
         figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
-        let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+        let mut state =
+            State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
         state.model.tree.select(Some(camera_lab::gui::model::scene_tree::Selected::Object("box".to_owned())));
         state.model.settings.panels.wanted = [false, false, true];
         state.model.explained.show(Explanation::Order);

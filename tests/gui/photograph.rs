@@ -26,8 +26,8 @@ const RIGHT: &str = "[camera]\nposition = [7, 1.7, 5]\nfocal_point = [2, 1, -0.2
 
 fn window(lang: Lang, text: &str) -> Window {
     let figure = read::parse(text).expect("a figure");
-    let mut state =
-        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+        .expect("a possible camera");
     state.model.layout.maximized = Some(View::Image);
     state.model.settings.tab = Tab::Camera;
     Window::with_state(state, [1280.0, 1500.0])
@@ -69,7 +69,7 @@ fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
         let before = figure(&window).clone();
         window.click(t.find);
         assert!(window.says(t.how));
-        assert!(window.says(&steps::error(lang, camera_lab::camera::PhotographError::TooFewLines)));
+        assert!(window.says(&steps::error(lang, &camera_lab::camera::PhotographError::TooFewLines)));
         draw(&mut window, [0.0, 0.0, 0.0], [4.0, 0.0, 0.0]);
         draw(&mut window, [0.0, 2.0, 0.0], [4.0, 2.0, 0.0]);
         window.click(&format!("{} z", t.line));

@@ -55,8 +55,8 @@ fn first(lang: Lang, theme: Theme, size: [f32; 2]) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.style.antialias = 1;
     figure.scene.preset = Preset::Cube;
-    let mut state =
-        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+        .expect("a possible camera");
     state.model.settings.theme = theme;
     state.file_flow.native = false;
     Window::with_state(state, size)

@@ -251,7 +251,8 @@ fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     let mut state =
-        State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None }).expect("a camera");
+        State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None, later: None })
+            .expect("a camera");
     state.model.settings.reduce_motion = true;
     let mut window = Window::with_state(state, [1280.0, 720.0]);
     let shown = |window: &mut Window| -> Vec<View> { window.app_mut().canvas.places().map(|(view, _)| view).collect() };

@@ -33,8 +33,8 @@ fn window_with(lang: Lang, picture: View, size: [f32; 2], change: impl FnOnce(&m
         parallel: false,
     });
     change(&mut figure);
-    let mut state =
-        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a possible camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+        .expect("a possible camera");
     state.model.layout.maximized = Some(picture);
     Window::with_state(state, size)
 }

@@ -55,9 +55,15 @@ impl Opened {
         fs::write(&path, figure).expect("written");
         let opened = open_figure(&path).expect("a figure");
         let (figure, file) = opened.at(&path);
-        let mut state =
-            State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false, lesson: None })
-                .expect("a possible camera");
+        let mut state = State::new(Start {
+            figure,
+            file: Some(file),
+            lang: Lang::En,
+            allow_files: false,
+            lesson: None,
+            later: None,
+        })
+        .expect("a possible camera");
         state.file_flow.native = false;
         state.model.layout.maximized = Some(view);
         state.model.settings.panels = Panels::default();

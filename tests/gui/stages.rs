@@ -18,7 +18,8 @@ fn staged(lang: Lang) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Cube;
     figure.style.antialias = 1;
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 900.0]);
     window.explain(Explanation::HiddenSurfaces);

@@ -54,8 +54,8 @@ fn nothing_in_the_strip_lies_over_another_text() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut figure = camera_lab::gui::fresh();
         figure.style.antialias = 1;
-        let mut state =
-            State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a camera");
+        let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+            .expect("a camera");
         state.model.layout.strip = true;
         let mut window = Window::with_state(state, [1280.0, 720.0]);
         window.run();
@@ -124,7 +124,8 @@ fn with_house(lang: Lang) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::House;
     (figure.style.antialias, figure.camera.near) = (1, 2.0);
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).expect("a camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
+        .expect("a camera");
     state.model.layout.strip = true;
     state.model.layout.maximized = Some(View::Image);
     Window::with_state(state, [1280.0, 800.0])

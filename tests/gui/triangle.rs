@@ -21,7 +21,8 @@ fn staged(lang: Lang) -> Window {
     figure.scene.preset = Preset::Cube;
     figure.style.antialias = 1;
     (figure.image.width, figure.image.height) = (160, 120);
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
+    let mut state =
+        State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1100.0, 1000.0]);
     window.explain(Explanation::Triangle);

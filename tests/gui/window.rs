@@ -69,7 +69,7 @@ impl Window {
         let mut figure = camera_lab::gui::fresh();
         figure.scene.preset = Preset::Empty;
         figure.style.antialias = 1;
-        let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None })
+        let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
             .expect("a possible camera");
         state.file_flow.native = false;
         state.model.layout.maximized = Some(View::Image);
@@ -80,9 +80,15 @@ impl Window {
     pub(crate) fn opened(path: &std::path::Path) -> Self {
         let opened = camera_lab::files::open_figure(path).expect("a figure file");
         let (figure, file) = opened.at(path);
-        let mut state =
-            State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false, lesson: None })
-                .expect("a possible camera");
+        let mut state = State::new(Start {
+            figure,
+            file: Some(file),
+            lang: Lang::En,
+            allow_files: false,
+            lesson: None,
+            later: None,
+        })
+        .expect("a possible camera");
         state.file_flow.native = false;
         state.model.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
@@ -120,6 +126,7 @@ impl Window {
                         let mut app = App::new(&ctx, start.take().expect("once"));
                         app.canvas.patience = Some(Duration::from_secs(60));
                         app.state.file_flow.reading.patience = Duration::from_secs(60);
+                        app.state.file_flow.saving.patience = Duration::from_secs(60);
                         app
                     });
                     // The harness leaves a margin; the window has none.
@@ -145,6 +152,7 @@ impl Window {
         let mut app = App::new(&ctx, state);
         app.canvas.patience = Some(Duration::from_secs(60));
         app.state.file_flow.reading.patience = Duration::from_secs(60);
+        app.state.file_flow.saving.patience = Duration::from_secs(60);
         *self.harness.state_mut() = Some(app);
         self.run();
     }

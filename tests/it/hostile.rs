@@ -1,6 +1,7 @@
 //! Files of strangers: what they may say in a message, what they may reach, and how much they may cost.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use crate::common::picture::png_with;
 use crate::common::program::{Bench, Run};
 
 /// Every language of the messages.
@@ -154,11 +155,14 @@ fn a_figure_in_a_picture_reaches_only_the_pictures_folder() {
     bench.run(&["render", "figure.toml", "-o", "inside.png"]).done();
     bench.run(&["render", "inside.png", "-o", "again.png"]).done();
     bench.write("inner/figure.toml", meshes(&["\"../m.obj\""]));
-    bench.run(&["render", "inner/figure.toml", "-o", "inner/outside.png"]).done();
+    bench.run(&["render", "inner/figure.toml", "-o", "inner/carried.png"]).done();
+    bench.run(&["render", "inner/carried.png", "-o", "o.png"]).done();
+    assert_eq!(bench.read("o.png"), bench.read("inner/carried.png"));
+    // It doesn't carry the mesh.
+    bench.write("inner/outside.png", png_with(&meshes(&["\"../m.obj\""])));
     let run = bench.run(&["render", "inner/outside.png", "-o", "o.png"]);
     assert!(run.refused(2).contains("a figure inside an image names it"), "{}", run.err);
     bench.run(&["render", "inner/outside.png", "--allow-files", "-o", "o.png"]).done();
-    assert_eq!(bench.read("o.png"), bench.read("inner/outside.png"));
 }
 
 #[test]

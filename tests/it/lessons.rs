@@ -498,7 +498,7 @@ fn no_page_of_a_handout_answers_a_question_of_the_page_before() {
         let options = HandoutOptions { lang: Lang::En, columns: 1, answers: false, plan: false, late };
         let handout = handout::of_lesson(lesson, options, |(_, step), size| {
             let scene = scene_of(&step.figure, &mut no_files, &Default::default()).unwrap();
-            handout::picture(&step.figure, scene, Views::One(View::Image), size, Lang::En)
+            handout::picture(&step.figure, &SharedScene::new(scene), Views::One(View::Image), size, Lang::En)
         });
         let entries = handout.unwrap().entries;
         let heading = |paragraph: &Paragraph| match paragraph {

@@ -4,6 +4,7 @@
 mod common;
 
 mod accuracy;
+mod attack;
 mod begun;
 mod camera_equations;
 mod camera_extreme;
@@ -59,6 +60,7 @@ mod meshes;
 mod meshes_gltf;
 mod meshes_obj;
 mod misplaced;
+mod named_files;
 mod ndc;
 mod normalizing;
 mod notes;

@@ -10,6 +10,7 @@ use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, Photograph, update};
 use camera_lab::views::Palette;
 
+use crate::common::picture::png_with;
 use crate::common::program::Bench;
 
 /// The halves of the photograph.
@@ -168,7 +169,7 @@ fn a_photograph_that_is_missing_or_none_is_a_notice() {
 fn the_photograph_of_a_figure_in_a_picture_is_read_where_its_textures_would_be() {
     let (there, here) = (bench("photograph-there"), bench("photograph-here"));
     let elsewhere = there.path("photo.png").display().to_string();
-    image(&here, &figure(&format!("photograph = '{elsewhere}'"), BOX), &[]);
+    here.write("image.png", png_with(&figure(&format!("photograph = '{elsewhere}'"), BOX)));
     let again = |more: &[&str]| {
         let mut arguments = vec!["render", "image.png", "--view", "image", "-o", "again.png"];
         arguments.extend(more);
@@ -182,7 +183,7 @@ fn the_photograph_of_a_figure_in_a_picture_is_read_where_its_textures_would_be()
         refused.err
     );
     again(&["--allow-files"]).done();
-    image(&here, &figure("photograph = \"photo.png\"", BOX), &[]);
+    here.write("image.png", png_with(&figure("photograph = \"photo.png\"", BOX)));
     again(&[]).done();
 }
 

@@ -113,6 +113,14 @@ pub const MAX_COMPARED_KEYS: usize = 16;
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 
+/// The longest file with cameras of other programs in bytes: more than the poses of a thousand photographs. In memory
+/// JSON is sixty times as large. Of a GLB file, its JSON alone.
+pub const MAX_CAMERA_FILE_BYTES: u64 = 8 << 20;
+
+/// The most bytes of files that a picture carries for its figure, when they are packed: a mesh of some ten thousand
+/// triangles with a texture. Larger ones make the picture too heavy for mail and for a page.
+pub const MAX_CARRIED_BYTES: usize = 1 << 20;
+
 /// The longest file of preferences or of progress with exercises in bytes. Both take some kilobytes.
 pub const MAX_KEPT_BYTES: u64 = 8 << 20;
 

@@ -7,12 +7,13 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::camera::{
-    Basis, Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, NotProjectable,
+    Basis, Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, Ndc, NotProjectable,
     Operation, Parameters, Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::words::{self, PROJECTIONS};
 use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
+use crate::sanitize;
 
 /// The output of `camera-lab inspect`. The order of the fields is the order of the keys.
 ///
@@ -102,22 +103,23 @@ pub struct NamedCameraReport {
     pub basis: BasisReport,
     /// M_v, rows.
     pub view_matrix: [[f64; 4]; 4],
-    /// M_p, rows, in the convention of the notes.
+    /// M_p, rows, in the convention of the report.
     pub projection_matrix: [[f64; 4]; 4],
 }
 
 impl NamedCameraReport {
-    /// The numbers of a camera; `None` if it's impossible, which can't happen for a camera from a file.
-    fn new(named: &NamedCamera) -> Option<Self> {
-        let camera = Camera::new(&named.parameters).ok()?;
-        Some(Self {
+    /// The numbers of a camera.
+    fn new(named: &NamedCamera, ndc: Ndc) -> Result<Self, InspectError> {
+        let camera = Camera::new(&named.parameters)?;
+        let space = camera.clip_space(ndc)?;
+        Ok(Self {
             name: named.name.clone(),
             color: named.color.map(|color| color.to_string()),
             camera: CameraReport::new(&named.parameters),
             distance: camera.distance(),
             basis: camera.basis().into(),
             view_matrix: rows(camera.view_from_world()),
-            projection_matrix: rows(camera.notes_clip_space().clip_from_view()),
+            projection_matrix: rows(space.clip_from_view()),
         })
     }
 }
@@ -350,12 +352,16 @@ impl Report {
     ) -> Result<Self, InspectError> {
         let camera = camera_after(&figure.camera, operations, convention)?;
         let report = Self::of(&camera.notes_clip_space(), figure.image, figure.viewport, points, pixels)?;
-        Ok(report.with_cameras(figure))
+        report.with_cameras(figure, Ndc::default())
     }
 
-    /// Adds the other cameras of the figure.
-    pub fn with_cameras(self, figure: &Figure) -> Self {
-        Self { cameras: figure.cameras.iter().filter_map(NamedCameraReport::new).collect(), ..self }
+    /// Adds the other cameras of the figure, in a convention of NDC.
+    ///
+    /// # Errors
+    /// [`InspectError`] if one of them has no matrices in it.
+    pub fn with_cameras(self, figure: &Figure, ndc: Ndc) -> Result<Self, InspectError> {
+        let cameras = figure.cameras.iter().map(|named| NamedCameraReport::new(named, ndc));
+        Ok(Self { cameras: cameras.collect::<Result<_, _>>()?, ..self })
     }
 
     /// The numbers of a camera in a convention of NDC. Without a viewport it's the whole image, depth 0 … 1.
@@ -422,6 +428,20 @@ pub fn json_text(value: &Value) -> String {
     let mut text = String::new();
     write_json(&mut text, value, "");
     text.push('\n');
+    for_terminals(&text)
+}
+
+/// The same JSON with escapes for the characters in its texts that a terminal would obey. Programs read the same texts.
+pub fn for_terminals(json: &str) -> String {
+    let mut text = String::with_capacity(json.len());
+    for c in json.chars() {
+        if c != '\n' && sanitize::is_obeyed(c) {
+            let units = c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect::<String>();
+            text.push_str(&units);
+        } else {
+            text.push(c);
+        }
+    }
     text
 }
 

@@ -38,6 +38,11 @@ pub(in crate::cli) struct FigureArgs {
 }
 
 impl FigureArgs {
+    /// True if they change nothing of the figure, and allow nothing.
+    pub(in crate::cli) fn is_plain(&self) -> bool {
+        self.operations.is_empty() && self.show.is_empty() && !self.allow_files
+    }
+
     pub(in crate::cli) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
         let read = |text: &String| {
             text.parse()

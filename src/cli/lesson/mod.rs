@@ -9,18 +9,18 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use super::render::{no_picture, save, save_handout};
-use super::{Failure, Opening, nearest, print, say};
+use super::{Failure, Opening, nearest, print, say, say_left_out};
 use crate::camera::Camera;
 use crate::cli::args::exercise::ListArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::lesson::{CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PlayArgs, ShowArgs, WhichArgs};
 use crate::cli::args::words::{LangArg, TableFormat, written};
-use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of};
+use crate::cli::lesson::step_pictures::{Found, composite, files_of, scene, size_of};
 use crate::exercises::Entry;
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, FileError};
-use crate::handout::{self, HandoutOptions, views_of};
+use crate::handout::{self, HandoutOptions, Scenes, views_of};
 use crate::i18n::learn::lessons as texts;
 use crate::i18n::{Lang, command_line, messages, pictures};
 use crate::inspect::json_text;
@@ -309,7 +309,9 @@ fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(
     let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
     let written = written(args.which.lang);
     let options = HandoutOptions { lang: written, columns, answers: args.answers, plan: args.plan, late: false };
-    let made = handout::of_lesson(&found.lesson, options, |step, size| composite(args, found, step, size, lang))?;
+    let mut scenes = Scenes::default();
+    let draw = |step: (usize, &Step), size| composite(args, (found, &mut scenes), step, size, lang);
+    let made = handout::of_lesson(&found.lesson, options, draw)?;
     save_handout(&made, &args.output, lang)
 }
 
@@ -333,13 +335,20 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let format = args.format.unwrap_or(PictureFormat::Png);
     let digits = lesson.steps.len().to_string().len().max(2);
     // If a step is faulty, no file is written.
-    let mut made = Vec::new();
+    let (mut made, mut scenes) = (Vec::new(), Scenes::default());
     for (k, step) in lesson.steps.iter().enumerate() {
         let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, format.ending());
         let output = args.output.join(name);
         let views = args.view.unwrap_or_else(|| views_of(&step.figure));
-        let sheet = composite(args, &found, (k, step), size_of(size, views), lang)?;
-        let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
+        let sheet = composite(args, (&found, &mut scenes), (k, step), size_of(size, views), lang)?;
+        let (text, left_out) = files::text_in_picture(
+            to_toml,
+            &step.figure,
+            files_of(found.path.as_deref(), args.which.allow_files),
+            &output,
+        );
+        say_left_out(left_out, &output, lang);
+        let told = pictures::told_of(written, &step.figure, &sheet, text).for_file(&output);
         let options = FileOptions::of(format);
         let file = at_once(picture::file(&sheet, options, &told, &Progress::default()));
         let file = file.map_err(|error| no_picture(lang, &sanitize::path(&output), error, pixels_of(&sheet)))?;
@@ -373,5 +382,5 @@ pub(super) fn opened(path: &Path, allow_files: bool, langs: (Lang, Option<Lang>)
 
 fn opening(open: OpenLesson, allow_files: bool, (lang, asked_lang): (Lang, Option<Lang>)) -> Opening {
     let figure = open.lesson.steps.get(open.step).map_or_else(Figure::default, |step| (*step.figure).clone());
-    Opening { figure, file: None, allow_files, lang, asked_lang, lesson: Some(open) }
+    Opening { figure, file: None, allow_files, lang, asked_lang, lesson: Some(open), later: None }
 }

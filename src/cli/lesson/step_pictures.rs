@@ -10,7 +10,7 @@ use crate::cli::render::no_picture;
 use crate::cli::{Failure, say};
 use crate::figure::Figure;
 use crate::files::{FigureFiles, FileAccess};
-use crate::handout::{NoPicture, picture, views_of};
+use crate::handout::{NoPicture, Scenes, picture, views_of};
 use crate::i18n::learn::lessons as texts;
 use crate::i18n::{Lang, messages};
 use crate::lessons::{Lesson, Step};
@@ -30,6 +30,12 @@ pub(in crate::cli) struct Found {
     pub(in crate::cli) path: Option<PathBuf>,
 }
 
+/// Reads the files that the figures of a lesson name.
+pub(in crate::cli) fn files_of(path: Option<&Path>, allow_files: bool) -> FigureFiles {
+    let folder = path.and_then(Path::parent).unwrap_or(Path::new(""));
+    FigureFiles::new(folder, FileAccess::of_lesson(path, allow_files))
+}
+
 /// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and the reasons why files
 /// are missing without which it can be drawn.
 pub(in crate::cli) fn scene(
@@ -38,8 +44,7 @@ pub(in crate::cli) fn scene(
     allow_files: bool,
     lang: Lang,
 ) -> Result<(Scene, Vec<String>), String> {
-    let folder = path.and_then(|path| path.parent()).unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.map(PathBuf::as_path), allow_files));
+    let mut files = files_of(path.map(PathBuf::as_path), allow_files);
     let scene = scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
         .map_err(|error| messages::scene(lang, &error))?;
     let missing = files.unread().iter().map(|unread| messages::without_colors(lang, unread));
@@ -54,7 +59,7 @@ pub(in crate::cli) fn scene(
 /// The pictures of a step on a sheet.
 pub(in crate::cli) fn composite(
     args: &LessonRenderArgs,
-    found: &Found,
+    (found, scenes): (&Found, &mut Scenes),
     (k, step): (usize, &Step),
     size: Size,
     lang: Lang,
@@ -65,10 +70,14 @@ pub(in crate::cli) fn composite(
         format!("{name}: {}", texts::of_step(lang, k + 1, why))
     };
     let failed = |why: String| Failure::BadInput(of_step(&why));
-    let (scene, missing) = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
-    missing.iter().for_each(|why| say(&of_step(why)));
+    let build = || {
+        let (scene, missing) = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang)?;
+        missing.iter().for_each(|why| say(&of_step(why)));
+        Ok(scene)
+    };
+    let scene = scenes.of(&step.figure, build).map_err(failed)?;
     let views = args.view.unwrap_or_else(|| views_of(&step.figure));
-    picture(&step.figure, scene, views, size, written).map_err(|error| match error {
+    picture(&step.figure, &scene, views, size, written).map_err(|error| match error {
         NoPicture::Camera(error) => failed(messages::camera(lang, &error)),
         NoPicture::Composite(error) => {
             no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))

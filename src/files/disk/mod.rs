@@ -8,8 +8,10 @@ mod system;
 
 #[cfg(target_arch = "wasm32")]
 pub use page::{
-    Lock, canonical, create_folder, exists, is_read_only, is_whole, lock, read_at_most, remove, remove_left_over,
-    rename, save, try_lock, write, written,
+    Lock, canonical, create_folder, exists, is_read_only, is_whole, lock, may_exist, read_at_most, remove,
+    remove_left_over, rename, save, try_lock, write, written,
 };
 #[cfg(not(target_arch = "wasm32"))]
-pub use system::{Lock, canonical, create_folder, exists, is_whole, lock, remove, rename, try_lock, write, written};
+pub use system::{
+    Lock, canonical, create_folder, exists, is_whole, lock, may_exist, remove, rename, try_lock, write, written,
+};

@@ -90,7 +90,7 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
             given.cloned().ok_or_else(|| FileError::Read(io::ErrorKind::Unsupported.into()))?
         }
     };
-    if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
+    if bytes.len() as u64 > most { Err(FileError::TooLarge(most)) } else { Ok(bytes) }
 }
 
 /// Keeps the bytes, or hands them to the user.
@@ -121,6 +121,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// True if a file is stored under this path. A download replaces nothing.
 pub fn exists(path: &Path) -> bool {
     name(path).zip(page().ok()).is_some_and(|(name, page)| (page.kept)(name).is_some())
+}
+
+/// As [`exists`], because a page never waits.
+pub fn may_exist(path: &Path) -> bool {
+    exists(path)
 }
 
 /// The time at which the file under this path was stored.
@@ -262,7 +267,7 @@ mod tests {
         // If a file doesn't fit, the old one stays.
         assert_eq!(write(kept, &[b'a'; 21]).unwrap_err().kind(), io::ErrorKind::StorageFull);
         assert!(matches!(save(kept, &[0xff], Overwrite::Writable), Err(FileError::Write(_))));
-        assert!(matches!(read_at_most(kept, 3), Err(FileError::TooLarge)));
+        assert!(matches!(read_at_most(kept, 3), Err(FileError::TooLarge(3))));
         let aside = Path::new("/camera-lab/session-0.damaged");
         rename(kept, aside).unwrap();
         assert!(!exists(kept) && exists(aside) && written(kept).is_none());

@@ -3,7 +3,12 @@
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+use std::time::{Duration, Instant, SystemTime};
+
+use crate::files::patience::in_time;
+
+/// The longest wait for the lock of another window. They hold it for some milliseconds.
+const LOCK_WAIT: Duration = Duration::from_millis(1500);
 
 /// A lock against other windows, for as long as this value lives. The system releases it when the program ends, however
 /// it ends.
@@ -15,36 +20,51 @@ pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
 /// # Errors
 /// If the file can't be created, or the system can't lock it.
 pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
-    let file = open(path)?;
-    match file.try_lock() {
-        Ok(()) => Ok(Some(Lock(file))),
-        Err(TryLockError::WouldBlock) => Ok(None),
-        Err(TryLockError::Error(error)) => Err(error),
-    }
+    in_time(path, |path| {
+        let file = open(path)?;
+        match file.try_lock() {
+            Ok(()) => Ok(Some(Lock(file))),
+            Err(TryLockError::WouldBlock) => Ok(None),
+            Err(TryLockError::Error(error)) => Err(error),
+        }
+    })?
 }
 
-/// The lock in this file. Waits while another window has it. If there are no locks, it keeps no window away.
+/// The lock in this file. Waits while another window has it, but not for ever, since that window may have been stopped.
+/// If there are no locks, it keeps no window away.
 ///
 /// # Errors
-/// If the file can't be created.
+/// If the file can't be created, or another window keeps the lock.
 pub fn lock(path: &Path) -> io::Result<Lock> {
-    let file = open(path)?;
-    let _ = file.lock();
-    Ok(Lock(file))
+    in_time(path, |path| {
+        let (file, begin) = (open(path)?, Instant::now());
+        while let Err(TryLockError::WouldBlock) = file.try_lock() {
+            if begin.elapsed() > LOCK_WAIT {
+                return Err(io::ErrorKind::ResourceBusy.into());
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        Ok(Lock(file))
+    })?
 }
 
 fn open(path: &Path) -> io::Result<File> {
     OpenOptions::new().create(true).truncate(false).write(true).open(path)
 }
 
-/// True if this name exists.
+/// True if this name exists, as far as the system says so in time.
 pub fn exists(path: &Path) -> bool {
-    path.exists()
+    in_time(path, Path::exists).unwrap_or(false)
+}
+
+/// True unless the system says that this name doesn't exist.
+pub fn may_exist(path: &Path) -> bool {
+    in_time(path, Path::exists).unwrap_or(true)
 }
 
 /// The time when a file was written last, if the system knows it.
 pub fn written(path: &Path) -> Option<SystemTime> {
-    fs::metadata(path).and_then(|meta| meta.modified()).ok()
+    in_time(path, |path| fs::metadata(path).and_then(|meta| meta.modified()).ok()).ok()?
 }
 
 /// Gives a file another name.
@@ -52,7 +72,8 @@ pub fn written(path: &Path) -> Option<SystemTime> {
 /// # Errors
 /// If the system refuses.
 pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
-    fs::rename(from, to)
+    let to = to.to_owned();
+    in_time(from, |from| fs::rename(from, to))?
 }
 
 /// Removes a file. If it doesn't exist, that's no error.
@@ -60,7 +81,7 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
 /// # Errors
 /// If the system refuses.
 pub fn remove(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
+    match in_time(path, |path| fs::remove_file(path))? {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }
@@ -71,7 +92,8 @@ pub fn remove(path: &Path) -> io::Result<()> {
 /// # Errors
 /// If the system refuses.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    fs::write(path, bytes)
+    let bytes = bytes.to_owned();
+    in_time(path, |path| fs::write(path, bytes))?
 }
 
 /// Creates a folder, and the folders that it lies in.
@@ -80,7 +102,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// If the system refuses.
 pub fn create_folder(path: &Path) -> io::Result<()> {
     // A file in the place of the last folder is reported like a file in the place of any other.
-    fs::create_dir_all(path).map_err(|error| match error.kind() {
+    in_time(path, |path| fs::create_dir_all(path))?.map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
         _ => error,
     })
@@ -91,7 +113,7 @@ pub fn create_folder(path: &Path) -> io::Result<()> {
 /// # Errors
 /// If the system doesn't find it.
 pub fn canonical(path: &Path) -> io::Result<PathBuf> {
-    fs::canonicalize(path)
+    in_time(path, |path| fs::canonicalize(path))?
 }
 
 /// True for a path that means the same file from every folder.

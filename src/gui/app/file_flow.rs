@@ -12,6 +12,7 @@ mod opening;
 pub(super) mod qr;
 pub mod questions;
 mod reading;
+mod saving;
 mod sequence;
 pub mod title_dialog;
 
@@ -22,12 +23,13 @@ use eframe::egui::{self, ViewportCommand};
 
 use crate::export::format::PictureFormat;
 use crate::figure::read::parse;
-use crate::figure::{Figure, update};
+use crate::figure::update;
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, texture};
 use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, Theirs, TitleForm};
 use crate::gui::app::file_flow::reading::{Content, ToRead};
+use crate::gui::app::file_flow::saving::{Save, Saved};
 use crate::gui::app::file_flow::sequence::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
@@ -118,7 +120,7 @@ pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
     match state.model.document.path().cloned().or_else(named) {
-        Some(path) => write(ctx, state, &path, then, Agreed::default()),
+        Some(path) => write(ctx, state, Save { path, then, agreed: Agreed::default(), with_files: false }),
         None => ask(ctx, state, Purpose::Save(then)),
     }
 }
@@ -214,14 +216,17 @@ pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures =
         matches!(purpose, Purpose::Export(_) | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_)));
     let beside = file_beside(path).filter(|_| writes_pictures);
-    std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::exists(path)).collect()
+    std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::may_exist(path)).collect()
 }
 
 /// Opens or writes the file, with the overwrites in `agreed`.
 pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
     match purpose {
         Purpose::Open => open(ctx, state, path),
-        Purpose::Save(then) => write(ctx, state, path, then, agreed),
+        Purpose::Save(then) => write(ctx, state, Save { path: path.to_owned(), then, agreed, with_files: false }),
+        Purpose::SaveWithFiles => {
+            write(ctx, state, Save { path: path.to_owned(), then: None, agreed, with_files: true });
+        }
         Purpose::Export(_)
         | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress)
         | Purpose::Handout(_)
@@ -350,15 +355,9 @@ pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSav
     file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
 }
 
-/// The figure in the form for `path`.
-fn for_folder(model: &Model, path: &Path) -> Figure {
-    files::for_folder(&model.figure_to_save(), model.document.folder(), path.parent())
-}
-
-/// The text that saving would write.
+/// The text that saving would write into the figure's own file.
 pub fn text_to_save(model: &Model) -> String {
-    let figure = model.document.path().map_or_else(|| model.figure_to_save(), |path| for_folder(model, path));
-    update(model.document.source(), &figure)
+    update(model.document.source(), &model.figure_to_save())
 }
 
 /// The text of the present screen, in the form for links.
@@ -366,46 +365,57 @@ pub fn text_as_shown(model: &Model) -> String {
     update(model.document.source(), &model.figure_as_shown())
 }
 
-/// The present content of the figure's file, if it differs from the content read or saved last.
-fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
-    if document.path().is_none_or(|own| own != path) {
-        return None;
-    }
-    match files::look(path, document.source().as_bytes(), None) {
-        FileChange::Other(theirs) => Some(theirs),
-        FileChange::Same(_) | FileChange::Gone => None,
-    }
-}
-
-fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>, agreed: Agreed) {
+/// Writes the figure. If it takes long, the window stays usable, and [`poll`] takes the result.
+fn write(ctx: &egui::Context, state: &mut State, save: Save) {
     if let Some(error) = state.model.document.problem().filter(|_| state.model.document.has_stand_in_camera()) {
         state.model.say(Message::NotSaved(error.clone()));
         return;
     }
-    if let Some(theirs) = theirs(&state.model.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
-        return ask_about(&mut state.file_flow, theirs, then);
-    }
-    if !agreed.read_only && files::is_read_only(path) {
-        state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
+    // A second one could overtake the first.
+    if let Some(path) = state.file_flow.saving.path() {
+        state.model.say(Message::Saving(path.to_owned()));
         return;
     }
-    let figure = for_folder(&state.model, path);
-    let text = update(state.model.document.source(), &figure);
-    match files::save(path, text.as_bytes(), agreed.overwrite()) {
-        Ok(()) => {
-            if figure.scene != state.model.document.figure().scene {
-                state.model.document.edit(|own| own.scene = figure.scene);
+    let path = save.path.clone();
+    state.file_flow.saving.begin(ctx, &state.model, save);
+    take_saved(ctx, state, state.file_flow.saving.patience);
+    if state.file_flow.saving.path().is_some() {
+        state.model.say(Message::Saving(path));
+    }
+}
+
+/// Goes on with the result of writing the figure. It may be about a document that the window has left meanwhile.
+fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
+    let Some((save, of, saved)) = state.file_flow.saving.take(patience) else { return };
+    let is_shown = of == state.model.document.id();
+    let Save { path, then, agreed, with_files } = save;
+    match saved {
+        Saved::Done(done) => {
+            let (figure, renamed, text) = *done;
+            let others = state.model.kept.iter_mut().chain(&mut state.model.given_up).map(|(_, document)| document);
+            let mut documents = std::iter::once(&mut state.model.document).chain(others);
+            if let Some(document) = documents.find(|document| document.id() == of) {
+                document.mark_saved(path.clone(), text, figure, &renamed);
             }
-            state.model.document.mark_saved(path.to_owned(), text, figure.screen);
-            state.recent.add(path);
-            state.file_flow.theirs = None;
-            state.file_flow.decided = None;
-            say_saved(&mut state.model, path.to_owned());
-            if let Some(then) = then {
-                go_on(ctx, state, then);
+            state.recent.add(&path);
+            say_saved(&mut state.model, path);
+            if is_shown {
+                (state.file_flow.theirs, state.file_flow.decided) = (None, None);
+                match then {
+                    // What was changed meanwhile isn't in the file.
+                    Some(then) if state.model.document.is_changed() => begin(ctx, state, then),
+                    Some(then) => go_on(ctx, state, then),
+                    None => {}
+                }
             }
         }
-        Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+        Saved::Changed(theirs) if is_shown => ask_about(&mut state.file_flow, theirs, then),
+        Saved::ReadOnly if is_shown => {
+            let purpose = if with_files { Purpose::SaveWithFiles } else { Purpose::Save(then) };
+            state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path, agreed));
+        }
+        Saved::Changed(_) | Saved::ReadOnly => state.model.say(Message::File(path, FileError::ReadOnly)),
+        Saved::Failed(error) => state.model.say(Message::File(path, error)),
     }
 }
 
@@ -434,6 +444,7 @@ fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
 pub fn poll(ctx: &egui::Context, state: &mut State) {
     take_answer(ctx, state);
     take_content(ctx, state, Duration::ZERO);
+    take_saved(ctx, state, Duration::ZERO);
     take_exports(ctx, &mut state.model, &mut state.file_flow);
     if !state.file_flow.is_closing() {
         state.model.kept.append(&mut state.model.given_up);
@@ -517,7 +528,7 @@ fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow
                 say_saved(model, path);
                 continue;
             }
-            Ok(Some(over_budget)) => Message::SavedOtherwise(path, over_budget),
+            Ok(Some(shortfall)) => Message::SavedOtherwise(path, shortfall),
             Err(error) => {
                 failed |= !matches!(error, ExportError::Cancelled);
                 Message::NotExported(path, NotExported(error))

@@ -20,12 +20,13 @@ use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::figure::variation::{Variation, VariationError, variants};
-use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
+use crate::files::{self, FigureFiles, FileError, LeftOut, Overwrite};
 use crate::gui::background::worker::{Running, Worker};
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::model::Model;
 use crate::gui::model::export_error::ExportError;
 use crate::gui::model::handout::Job;
+use crate::gui::model::message::Shortfall;
 use crate::i18n::{Lang, pictures};
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
@@ -33,7 +34,6 @@ use crate::picture::{
     self, Animation, Beside, Composite, ExportSpec, Faces, Family, FileOptions, FilmFormat, Metadata, OnPaper,
     PictureError, PictureFile, SheetSize,
 };
-use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 
@@ -209,7 +209,7 @@ const FILM: Size = Size { width: 640, height: 480, scale: 1.0 };
 const STEP_SECONDS: f64 = 2.0;
 
 /// The result of an export: a shortfall, or the reason why no file was written.
-pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
+pub(super) type Exported = Result<Option<Shortfall>, ExportError>;
 
 /// A picture being written.
 #[derive(Debug)]
@@ -222,8 +222,7 @@ pub(super) struct Exporting {
 pub(super) struct ExportSource {
     figure: Figure,
     shot: Shot,
-    folder: PathBuf,
-    reach: FileAccess,
+    files: FigureFiles,
     lang: Lang,
     family: FamilyChoice,
     convention: Convention,
@@ -234,9 +233,9 @@ impl ExportSource {
     pub(super) fn of(model: &Model, family: &FamilyChoice, theme: Theme) -> Self {
         let mut figure = model.figure_as_shown();
         figure.style.theme = theme;
-        let (shot, folder) = (Shot::of(&figure), model.document.folder().map(Path::to_owned).unwrap_or_default());
-        let (reach, lang, convention) = (model.document.reach(), model.settings.lang, model.operations.convention);
-        Self { figure, shot, folder, reach, lang, family: family.clone(), convention }
+        let (shot, files) = (Shot::of(&figure), model.document.files());
+        let (lang, convention) = (model.settings.lang, model.operations.convention);
+        Self { figure, shot, files, lang, family: family.clone(), convention }
     }
 
     /// The sheet of a family.
@@ -247,7 +246,7 @@ impl ExportSource {
         camera: &Camera,
         progress: &Progress,
     ) -> Result<Composite, ExportError> {
-        let mut files = FigureFiles::new(&self.folder, self.reach);
+        let mut files = self.files.clone();
         let figures = variants(&self.figure, camera, variations, self.convention, MAX_FAMILY)?;
         let members = picture::members(figures, |figure| {
             Ok::<_, ExportError>(SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?))
@@ -264,6 +263,12 @@ impl ExportSource {
         Ok(export.spec(true).family(&family, request).map_err(PictureError::from)?)
     }
 
+    /// The text of the figure for a picture at `path`, made from the text of its file, and the files of the figure that
+    /// have no room in the picture.
+    fn text(&self, source: &str, path: &Path) -> (String, Option<LeftOut>) {
+        files::text_in_picture(|figure| update(source, figure), &self.figure, self.files.clone(), path)
+    }
+
     /// The words that go with its pictures into their file.
     pub(super) fn told(&self, sheet: &Composite, figure: String) -> Metadata {
         pictures::told_of(self.lang, &self.figure, sheet, figure)
@@ -271,9 +276,9 @@ impl ExportSource {
 
     /// The camera, and a picture of it.
     fn request(&self, view: View, size: Size, progress: &Progress) -> Result<(Camera, Request), ExportError> {
-        let Self { figure, shot, folder, reach, lang, .. } = self;
+        let Self { figure, shot, files, lang, .. } = self;
         let camera = Camera::new(&figure.camera)?;
-        let mut files = FigureFiles::new(folder, *reach);
+        let mut files = files.clone();
         let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
         let request = Request::new(shot, view, &camera, &scene, pictures::labels(*lang), size);
         Ok((camera, request))
@@ -366,23 +371,23 @@ impl Task {
     }
 
     async fn run(self, progress: &Progress) -> Exported {
-        let PictureFile { bytes, beside, over_budget, .. } =
+        let (PictureFile { bytes, beside, over_budget, .. }, left_out) =
             self.file(progress).await.map_err(|error| match error {
                 _ if progress.is_cancelled() => ExportError::Cancelled,
                 error => error,
             })?;
         save_both(&self.path, &bytes, beside, self.overwrite)?;
-        Ok(over_budget)
+        Ok(over_budget.map(Shortfall::OverBudget).or(left_out.map(Shortfall::LeftOut)))
     }
 
-    /// The file, with the figure file in it.
-    async fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
+    /// The file, with the figure file in it, and the files of the figure that have no room in it.
+    async fn file(&self, progress: &Progress) -> Result<(PictureFile, Option<LeftOut>), ExportError> {
         let Self { subject, source, what, path, .. } = self;
         let export = match what {
             ExportKind::Pictures(export) => export,
             ExportKind::Handout(job) => {
                 let bytes = job.pdf(progress).await?;
-                return Ok(PictureFile { bytes, beside: None, over_budget: None, no_areas: None });
+                return Ok((PictureFile { bytes, beside: None, over_budget: None, no_areas: None }, None));
             }
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation {
@@ -390,13 +395,15 @@ impl Task {
                     decomposition: *decomposition,
                 };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
-                let told = subject.told(&film.stills(), update(source, &subject.figure)).for_file(path);
-                return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
+                let (text, left_out) = subject.text(source, path);
+                let told = subject.told(&film.stills(), text).for_file(path);
+                return Ok((film.file(format, STEP_SECONDS, &told, progress).await?, left_out));
             }
         };
         let sheet = subject.sheet(export, progress).await?;
-        let told = subject.told(&sheet, update(source, &subject.figure)).for_file(path);
-        Ok(picture::file(&sheet, export.spec(false).options, &told, progress).await?)
+        let (text, left_out) = subject.text(source, path);
+        let told = subject.told(&sheet, text).for_file(path);
+        Ok((picture::file(&sheet, export.spec(false).options, &told, progress).await?, left_out))
     }
 }
 

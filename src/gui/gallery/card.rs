@@ -63,6 +63,9 @@ pub(super) type Drawn = Result<Pixels, String>;
 
 /// The work that draws thumbnails, and caches them by their content.
 pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
+    // A file that stalls mustn't keep the others from being shown.
+    #[cfg(not(target_arch = "wasm32"))]
+    files::limit_waiting(files::WINDOW_WAIT);
     let mut renderer = Renderer::default();
     let mut kept: HashMap<u64, Drawn> = HashMap::new();
     async move |job, progress: &Progress| match job {
@@ -71,7 +74,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
             CardOutcome::Listed(folder, list)
         }
         CardJob::Sort(paths) => {
-            let is_there = |path: &PathBuf| !files::is_network(path) && path.exists();
+            let is_there = |path: &PathBuf| !files::is_network(path) && files::disk::may_exist(path);
             let (mut there, gone): (Vec<PathBuf>, Vec<PathBuf>) = paths.into_iter().partition(is_there);
             there.extend(gone.iter().cloned());
             CardOutcome::Sorted(there, gone.into_iter().collect())
@@ -129,7 +132,7 @@ fn read(source: &Source) -> Result<Vec<u8>, FileError> {
         Source::Shipped(name) => {
             Ok(ShippedFigure::named(name).map(|figure| figure.text().as_bytes().to_vec()).unwrap_or_default())
         }
-        Source::File(path) => files::read_file(path),
+        Source::File(path) => files::read_figure_file(path),
     }
 }
 
@@ -140,7 +143,7 @@ fn figure_of(source: &Source, bytes: &[u8]) -> Result<Opened, FileError> {
             let lesson = parse_bytes(bytes)?;
             let first = lesson.steps.first().map(|step| (*step.figure).clone()).unwrap_or_default();
             let figure = Figure { title: Some(lesson.title), caption: lesson.sentence, ..first };
-            Ok(Opened { figure, text: String::new(), from_picture: false })
+            Ok(Opened { figure, text: String::new(), from_picture: false, carried: Default::default() })
         }
         _ => figure_from(bytes),
     }
@@ -160,7 +163,7 @@ fn draw(
         Source::Shipped(_) => FileAccess::Figure,
         Source::File(path) => FileAccess::of(path, opened.from_picture, false),
     };
-    let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), reach);
+    let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), reach).with(&opened.carried);
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
     let scene = SharedScene::new(scene.map_err(|error| messages::scene(lang, &error))?);
     let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
@@ -209,9 +212,8 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     if files::is_network(folder) {
         return Err(FileError::Network);
     }
-    let entries = std::fs::read_dir(folder).map_err(FileError::Read)?.flatten();
-    let is_figure = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_figure).collect();
+    let mut paths = files::entries(folder)?;
+    paths.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     // Lessons are among the lessons.
     paths.retain(|path| !files::is_lesson(path));
     paths.sort_by(|a, b| natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
@@ -221,6 +223,7 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::testing::{Directory, Stall};
     use crate::progress::at_once;
 
     #[test]
@@ -259,5 +262,38 @@ mod tests {
         let job = CardJob::Draw { source, theme: Theme::Light, lang: Lang::En };
         let CardOutcome::Drawn(_, drawn) = at_once(work(job, &progress)) else { panic!("a file") };
         assert!(drawn.is_err_and(|why| why.contains("no such file")));
+    }
+
+    #[test]
+    fn a_stalled_file_keeps_no_other_from_being_shown() {
+        let directory = Directory::new("gallery");
+        let [slow, quick] = ["a-slow.toml", "b-quick.toml"].map(|name| directory.path().join(name));
+        for path in [&slow, &quick] {
+            std::fs::write(path, "# A figure.\n[scene]\npreset = \"cube\"\n").expect("written");
+        }
+        let folder = directory.path().to_owned();
+        let stall = Stall::of(&slow);
+        // On a thread of its own, as in the window.
+        let done = std::thread::spawn(move || {
+            let (mut work, progress) = (work(), Progress::default());
+            let CardOutcome::Listed(_, files) = at_once(work(CardJob::List(folder), &progress)) else {
+                panic!("a list")
+            };
+            let sources: Vec<Source> = files.expect("readable").into_iter().map(Source::File).collect();
+            assert_eq!(sources.len(), 2);
+            let CardOutcome::Read(told) = at_once(work(CardJob::Read(sources.clone(), Lang::En), &progress)) else {
+                panic!("words")
+            };
+            let drawn = sources.into_iter().map(|source| {
+                let job = CardJob::Draw { source, theme: Theme::Light, lang: Lang::En };
+                let CardOutcome::Drawn(_, drawn) = at_once(work(job, &progress)) else { panic!("a picture") };
+                drawn.map(|_| ())
+            });
+            (told, drawn.collect::<Vec<_>>())
+        });
+        let (told, drawn) = done.join().expect("no panic");
+        assert_eq!(told[1].1.sentence, "A figure.");
+        assert!(drawn[0].as_ref().is_err_and(|why| why.contains("too long")) && drawn[1].is_ok(), "{drawn:?}");
+        drop(stall);
     }
 }

@@ -195,7 +195,12 @@ impl Gallery {
         let is_stale = |source: &&Source| !self.cards.get(source).is_some_and(|card| card.fresh);
         let stale = sources.iter().find(is_stale);
         let draw = stale.map(|source| CardJob::Draw { source: source.clone(), theme, lang });
-        let next = if self.waiting.is_empty() { read.or(draw) } else { Some(self.waiting.remove(0)) };
+        // The examples are there in any case, and folders may take long.
+        let (waits, shown) = (!self.waiting.is_empty(), read.or(draw));
+        let next = match shown {
+            Some(shown) if !waits || self.part == Part::Examples => Some(shown),
+            _ => waits.then(|| self.waiting.remove(0)),
+        };
         if let Some(job) = next {
             if let CardJob::Draw { source, .. } = &job {
                 // Even if drawing panics, it isn't requested again.

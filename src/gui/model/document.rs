@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show};
-use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
+use crate::files::{Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename};
 use crate::share;
 
 /// The edited figure.
@@ -24,6 +24,8 @@ pub struct Document {
     shipped: Option<&'static str>,
     folder: Option<PathBuf>,
     reach: FileAccess,
+    /// The files that came with the figure in a picture.
+    carried: Carried,
     source: String,
     saved: Figure,
     /// The revision of the scene, and true if it differs from the saved one.
@@ -71,11 +73,11 @@ impl Document {
         let camera = Camera::new(&figure.camera)?;
         let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
         let reach = file.as_ref().map_or(FileAccess::Figure, |file| FileAccess::of(&file.path, file.is_picture, false));
-        let (path, source) = match file {
+        let (path, source, carried) = match file {
             // A picture holds a figure, but it isn't a figure file. Saving must not replace it.
-            Some(SourceFile { text, is_picture: true, .. }) => (None, text),
-            Some(SourceFile { path, text, is_picture: false }) => (Some(path), text),
-            None => (None, String::new()),
+            Some(SourceFile { text, is_picture: true, carried, .. }) => (None, text, carried),
+            Some(SourceFile { path, text, is_picture: false, carried }) => (Some(path), text, carried),
+            None => (None, String::new(), Carried::default()),
         };
         let revision = Revision::new();
         Ok(Self {
@@ -93,6 +95,7 @@ impl Document {
             shipped: None,
             folder,
             reach,
+            carried,
             source,
             saved: figure.clone(),
             opened: figure.camera,
@@ -108,7 +111,7 @@ impl Document {
         let text = ShippedFigure::named(name)?.text().into_owned();
         let figure = figure_from(text.as_bytes()).ok()?.figure;
         // An empty path has no folder.
-        let file = SourceFile { path: PathBuf::new(), text, is_picture: false };
+        let file = SourceFile { text, ..SourceFile::default() };
         let document = Self::new(figure, Some(file)).ok()?;
         Some(Self { path: None, shipped: Some(name), ..document })
     }
@@ -118,7 +121,7 @@ impl Document {
     /// # Errors
     /// As for [`new`](Self::new).
     pub(in crate::gui) fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
-        let file = |path: &Path| SourceFile { path: path.to_owned(), text: String::new(), is_picture: false };
+        let file = |path: &Path| SourceFile { path: path.to_owned(), ..SourceFile::default() };
         // A link comes without files.
         let reach = FileAccess::of_lesson(lesson, false);
         let lesson = lesson.filter(|path| share::link_of(path).is_none());
@@ -461,6 +464,16 @@ impl Document {
         self.reach
     }
 
+    /// The files that came with the figure in a picture.
+    pub(in crate::gui) fn carried(&self) -> &Carried {
+        &self.carried
+    }
+
+    /// Reads the files that the figure names.
+    pub(in crate::gui) fn files(&self) -> FigureFiles {
+        FigureFiles::new(self.folder().unwrap_or(Path::new("")), self.reach).with(&self.carried)
+    }
+
     /// Lets the figure name any file of this machine, with the user's permission.
     pub fn allow_files(&mut self) {
         self.reach = FileAccess::Anywhere;
@@ -472,14 +485,20 @@ impl Document {
         &self.source
     }
 
-    /// Records that the figure is now in a file with this text, which shows it in this layout.
-    pub fn mark_saved(&mut self, path: PathBuf, source: String, screen: Screen) {
-        self.figure.screen = screen;
-        self.folder = path.parent().map(Path::to_owned);
-        self.path = Some(path);
-        self.source = source;
-        self.saved = self.figure.clone();
-        self.scene_is_changed = false;
+    /// Records that `saved`, a state of this figure, is now in a file with this text. Its files have new names there,
+    /// which all its other states get too.
+    pub fn mark_saved(&mut self, path: PathBuf, source: String, saved: Figure, renamed: &Renamed) {
+        rename(self.figure.files_mut(), renamed);
+        self.history.rename(renamed);
+        let (screen, folder) = (saved.screen, path.parent().map(Path::to_owned));
+        if self.path.as_ref() != Some(&path) {
+            // It's the user's own file now.
+            (self.carried, self.reach) = (Carried::default(), self.reach.max(FileAccess::Figure));
+        }
+        (self.figure.screen, self.folder, self.path, self.source) = (screen, folder, Some(path), source);
+        // Viewpoints and explanations aren't changes.
+        self.saved = Figure { show: self.figure.show.clone(), observers: self.figure.observers, ..saved };
+        self.scene_is_changed = self.figure.scene != self.saved.scene;
         self.note_change();
     }
 

@@ -3,12 +3,12 @@
 use crate::exercises::Exercise;
 use crate::files::{FigureFiles, FileAccess};
 use crate::gui::model::export_error::ExportError;
-use crate::handout::{self, HandoutOptions, NoPicture, views_of};
+use crate::handout::{self, HandoutOptions, NoPicture, Scenes, views_of};
 use crate::lessons::OpenLesson;
 use crate::picture::{Handout, PictureError};
 use crate::progress::Progress;
 use crate::scene::no_files;
-use crate::views::{View, Views, scene_of};
+use crate::views::{SharedScene, View, Views, scene_of};
 
 /// A requested handout.
 #[derive(Clone)]
@@ -40,14 +40,16 @@ impl Job {
             Content::Lesson(OpenLesson { lesson, path, .. }) => {
                 let folder = path.as_deref().and_then(std::path::Path::parent).unwrap_or("".as_ref());
                 let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.as_deref(), false));
+                let mut scenes = Scenes::default();
                 handout::of_lesson(lesson, options, |(_, step), size| {
-                    let scene = scene_of(&step.figure, &mut |wanted| files.read(wanted), progress)?;
-                    Ok(handout::picture(&step.figure, scene, views_of(&step.figure), size, options.lang)?)
+                    let build = || scene_of(&step.figure, &mut |wanted| files.read(wanted), progress);
+                    let scene = scenes.of(&step.figure, build)?;
+                    Ok(handout::picture(&step.figure, &scene, views_of(&step.figure), size, options.lang)?)
                 })
             }
             Content::Exercises(sheet) => handout::of_exercises(sheet, options, |figure, size| {
-                let scene = scene_of(figure, &mut no_files, progress)?;
-                Ok(handout::picture(figure, scene, Views::One(View::Image), size, options.lang)?)
+                let scene = SharedScene::new(scene_of(figure, &mut no_files, progress)?);
+                Ok(handout::picture(figure, &scene, Views::One(View::Image), size, options.lang)?)
             }),
         }
     }

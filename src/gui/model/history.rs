@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::camera::{Camera, Parameters};
 use crate::figure::{Figure, Screen, Show, ShownTriangle};
+use crate::files::{Renamed, rename};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
@@ -180,6 +181,26 @@ impl History {
             newer = step;
         }
         steps
+    }
+
+    /// Gives new names to the files of all steps.
+    pub(in crate::gui) fn rename(&mut self, renamed: &Renamed) {
+        if renamed.is_empty() {
+            return;
+        }
+        // Steps go on sharing their scenes.
+        let mut last: Option<(Arc<SceneSpec>, Arc<SceneSpec>)> = None;
+        for step in self.past.iter_mut().chain([&mut self.now]).chain(&mut self.future) {
+            let known = last.as_ref().filter(|(old, _)| Arc::ptr_eq(old, &step.scene)).map(|(_, new)| Arc::clone(new));
+            let new = known.unwrap_or_else(|| {
+                let mut scene = SceneSpec::clone(&step.scene);
+                rename(scene.files_mut(), renamed);
+                Arc::new(scene)
+            });
+            let old = std::mem::replace(&mut step.scene, Arc::clone(&new));
+            last = Some((old, new));
+            rename(step.rest.files_mut(), renamed);
+        }
     }
 
     /// Drops the steps to redo.

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::camera::CameraError;
-use crate::files::FileError;
+use crate::files::{FileError, LeftOut};
 use crate::gui::model::export_error::ExportError;
 use crate::i18n::learn::{exercise_messages, lessons};
 use crate::i18n::messages::faults;
@@ -34,8 +34,8 @@ pub enum Message {
     FirstFigure,
     /// No figure after this one.
     LastFigure,
-    /// A step was added to the lesson in a file. Holds its number.
-    StepAdded(PathBuf, usize),
+    /// A step was added to the lesson in a file. Holds its number, and the files of the figure that it can't show.
+    StepAdded(PathBuf, usize, Option<LeftOut>),
     /// The texts of a step can't be written into the file of its lesson.
     StepNotKept(PathBuf, FileError),
     /// Another program changed the file of the lesson.
@@ -62,6 +62,8 @@ pub enum Message {
     FirstOfDropped(PathBuf, usize),
     /// A file has been written.
     Saved(PathBuf),
+    /// The figure is being written to a file.
+    Saving(PathBuf),
     /// A file was handed to the browser.
     Downloaded(PathBuf),
     /// A file was chosen for a figure that the window no longer shows. It wasn't used.
@@ -91,7 +93,7 @@ pub enum Message {
     /// A picture is being written.
     Exporting,
     /// The picture in this file is written, with a shortfall.
-    SavedOtherwise(PathBuf, OverBudget),
+    SavedOtherwise(PathBuf, Shortfall),
     /// No picture was written to this file.
     NotExported(PathBuf, NotExported),
     /// A named scene is a list of objects now.
@@ -115,6 +117,15 @@ pub enum Message {
     TooManyPoints,
     /// The progress in exercises is deleted, and still in this file.
     ProgressDeleted(PathBuf),
+}
+
+/// The shortfall of a written picture.
+#[derive(Debug)]
+pub enum Shortfall {
+    /// It's drawn otherwise.
+    OverBudget(OverBudget),
+    /// It doesn't carry the files of its figure.
+    LeftOut(LeftOut),
 }
 
 /// The reason why no picture was written.
@@ -146,7 +157,11 @@ impl Message {
             Self::NumbersCopied => (News, t.copied.to_owned()),
             Self::Step { number, of } => (News, format!("{number} / {of}")),
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
-            Self::StepAdded(path, number) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
+            Self::StepAdded(path, number, None) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
+            Self::StepAdded(path, number, Some(left_out)) => {
+                let added = lessons::step_added(lang, &sanitize::path(path), *number);
+                (Error, format!("{added}; {}", messages::out_of_reach(lang, left_out)))
+            }
             Self::StepNotKept(path, error) => {
                 let why = messages::file(lang, &sanitize::path(path), error);
                 (Error, format!("{}: {why}", lessons::texts(lang).not_written))
@@ -167,6 +182,7 @@ impl Message {
                 (News, sessions::first_of_dropped(lang, &sanitize::path(path), *count))
             }
             Self::Saved(path) => (News, about(t.saved, path)),
+            Self::Saving(path) => (Lasting, about(t.saving, path)),
             Self::Downloaded(path) => (News, about(sharing.downloaded, path)),
             Self::OtherFigure(path) => (Error, about(t.other_figure, path)),
             Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
@@ -186,8 +202,14 @@ impl Message {
             Self::NoPhotograph(notice) => (Error, messages::mesh_notice(lang, notice)),
             Self::OverBudget(over_budget) => (Error, messages::over_budget(lang, over_budget)),
             Self::Exporting => (Lasting, t.exporting.to_owned()),
-            Self::SavedOtherwise(path, over_budget) => {
-                (Error, format!("{}; {}", about(t.saved, path), messages::over_budget(lang, over_budget)))
+            Self::SavedOtherwise(path, shortfall) => {
+                let what = match shortfall {
+                    Shortfall::OverBudget(over_budget) => messages::over_budget(lang, over_budget),
+                    Shortfall::LeftOut(left_out) => {
+                        format!("{} ({})", messages::left_out(lang, left_out), t.save_with_files)
+                    }
+                };
+                (Error, format!("{}; {what}", about(t.saved, path)))
             }
             Self::NotExported(path, NotExported(error)) => {
                 let tone = if matches!(error, ExportError::Cancelled) { News } else { Error };

@@ -2,6 +2,7 @@
 //! thread. Until a file is there, or if it can't be read, the rest of the scene is shown without it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -13,14 +14,15 @@ use super::history::Revision;
 use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::clock;
 use crate::figure::Figure;
-use crate::files::{FigureFiles, FileAccess};
+use crate::files::{Carried, FigureFiles, FileAccess};
 use crate::gui::background::memo::Latest;
 use crate::gui::background::worker::Running;
 use crate::progress::Progress;
+use crate::sanitize;
 use crate::scene::import::{Imported, read, read_texture};
 use crate::scene::{
-    self, MeshError, MeshFiles, MeshNotice, Preset, ReadError, Scene, SceneError, SceneSpec, Shape, TextureError,
-    TextureSource, Wanted,
+    self, FileUse, MeshError, MeshFiles, MeshNotice, Preset, ReadError, ReadProblem, Scene, SceneError, SceneSpec,
+    Shape, TextureError, TextureFault, TextureSource, Wanted,
 };
 use crate::views::SharedScene;
 
@@ -60,6 +62,7 @@ struct MadeFrom {
     hidden_lines: HiddenLines,
     folder: Option<PathBuf>,
     reach: FileAccess,
+    carried: Carried,
 }
 
 impl MadeFrom {
@@ -69,6 +72,7 @@ impl MadeFrom {
             && self.hidden_lines == figure.style.hidden_lines
             && self.folder.as_deref() == document.folder()
             && self.reach == document.reach()
+            && self.carried == *document.carried()
             && self.photograph.as_deref() == photograph_of(figure)
             && (self.revision == document.revision() || self.spec == figure.scene)
     }
@@ -99,13 +103,14 @@ struct SceneFile {
     is_texture: bool,
     folder: PathBuf,
     reach: FileAccess,
+    carried: Carried,
     /// The bytes of the figure's other files.
     spent: usize,
 }
 
 impl SceneFile {
     async fn read(&self, progress: &Progress) -> BuiltScene {
-        let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
+        let mut files = FigureFiles::new(&self.folder, self.reach).with(&self.carried).after(self.spent);
         let mut read_file = |wanted: Wanted<'_>| files.read(wanted);
         let read = if self.is_texture {
             Read::Texture(read_texture(&self.path, &mut read_file))
@@ -230,6 +235,23 @@ impl SceneCache {
         self.unread.get(path).map_or(&[], Vec::as_slice)
     }
 
+    /// The names of the figure's files that can't be read, each with true if there is no such file.
+    pub(in crate::gui) fn lost_files(&self) -> BTreeMap<String, bool> {
+        let meshes = self.broken.iter().filter_map(|(path, error)| match error {
+            MeshError::Unreadable(error) => Some((sanitize::path_text(path), &error.problem)),
+            _ => None,
+        });
+        let notices = self.scene.notices.iter().filter_map(|(_, notice)| match notice {
+            MeshNotice::Texture(TextureError { file, fault: TextureFault::Unreadable(error) })
+            | MeshNotice::Photograph(TextureError { file, fault: TextureFault::Unreadable(error) }) => {
+                Some((file.clone(), &error.problem))
+            }
+            _ => None,
+        });
+        let is_gone = |problem: &ReadProblem| matches!(problem, ReadProblem::System { kind: ErrorKind::NotFound, .. });
+        meshes.chain(notices).map(|(name, problem)| (name, is_gone(problem))).collect()
+    }
+
     /// The reason why the photograph under the image can't be used, once.
     pub(in crate::gui) fn take_notice(&mut self) -> Option<MeshNotice> {
         std::mem::take(&mut self.lacks_photograph.1).then(|| self.lacks_photograph.0.clone()).flatten()
@@ -278,10 +300,14 @@ impl SceneCache {
             hidden_lines: figure.style.hidden_lines,
             folder: document.folder().map(Path::to_owned),
             reach: document.reach(),
+            carried: document.carried().clone(),
         };
         let mut said = Ok(());
         let before = self.made_from.take();
-        if before.as_ref().is_some_and(|before| (&before.folder, before.reach) != (&wanted.folder, wanted.reach)) {
+        let is_elsewhere = |before: &MadeFrom| {
+            (&before.folder, before.reach, &before.carried) != (&wanted.folder, wanted.reach, &wanted.carried)
+        };
+        if before.as_ref().is_some_and(is_elsewhere) {
             // Another folder means other files under the same names. With another reach, other files may be read.
             self.forget_files();
             self.reader.begin(ctx, Vec::new());
@@ -360,8 +386,10 @@ impl SceneCache {
             !is_known && !self.broken.contains_key(path)
         };
         let folder = wanted.folder.clone().unwrap_or_default();
-        let file =
-            |(path, is_texture)| SceneFile { path, is_texture, folder: folder.clone(), reach: wanted.reach, spent: 0 };
+        let file = |(path, is_texture)| {
+            let (folder, reach, carried) = (folder.clone(), wanted.reach, wanted.carried.clone());
+            SceneFile { path, is_texture, folder, reach, carried, spent: 0 }
+        };
         let missing: Vec<SceneFile> = paths(wanted).into_iter().filter(unknown).map(file).collect();
         if missing.is_empty() {
             return false;
@@ -408,9 +436,8 @@ fn photograph_of(figure: &Figure) -> Option<&str> {
 
 /// The mesh files of a scene, and its textures and photograph, for which the value is true.
 fn paths(MadeFrom { spec, photograph, .. }: &MadeFrom) -> BTreeSet<(String, bool)> {
-    let meshes = spec.objects.iter().filter_map(|object| Some((object.shape.as_ref()?.mesh_file()?, false)));
-    let textures = spec.objects.iter().filter_map(|object| Some((object.texture.as_ref()?.file()?, true)));
-    // An empty name hasn't been typed yet.
-    let textures = textures.chain(photograph.iter().map(|path| (path.as_str(), true)));
-    meshes.chain(textures.filter(|(path, _)| !path.is_empty())).map(|(path, is)| (path.to_owned(), is)).collect()
+    let photograph = photograph.iter().map(|path| (path.as_str(), FileUse::Image));
+    let all = spec.files().chain(photograph).map(|(path, of)| (path.to_owned(), of == FileUse::Image));
+    // An empty name of an image hasn't been typed yet.
+    all.filter(|(path, is_texture)| !(*is_texture && path.is_empty())).collect()
 }

@@ -70,6 +70,27 @@ impl Brief {
     }
 }
 
+/// Names the files that the figure needs and that can't be read, in the lower corner of the image. Returns true if
+/// there are any.
+pub(super) fn lost_files(ui: &mut Ui, picture: Rect, model: &Model) -> bool {
+    let lost = model.scene_cache.lost_files();
+    if lost.is_empty() {
+        return false;
+    }
+    let room = picture.shrink2(vec2(16.0, 8.0));
+    let place = Rect::from_min_max(egui::pos2(room.left(), room.bottom() - room.height().min(90.0)), room.max);
+    let builder = UiBuilder::new()
+        .id_salt("lost files")
+        .max_rect(place)
+        .layout(Layout::bottom_up(Align::Min).with_cross_justify(false));
+    ui.scope_builder(builder, |ui| {
+        egui::Frame::popup(ui.style()).show(ui, |ui| {
+            theme::sentence_label(ui, &words::lost_files(model.settings.lang, &lost));
+        });
+    });
+    true
+}
+
 /// Explains an empty image over it, with the button of the repair.
 pub(super) fn why_empty(ui: &mut Ui, picture: Rect, model: &mut Model) {
     let lang = model.settings.lang;

@@ -33,7 +33,7 @@ use eframe::egui::{
 use glam::DVec2;
 
 use self::arrange::{Axis, Framed, Shares, arrange, automatic};
-use self::brief::{Brief, why_empty};
+use self::brief::{Brief, lost_files, why_empty};
 use self::card::CardPlace;
 use self::long_work::LongWork;
 use self::rendering::{Missing, RenderJob, Rendering};
@@ -319,11 +319,13 @@ impl Canvas {
         }
     }
 
-    /// Explains an empty image, in it.
+    /// Explains in the image what isn't in it.
     fn say_why_empty(&self, ui: &mut Ui, model: &mut Model, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
-        if let Some(pane) = image.filter(is_there) {
+        if let Some(pane) = image.filter(is_there)
+            && !lost_files(ui, pane.rect.rect, model)
+        {
             why_empty(ui, pane.rect.rect, model);
         }
     }

@@ -10,7 +10,7 @@ use super::texture::Tiles;
 use crate::clock;
 use crate::gui::background::worker::{Running, Worker};
 use crate::picture::{Pixels, RenderReport, Renderer};
-use crate::pipeline::OverBudget;
+use crate::pipeline::{OverBudget, ShadowMaps};
 use crate::progress::Progress;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
 
@@ -88,7 +88,7 @@ pub(super) struct Rendering {
 impl Default for Rendering {
     fn default() -> Self {
         Self {
-            worker: drawing(),
+            worker: drawing(ShadowMaps::default()),
             asked: Default::default(),
             given_up: Default::default(),
             drawn: [0; MAX_PICTURES],
@@ -99,10 +99,10 @@ impl Default for Rendering {
 }
 
 /// Draws pictures at the same time, but draws a timed picture alone, so that its times don't include waiting for the
-/// others.
-fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
+/// others. All pictures have the same shadow maps.
+fn drawing(shadow_maps: ShadowMaps) -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
     let turn = Arc::new(Turn::default());
-    Worker::new("pictures", clock::now, move || work(Arc::clone(&turn)))
+    Worker::new("pictures", clock::now, move || work(Arc::clone(&turn), &shadow_maps))
 }
 
 /// The pictures that are being drawn.
@@ -122,8 +122,8 @@ impl Drop for RunningJob<'_> {
     }
 }
 
-fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
-    let mut renderer = Renderer::default();
+fn work(turn: Arc<Turn>, shadow_maps: &ShadowMaps) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome + use<> {
+    let mut renderer = Renderer::sharing(shadow_maps);
     let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
     let mut last: [Vec<Arc<egui::ColorImage>>; MAX_PICTURES] = Default::default();
     async move |job: RenderJob, progress: &Progress| {
@@ -244,7 +244,8 @@ mod tests {
     use crate::camera::Camera;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
-    use crate::views::{SharedScene, Size, View};
+    use crate::scene::no_files;
+    use crate::views::{SharedScene, Size, View, scene_of};
 
     fn job(side: u32) -> RenderJob {
         let figure = Figure::default();
@@ -273,6 +274,28 @@ mod tests {
         }
         assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [40, 40]);
         assert_eq!(rendering.drawn()[..3], [0, 0, 1]);
+    }
+
+    #[test]
+    fn all_pictures_of_a_window_have_the_same_shadow_maps() {
+        let figure = crate::figure::read::parse(
+            "[scene]\npreset = \"house\"\n[[scene.lights]]\nkind = \"point\"\nshadows = true\nshadow_map = 64\n",
+        )
+        .unwrap();
+        let scene = scene_of(&figure, &mut no_files, &Progress::default()).unwrap();
+        let (scene, camera) = (SharedScene::new(scene), Camera::new(&figure.camera).unwrap());
+        let (ctx, shadow_maps) = (egui::Context::default(), ShadowMaps::default());
+        let mut worker = drawing(shadow_maps.clone());
+        let labels = pictures::labels(Lang::En);
+        for (picture, view) in View::ALL.into_iter().enumerate() {
+            let size = Size { width: 40, height: 30, scale: 1.0 };
+            let request = Request::of(&figure, view, &camera, &scene, labels, size);
+            worker.ask(&ctx, picture, RenderJob { picture, request, ..job(1) });
+        }
+        let drawn = worker.take(Duration::from_secs(60)).into_iter().flatten();
+        assert_eq!(drawn.filter(|done| done.outcome.as_ref().unwrap().rendered.is_ok()).count(), View::COUNT);
+        let [map] = &shadow_maps.of_scene((&*scene).into())[..] else { panic!("one lamp") };
+        assert!(map.depths().is_some(), "painted by one picture for all");
     }
 
     #[test]
@@ -334,7 +357,7 @@ mod tests {
     #[test]
     fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
         let ctx = egui::Context::default();
-        let worker = drawing().without_thread(&ctx);
+        let worker = drawing(ShadowMaps::default()).without_thread(&ctx);
         let mut rendering = Rendering { worker, ..Rendering::default() };
         rendering.ask(&ctx, job(25));
         let rendered = rendering.collect(Duration::ZERO);

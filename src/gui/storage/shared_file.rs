@@ -16,7 +16,7 @@ use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 
 /// The longest wait for a running write before the window closes.
-pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_secs(5);
+pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_secs(2);
 
 /// A change of a window, to merge into the present content of the file.
 pub(in crate::gui) trait Change: Clone + Send + 'static {
@@ -46,7 +46,7 @@ type Held<T> = (String, T, Option<PathBuf>);
 fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
     let bytes = match files::read_at_most(file, MAX_KEPT_BYTES) {
         Err(FileError::Read(error)) if error.kind() == io::ErrorKind::NotFound => return Ok(Held::default()),
-        Err(FileError::TooLarge) => None,
+        Err(FileError::TooLarge(_)) => None,
         bytes => Some(bytes?),
     };
     let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());

@@ -24,8 +24,9 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
     match problem {
         // These name the keys themselves. For ours the section is enough.
         Problem::Camera(_) => {
-            let section = key.split_inclusive(']').next().filter(|label| label.ends_with(']')).unwrap_or("[camera]");
-            format!("{section} {what}")
+            // A list has two brackets.
+            let section = ["]]", "]"].iter().find_map(|end| Some(&key[..key.find(end)? + end.len()]));
+            format!("{} {what}", section.unwrap_or("[camera]"))
         }
         Problem::NotUtf8 { .. }
         | Problem::TooLarge { .. }

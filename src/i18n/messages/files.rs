@@ -6,9 +6,9 @@ use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
-use crate::files::FileError;
+use crate::files::{FileError, LeftOut, size_words};
 use crate::i18n::Lang;
-use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
+use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
 use crate::sanitize;
 use crate::scene::ReadProblem;
 use crate::share::{self, Held, ShareError};
@@ -40,9 +40,8 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         (Lang::PtBr, FileError::TooManyExercises) => {
             format!("{name} tem exercícios demais; permitido: no máximo {MAX_OWN_EXERCISES}")
         }
-        (Lang::PtBr, FileError::TooLarge) => {
-            let gib = MAX_FILE_BYTES >> 30;
-            format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")
+        (Lang::PtBr, FileError::TooLarge(most)) => {
+            format!("{name} é grande demais; permitido: no máximo {}", size_words(*most))
         }
         (Lang::PtBr, FileError::OtherPicture(format)) => {
             let names = PictureFormat::names_with_figure("e");
@@ -60,6 +59,33 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
             "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
         ),
     }
+}
+
+/// The files of a figure that a picture doesn't carry.
+pub fn left_out(lang: Lang, LeftOut(names): &LeftOut) -> String {
+    let (names, most) = (named(names), size_words(MAX_CARRIED_BYTES as u64));
+    both!(lang;
+        "it doesn't carry {names}, because the files of a figure may have at most {most} when they are packed; send them with it",
+        "ela não leva {names}, porque os arquivos de uma figura podem ter no máximo {most} compactados; envie-os junto com ela")
+}
+
+/// The files that a picture carries, and that the text of its figure doesn't.
+pub fn not_printed(lang: Lang, LeftOut(names): &LeftOut) -> String {
+    let names = named(names);
+    both!(lang; "only images carry {names}; the printed figure names them, and doesn't hold them",
+        "só imagens levam {names}; a figura impressa os nomeia, mas não os contém")
+}
+
+/// The files of a step that its lesson can't reach.
+pub fn out_of_reach(lang: Lang, LeftOut(names): &LeftOut) -> String {
+    let names = named(names);
+    both!(lang; "the lesson won't show {names}, because lessons read files of their own folder and below; copy them there",
+        "a lição não mostrará {names}, porque lições leem arquivos da sua própria pasta e abaixo; copie-os para lá")
+}
+
+/// Names of files in a sentence.
+fn named(names: &[String]) -> String {
+    sanitize::within(&names.iter().map(|name| sanitize::path_text(name)).collect::<Vec<_>>().join(", "), 200)
 }
 
 /// The reason why there is no link to a figure, or no figure in a link.

@@ -14,7 +14,7 @@ pub(super) mod wording;
 pub use crate::i18n::messages::cameras::{camera, inspect, no_way_back, operation, warning};
 pub use crate::i18n::messages::expressions::{at_most_characters, expression, not_whole, outside};
 pub use crate::i18n::messages::figure_files::{figure, without_line};
-pub use crate::i18n::messages::files::{encoder, file, link, opened, png};
+pub use crate::i18n::messages::files::{encoder, file, left_out, link, not_printed, opened, out_of_reach, png};
 pub use crate::i18n::messages::meshes::notice as mesh_notice;
 pub use crate::i18n::messages::scene_errors::scene;
 pub use crate::i18n::messages::unreadable::without_colors;

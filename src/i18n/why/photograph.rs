@@ -2,6 +2,7 @@
 
 use crate::camera::{AxisVanishing, PhotographCamera, PhotographError, Untold};
 use crate::i18n::Lang;
+use crate::i18n::messages::camera as camera_error;
 use crate::sanitize::escaped;
 
 /// Digits of the numbers in sentences.
@@ -14,7 +15,7 @@ pub fn unreadable(lang: Lang, text: &str, example: &str) -> String {
 }
 
 /// The reason why there is no camera.
-pub fn error(lang: Lang, error: PhotographError) -> String {
+pub fn error(lang: Lang, error: &PhotographError) -> String {
     match error {
         PhotographError::TooFewLines => both!(lang; "at least two axes need two lines each",
             "pelo menos dois eixos precisam de duas retas cada um"),
@@ -32,6 +33,12 @@ pub fn error(lang: Lang, error: PhotographError) -> String {
                 "f² seria negativo: {a} e {b} não são perpendiculares em nenhuma câmera cujo eixo passa pelo meio da \
                  imagem")
         }
+        PhotographError::SameDirection(a, b) => {
+            let (a, b) = (a.name(), b.name());
+            both!(lang; "the lines of {a} and {b} have one direction, up to the error of a pixel; allowed: lines of axes at right angles",
+                "as retas de {a} e de {b} têm uma só direção, a menos do erro de um pixel; permitido: retas de eixos perpendiculares")
+        }
+        PhotographError::Impossible(error) => camera_error(lang, error),
         PhotographError::LeftHanded => both!(lang; "the senses of the lines make a left-handed system; reverse the \
                                                     lines of one axis",
             "os sentidos das retas formam um sistema de mão esquerda; inverta as retas de um eixo"),

@@ -1,5 +1,7 @@
 //! The words of the coach: the health of a camera, and the reasons why a picture is empty.
 
+use std::collections::BTreeMap;
+
 use super::scenes::preset_object;
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, CameraError, Ndc, Projection};
@@ -9,7 +11,7 @@ use crate::i18n::why::conventions;
 use crate::numbers::significant;
 use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value, WrongPixels};
 use crate::numerics::health::{Health, HealthQuantity, Level, coarseness, volume_sides};
-use crate::sanitize::escaped;
+use crate::sanitize::{self, escaped};
 use crate::scene::SceneSpec;
 
 texts! {
@@ -220,6 +222,20 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
         if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
     let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
     sentences.map(|(names, said)| format!("{}: {said}", listed(lang, &names))).collect::<Vec<_>>().join(" ")
+}
+
+/// The files that a figure needs and that can't be read. Each is true if there is no such file.
+pub fn lost_files(lang: Lang, lost: &BTreeMap<String, bool>) -> String {
+    let (gone, unread): (Vec<_>, Vec<_>) = lost.iter().partition(|(_, is_gone)| **is_gone);
+    let sentence = |files: Vec<(&String, &bool)>, [one, many]: [&str; 2]| {
+        let names: Vec<String> = files.into_iter().map(|(name, _)| sanitize::within(name, 60)).collect();
+        let words = if names.len() == 1 { one } else { many };
+        (!names.is_empty()).then(|| format!("{} {words}", listed(lang, &names)))
+    };
+    let gone = sentence(gone, pick!(lang; ["is missing", "are missing"], ["está faltando", "estão faltando"]));
+    let unread =
+        sentence(unread, pick!(lang; ["can't be read", "can't be read"], ["não pode ser lido", "não podem ser lidos"]));
+    gone.into_iter().chain(unread).collect::<Vec<_>>().join("; ")
 }
 
 /// The name of an object: its author's, or in this language that of a part of a named scene.

@@ -36,6 +36,9 @@ texts! {
     save: "Save", "Salvar";
     save_hint: "Saves the figure file and keeps its comments", "Salva o arquivo da figura e mantém os comentários";
     save_as: "Save as…", "Salvar como…";
+    save_with_files: "Save with its files…", "Salvar com os arquivos…";
+    save_with_files_hint: "Saves the figure to another file, and its meshes, textures and photograph to a folder beside it, to be sent together", "Salva a figura em outro arquivo, e suas malhas, texturas e fotografia em uma pasta ao lado, para enviar tudo junto";
+    saving: "Saving", "Salvando";
     save_as_hint: "Saves the figure to another file", "Salva a figura em outro arquivo";
     export: "Export images…", "Exportar imagens…";
     export_family: "Export a family…", "Exportar uma família…";

@@ -28,7 +28,7 @@ pub use mesh::{Adjacency, Mesh, SharedEdge, primitives};
 pub use named_point::ObjectPoint;
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use shadows::Shadows;
-pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
+pub use spec::{FileUse, Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
 pub use texture::{CornerUv, TextureError, TextureFault};
 pub use tree::presets::{LostFeature, objects as preset_objects};
 pub use tree::resolve::{DEFAULT_LIGHT, check};

@@ -374,3 +374,38 @@ pub struct SceneSpec {
     /// Lights. Empty means the default light.
     pub lights: Vec<Light>,
 }
+
+/// The use of a file that a figure names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FileUse {
+    /// A mesh, which may name further files: materials, buffers, textures.
+    Mesh,
+    /// A texture, or the photograph under the image.
+    Image,
+}
+
+impl SceneSpec {
+    /// Every name in the scene that leads to a file, with the use of the file. Some lead to files of the program.
+    pub fn files(&self) -> impl Iterator<Item = (&str, FileUse)> {
+        self.objects.iter().flat_map(|object| {
+            let mesh = object.shape.as_ref().and_then(Shape::mesh_file).map(|path| (path, FileUse::Mesh));
+            let texture = object.texture.as_ref().and_then(TextureSource::file).map(|path| (path, FileUse::Image));
+            mesh.into_iter().chain(texture)
+        })
+    }
+
+    /// The same names, to be replaced by others.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        self.objects.iter_mut().flat_map(|object| {
+            let mesh = object.shape.as_mut().and_then(|shape| match shape {
+                Shape::Mesh { path } => Some(path),
+                _ => None,
+            });
+            let texture = object.texture.as_mut().and_then(|texture| match texture {
+                TextureSource::File(path) => Some(path),
+                _ => None,
+            });
+            mesh.into_iter().chain(texture)
+        })
+    }
+}

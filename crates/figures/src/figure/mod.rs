@@ -25,7 +25,7 @@ pub mod write;
 
 use crate::appearance::Style;
 use crate::camera::{ImageSize, LensForm, Parameters, Viewport};
-use crate::scene::{Preset, SceneSpec};
+use crate::scene::{FileUse, Preset, SceneSpec};
 pub use bilingual::Bilingual;
 pub use cameras::{CameraTag, NamedCamera};
 pub use comparison::Comparison;
@@ -105,6 +105,17 @@ impl Figure {
     /// The form in which θ was given, unless the angle has changed since, or the aspect from which it followed.
     pub fn lens_in_force(&self) -> Option<LensForm> {
         self.lens.filter(|lens| lens.view_angle(self.camera.aspect) == self.camera.view_angle)
+    }
+
+    /// Every name in the figure that leads to a file, relative to the figure file, with the use of the file.
+    pub fn files(&self) -> impl Iterator<Item = (&str, FileUse)> {
+        let photograph = self.photograph.iter().map(|photograph| (photograph.file.as_str(), FileUse::Image));
+        self.scene.files().chain(photograph)
+    }
+
+    /// The same names, to be replaced by others.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        self.scene.files_mut().chain(self.photograph.iter_mut().map(|photograph| &mut photograph.file))
     }
 
     /// Everything except the scene, the observers and the display, which aren't edits.

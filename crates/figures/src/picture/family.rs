@@ -41,11 +41,7 @@ pub fn members<E>(
 ) -> Result<Vec<(Variant, SharedScene)>, E> {
     let mut members: Vec<(Variant, SharedScene)> = Vec::with_capacity(figures.len());
     for variant in figures {
-        let same = |(other, _): &&(Variant, SharedScene)| {
-            let [a, b] = [&other.figure, &variant.figure];
-            (&a.scene, &a.photograph, &a.style) == (&b.scene, &b.photograph, &b.style)
-                && a.show.triangle == b.show.triangle
-        };
+        let same = |(other, _): &&(Variant, SharedScene)| have_same_scene(&other.figure, &variant.figure);
         let scene = match members.iter().find(same) {
             Some((_, scene)) => scene.clone(),
             None => scene(&variant.figure)?,
@@ -53,6 +49,11 @@ pub fn members<E>(
         members.push((variant, scene));
     }
     Ok(members)
+}
+
+/// True if one scene serves both figures.
+pub fn have_same_scene(a: &Figure, b: &Figure) -> bool {
+    (&a.scene, &a.photograph, &a.style) == (&b.scene, &b.photograph, &b.style) && a.show.triangle == b.show.triangle
 }
 
 /// The size of a sheet.

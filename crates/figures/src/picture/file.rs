@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::error::PictureError;
-use super::vectors::{Drawn, Faces, NoAreas, page};
+use super::vectors::{Drawn, Faces, KnownPictures, NoAreas, page};
 use super::{Composite, Pixels, Renderer};
 use crate::camera::Ndc;
 use crate::export::format::PictureFormat;
@@ -155,7 +155,7 @@ async fn drawn(
     progress: &Progress,
 ) -> Result<Drawn, PictureError> {
     let resolution = [form.dpi.unwrap_or(PER_INCH), form.dpi.unwrap_or(FINE)];
-    let drawn = page(sheet, form.faces, resolution, form.crop, progress).await?;
+    let drawn = page(sheet, (form.faces, &mut KnownPictures::new()), resolution, form.crop, progress).await?;
     let Metadata { title, description, language, .. } = told.clone();
     Ok(Drawn { page: Page { title, description, language, ..drawn.page }, ..drawn })
 }

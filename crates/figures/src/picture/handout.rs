@@ -2,13 +2,14 @@
 
 use super::error::PictureError;
 use super::handout_formula::{self, FormulaPart, INK, written};
-use super::vectors::{Faces, page};
+use super::vectors::{Faces, KnownPictures, page};
 use super::{Composite, PER_INCH};
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
 use crate::export::vector::{Item, Letters, Page, pdf_of};
 use crate::progress::Progress;
 use crate::text::{Element, broken, measure};
+use std::sync::Arc;
 
 /// Width and height of a page in points: A4.
 const PAPER: [f32; 2] = [595.0, 842.0];
@@ -90,7 +91,7 @@ impl Handout {
         let mut pages = Pages::new(self, width);
         pages.title(&self.title);
         let size = if self.columns > 1 { 8.5 } else { 10.0 };
-        let mut row = Vec::new();
+        let (mut row, mut known) = (Vec::new(), KnownPictures::new());
         for entry in &self.entries {
             let Some(sheet) = &entry.picture else {
                 pages.put_row(std::mem::take(&mut row));
@@ -98,7 +99,7 @@ impl Handout {
                 continue;
             };
             let mut block = Block { items: Vec::new(), height: 0.0, width };
-            let drawn = page(sheet, Faces::Auto, [PER_INCH, DPI], false, progress).await?;
+            let drawn = page(sheet, (Faces::Auto, &mut known), [PER_INCH, DPI], false, progress).await?;
             block.picture(drawn.page);
             let fits = block.texts(&entry.paragraphs, size);
             row.push(block);
@@ -125,7 +126,7 @@ impl Block {
     fn picture(&mut self, page: Page) {
         let scale = self.width / page.size[0].max(1.0);
         let clip = [0.0, 0.0, page.size[0], page.size[1]];
-        self.items.push(Item::Group { corner: [0.0; 2], scale, clip, items: page.items });
+        self.items.push(Item::Group { corner: [0.0; 2], scale, clip, items: Arc::new(page.items) });
         self.height += page.size[1] * scale + 6.0;
     }
 
@@ -319,5 +320,47 @@ impl<'a> Pages<'a> {
             self.turn();
         }
         self.done
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::figure::Figure;
+    use crate::progress::at_once;
+    use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of, unlabelled};
+
+    /// A handout of these figures, which all show the same scene.
+    fn pdf(figures: &[Figure]) -> Vec<u8> {
+        let no_files = &mut crate::scene::no_files;
+        let scene = SharedScene::new(scene_of(&figures[0], no_files, &Progress::default()).unwrap());
+        let entry = |figure: &Figure| {
+            let (camera, shot) = (Camera::new(&figure.camera).unwrap(), Shot::of(figure));
+            let size = Size { width: 300, height: 110, scale: 1.0 };
+            let request = Request::new(&shot, View::Image, &camera, &scene, unlabelled(), size);
+            let picture = Some(Composite::of(Views::All, &request, &shot, None).unwrap());
+            HandoutEntry { picture, paragraphs: vec![Paragraph::Heading("Word".to_owned())] }
+        };
+        let entries = figures.iter().map(entry).collect();
+        let handout = Handout { title: "A".to_owned(), language: "en", entries, columns: 1 };
+        at_once(handout.pdf(&Progress::default())).unwrap()
+    }
+
+    #[test]
+    fn pictures_that_stay_the_same_are_drawn_and_written_once() {
+        let figure = Figure::default();
+        let mut turned = figure.clone();
+        turned.camera.position.x += 1.0;
+        let one = pdf(std::slice::from_ref(&figure)).len();
+        let many = pdf(&vec![figure.clone(); 40]).len();
+        assert!(many < 2 * one, "{many} {one}");
+        // Another one in between is written too, and the first is still known after it.
+        let two = pdf(&[figure.clone(), turned.clone()]).len();
+        assert!(two > one + one / 4, "{two} {one}");
+        let back = pdf(&[figure.clone(), turned, figure]).len();
+        assert!(back < two + two / 10, "{back} {two}");
     }
 }

@@ -33,7 +33,7 @@ pub use animation::{Animation, FilmFormat};
 pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
 pub use error::PictureError;
 pub use export_spec::ExportSpec;
-pub use family::{Family, SheetSize, members};
+pub use family::{Family, SheetSize, have_same_scene, members};
 pub use file::{Beside, FileOptions, Metadata, PER_INCH, PictureFile, assembled, file, file_beside};
 pub use handout::{Handout, HandoutEntry, Paragraph};
 pub use handout_formula::FormulaPart;

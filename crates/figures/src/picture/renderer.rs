@@ -47,7 +47,7 @@ impl Default for Renderer {
 
 impl Renderer {
     /// A renderer that shares these shadow maps with others.
-    fn sharing(shadow_maps: &ShadowMaps) -> Self {
+    pub fn sharing(shadow_maps: &ShadowMaps) -> Self {
         let mut pipeline = TimedPipeline::default();
         pipeline.stages.share_shadows(shadow_maps);
         Self {

@@ -1,6 +1,8 @@
 //! Pictures as pages of vectors, from the same display list as for pixels, with the visible parts of strokes computed
 //! exactly instead of pixel by pixel.
 
+use std::sync::Arc;
+
 use glam::DVec2;
 use tiny_skia::Pixmap;
 
@@ -65,6 +67,9 @@ pub(super) struct Drawn {
     pub no_areas: Option<NoAreas>,
 }
 
+/// Pictures that have been drawn, with the number of pixels of their faces per unit, so that equal ones are drawn once.
+pub(super) type KnownPictures = Vec<(u32, Request, Arc<Vec<Item>>)>;
+
 /// The page of a sheet. `per_inch` is the number of units of the page per inch of paper, and `dpi` the resolution of
 /// faces that are pictures, at least that of the sheet.
 ///
@@ -72,7 +77,7 @@ pub(super) struct Drawn {
 /// [`PictureError::TooLarge`], and [`PictureError::Strokes`] if the visible parts of strokes can't be computed.
 pub(super) async fn page(
     sheet: &Composite,
-    faces: Faces,
+    (faces, known): (Faces, &mut KnownPictures),
     [per_inch, dpi]: [f64; 2],
     crop: bool,
     progress: &Progress,
@@ -83,7 +88,15 @@ pub(super) async fn page(
     painter.renderer.watch(&progress.part());
     progress.begin(Activity::Painting, sheet.requests.len());
     for request in &sheet.requests {
-        let items = painter.picture(request)?;
+        let same = known.iter().find(|(finer, other, _)| *finer == painter.finer && other == request);
+        let items = match same {
+            Some((.., items)) => Arc::clone(items),
+            None => {
+                let items = Arc::new(painter.picture(request)?);
+                known.push((painter.finer, request.clone(), Arc::clone(&items)));
+                items
+            }
+        };
         if progress.is_cancelled() {
             return Err(PictureError::Cancelled);
         }
@@ -104,7 +117,7 @@ pub(super) async fn page(
     for ((part, own), corner) in parts.iter().copied().zip(pictures).zip(&layout.corners) {
         let [left, top, width, height] = part.map(unit);
         let corner = [unit(corner[0]) - left, unit(corner[1]) - top];
-        items.push(Item::group(corner, [left, top, left + width, top + height], own));
+        items.push(Item::shared(corner, [left, top, left + width, top + height], own));
     }
     for (corner, strip) in sheet.strips(&layout, &sizes) {
         let clip = [0.0, 0.0, unit(strip.width), unit(strip.height)];

@@ -5,7 +5,7 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 use super::{InBrowser, Menu, Row};
 use crate::appearance;
 use crate::figure::Explanation;
-use crate::files::Overwrite;
+use crate::files::{self, Overwrite};
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
 use crate::gui::app::state::State;
@@ -89,6 +89,11 @@ pub const MENUS: &[Menu] = &[
                 row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, |s, ctx| {
                     file_flow::ask(ctx, s, Purpose::Save(None));
                 }),
+                row!(SaveWithFiles, ctrl_shift(Key::F), save_with_files, save_with_files_hint, |s, ctx| {
+                    file_flow::ask(ctx, s, Purpose::SaveWithFiles);
+                })
+                .not_in_browser()
+                .listed_if(|s| !files::own_files(s.model.document.figure()).is_empty()),
                 row!(Title, ctrl(Key::I), title_command, title_hint, |s, _| {
                     show_dialog(s, Dialog::Title(TitleForm::of(&s.model, None)));
                 }),
@@ -359,9 +364,14 @@ impl Row {
         Self { enabled, ..self }
     }
 
+    /// Available, and in its menu, only while this holds.
+    const fn listed_if(self, enabled: fn(&State) -> bool) -> Self {
+        Self { enabled, only_if_enabled: true, ..self }
+    }
+
     /// Available, and in its menu, only while a lesson is played.
     const fn in_lesson(self) -> Self {
-        Self { enabled: |s| s.learn.lesson.is_some(), only_if_enabled: true, ..self }
+        self.listed_if(|s| s.learn.lesson.is_some())
     }
 
     const fn disabled_because(self, hint: fn(&Texts) -> &'static str) -> Self {

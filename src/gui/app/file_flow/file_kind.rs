@@ -58,7 +58,7 @@ impl FileKind {
             Purpose::Open | Purpose::For(FileFor::CompareWith) => {
                 file(t.open_title, t.open_action, t.figure_filter, &FIGURE_ENDINGS[..])
             }
-            Purpose::Save(_) => {
+            Purpose::Save(_) | Purpose::SaveWithFiles => {
                 let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
                 new_file(t.save_title, filters, figure.with_extension("toml").display().to_string())
             }

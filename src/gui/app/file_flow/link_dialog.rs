@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, RichText};
 
 use crate::figure::Figure;
-use crate::files::{self, SHIPPED};
+use crate::files;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::state::State;
@@ -22,7 +22,6 @@ use crate::i18n::window::Texts;
 use crate::i18n::window::sharing;
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::sanitize;
-use crate::scene::Shape;
 use crate::share::{self, Held, ShareError};
 
 /// Shows the dialog. `first` is true when it has just been opened.
@@ -145,12 +144,5 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: 
 
 /// The files that a figure names and that aren't part of the program.
 fn own_files(figure: &Figure) -> Vec<String> {
-    let shapes = figure.scene.objects.iter().filter_map(|object| object.shape.as_ref());
-    let textures = figure.scene.objects.iter().filter_map(|object| object.texture.as_ref()?.file());
-    let paths = shapes.filter_map(|shape| match shape {
-        Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(sanitize::path_text(path)),
-        _ => None,
-    });
-    let photograph = figure.photograph.as_ref().map(|photograph| photograph.file.as_str());
-    paths.chain(textures.chain(photograph).map(sanitize::path_text)).collect()
+    files::own_files(figure).into_keys().map(sanitize::path_text).collect()
 }

@@ -5,8 +5,9 @@ use std::mem::discriminant;
 use std::path::{Path, PathBuf};
 
 use super::reading::Reading;
+use super::saving::Saving;
+pub use super::saving::{Agreed, Theirs};
 use crate::figure::Bilingual;
-use crate::files::Overwrite;
 use crate::gui::background::worker::Running;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
@@ -31,6 +32,8 @@ pub enum Purpose {
     Open,
     /// To save the figure in it, and then to continue.
     Save(Option<AfterSave>),
+    /// To save the figure in it, and the files of the figure beside it.
+    SaveWithFiles,
     /// For the feature that requested it.
     For(FileFor),
     /// To write a picture.
@@ -66,25 +69,6 @@ impl Purpose {
 
 /// The endings of the pictures that can be textures.
 pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
-
-/// The content that another program has written into the figure's file. `None` if it's unreadable.
-pub type Theirs = Option<Vec<u8>>;
-
-/// Overwrites that the user has agreed to.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Agreed {
-    /// This content of another program in the figure's file.
-    pub theirs: Option<Theirs>,
-    /// A read-only file.
-    pub read_only: bool,
-}
-
-impl Agreed {
-    /// The files that saving may replace.
-    pub fn overwrite(&self) -> Overwrite {
-        if self.read_only { Overwrite::ReadOnlyToo } else { Overwrite::Writable }
-    }
-}
 
 /// A change of the figure's file by another program, with the question that it raises.
 #[derive(Clone, Debug, PartialEq)]
@@ -188,6 +172,8 @@ pub struct FileFlow {
     pub(in crate::gui) watch: Watch,
     /// The file being read.
     pub reading: Reading,
+    /// The file into which the figure is being written.
+    pub saving: Saving,
     /// Files given to a page. The first of them opens in the next frame.
     pub(in crate::gui) given: Vec<PathBuf>,
     pub(in crate::gui) asking: Option<Asking>,
@@ -335,7 +321,10 @@ impl FileFlow {
             // No action follows the answer to any other question.
             Some(_) | None => false,
         };
-        asked || self.may_close || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
+        asked
+            || self.may_close
+            || self.saving.then().is_some_and(closes)
+            || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
     }
 
     /// The files being written or read, each in a sentence, and their progress.
@@ -346,7 +335,9 @@ impl FileFlow {
         });
         let read = self.reading.running();
         let read = read.map(|(path, running)| (about(scenes::texts(lang).loading, path), running));
-        written.chain(read).collect()
+        let saved = self.saving.running();
+        let saved = saved.map(|(path, running)| (about(window::texts(lang).saving, path), running));
+        written.chain(read).chain(saved).collect()
     }
 
     /// Cancels the work with files for which `which` returns true.

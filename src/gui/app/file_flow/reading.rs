@@ -123,6 +123,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
+    use crate::files::testing::Stall;
     use crate::gui::Start;
     use crate::gui::app::file_flow::questions::Dialog;
     use crate::gui::app::file_flow::{begin, poll};
@@ -135,9 +136,11 @@ mod tests {
         let path = std::env::temp_dir().join(format!("camera-lab-slow-{name}-{}.toml", std::process::id()));
         std::fs::write(&path, "[camera]\nnear = 0.5\n").unwrap();
         state.file_flow.reading.patience = Duration::ZERO;
+        let stall = Stall::of(&path);
         begin(&ctx, &mut state, AfterSave::OpenPath(path.clone()));
         assert_eq!(state.model.document.path(), None, "the window goes on while it's read");
         meanwhile(&ctx, &mut state);
+        drop(stall);
         let since = std::time::Instant::now();
         while state.file_flow.reading.asked.is_some() {
             assert!(since.elapsed().as_secs() < 60);

@@ -1,8 +1,10 @@
 #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
 
 use std::sync::Mutex;
+use std::time::Instant;
 
 use super::*;
+use crate::files::testing::{Directory, Stall};
 use crate::gui::export::{Export, Exported};
 use crate::i18n::Lang;
 use crate::progress::Progress;
@@ -31,7 +33,7 @@ fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCom
 }
 
 fn until_done(ctx: &egui::Context, state: &mut State) -> Vec<ViewportCommand> {
-    let since = std::time::Instant::now();
+    let since = Instant::now();
     let mut commands = Vec::new();
     while !state.file_flow.exporting.is_empty() {
         assert!(since.elapsed().as_secs() < 60);
@@ -115,4 +117,83 @@ fn a_window_that_is_closed_waits_for_its_pictures() {
     go_on(&ctx, &mut state, AfterSave::Quit);
     assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
     assert!(state.model.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
+}
+
+fn new_state() -> (egui::Context, State) {
+    let mut state = State::new(crate::gui::Start::default()).expect("a camera");
+    (state.file_flow.saving.patience, state.file_flow.native) = (Duration::ZERO, false);
+    (egui::Context::default(), state)
+}
+
+/// Frames until nothing is being written.
+fn finish(ctx: &egui::Context, state: &mut State) {
+    let begin = Instant::now();
+    while state.file_flow.saving.path().is_some() {
+        assert!(begin.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(5));
+        ctx.run_ui(egui::RawInput::default(), |ui| poll(ui.ctx(), state)).textures_delta.clear();
+    }
+}
+
+#[test]
+fn the_window_goes_on_while_a_disk_stalls_and_what_is_changed_then_is_not_taken_for_saved() {
+    let directory = Directory::new("saving");
+    let (ctx, mut state) = new_state();
+    let [path, other] = ["slow.toml", "other.toml"].map(|name| directory.path().join(name));
+    let stall = Stall::of(&path);
+    let start = Instant::now();
+    state.model.document.edit(|figure| figure.image.width = 300);
+    confirmed_save(&ctx, &mut state, &path);
+    assert!(start.elapsed() < Duration::from_secs(5) && state.file_flow.saving.path() == Some(&*path));
+    state.model.document.edit(|figure| figure.image.width = 301);
+    // A second one would overtake the first.
+    confirmed_save(&ctx, &mut state, &other);
+    assert!(!other.exists() && state.file_flow.saving.path() == Some(&*path));
+    drop(stall);
+    finish(&ctx, &mut state);
+    assert_eq!(state.model.document.path(), Some(&path));
+    assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 300);
+    assert!(state.model.document.is_changed() && state.model.document.figure().image.width == 301);
+}
+
+/// Saves into a new file.
+fn confirmed_save(ctx: &egui::Context, state: &mut State, path: &Path) {
+    confirmed(ctx, state, Purpose::Save(None), path, Agreed::default());
+}
+
+#[test]
+fn changes_made_while_the_last_save_runs_are_asked_about_before_the_window_closes() {
+    let directory = Directory::new("closing");
+    let (ctx, mut state) = new_state();
+    let path = directory.path().join("slow.toml");
+    let stall = Stall::of(&path);
+    state.model.document.edit(|figure| figure.image.width = 300);
+    begin(&ctx, &mut state, AfterSave::Quit);
+    assert_eq!(state.file_flow.dialog.take(), Some(Dialog::Unsaved(AfterSave::Quit)));
+    confirmed(&ctx, &mut state, Purpose::Save(Some(AfterSave::Quit)), &path, Agreed::default());
+    assert!(state.file_flow.is_closing() && !state.file_flow.may_close);
+    state.model.document.edit(|figure| figure.image.width = 301);
+    drop(stall);
+    finish(&ctx, &mut state);
+    assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved(AfterSave::Quit)));
+    assert!(!state.file_flow.may_close);
+}
+
+#[test]
+fn a_stalled_name_is_asked_about_as_if_it_were_there() {
+    let directory = Directory::new("stalled-name");
+    let path = directory.path().join("slow.toml");
+    let stall = Stall::of(&path);
+    std::thread::spawn({
+        let path = path.clone();
+        move || {
+            files::limit_waiting(Duration::from_millis(100));
+            let (ctx, mut state) = new_state();
+            chosen(&ctx, &mut state, Purpose::Save(None), path.clone());
+            assert_eq!(state.file_flow.dialog, Some(Dialog::Overwrite(Purpose::Save(None), path)));
+        }
+    })
+    .join()
+    .expect("no panic");
+    drop(stall);
 }

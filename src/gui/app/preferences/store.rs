@@ -177,6 +177,7 @@ pub(in crate::gui) mod tests {
 
     use super::*;
     use crate::appearance::Theme;
+    use crate::files::disk;
     use crate::gui::Start;
     use crate::i18n::Lang;
 
@@ -351,5 +352,25 @@ pub(in crate::gui) mod tests {
         fs::remove_file(folder.0.join("preferences.toml")).unwrap();
         fs::create_dir(folder.0.join("preferences.toml")).unwrap();
         assert_eq!(write(7), (1, vec![Keeping::Progress]));
+    }
+
+    #[test]
+    fn a_lock_that_is_never_released_is_named_and_does_not_keep_the_window_open() {
+        let folder = Folder::new("locked");
+        fs::create_dir_all(&folder.0).unwrap();
+        let (mut state, mut preferences) = folder.window();
+        let locks = ["preferences.lock", "progress.lock"].map(|name| disk::lock(&folder.0.join(name)).unwrap());
+        state.model.settings.theme = Theme::Dark;
+        keep(&mut preferences, &mut state);
+        let said = |news: &News| matches!(news, News::NotKept(why) if format!("{why:?}").contains("ResourceBusy"));
+        assert!(preferences.news().iter().any(said));
+        let begin = std::time::Instant::now();
+        preferences.finish(&mut state);
+        assert!(begin.elapsed() < Duration::from_secs(8), "{:?}", begin.elapsed());
+        assert_eq!(folder.text(), "");
+        drop(locks);
+        state.model.settings.digits = 9;
+        preferences.finish(&mut state);
+        assert!(folder.text().contains("theme = \"dark\""), "it's written as soon as it can be");
     }
 }

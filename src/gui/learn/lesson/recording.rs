@@ -4,13 +4,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
-use crate::files::{self, FileError, Overwrite};
+use crate::files::{self, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::layout::Side;
 use crate::gui::model::message::Message;
 use crate::i18n::learn::lessons as words;
 use crate::lessons::{Draft, Lesson, with_step};
+use crate::scene::Wanted;
 use crate::views::View;
 
 impl Learn {
@@ -33,8 +34,9 @@ impl Learn {
             // The window has the text of the file, and knows its own changes.
             return self.add_to_written(model, path);
         }
-        match added(self, model, path, overwrite) {
-            Ok(lesson) => self.step_is_added(model, path, lesson),
+        let (figure, left_out) = for_lesson(model, path);
+        match added(self, model, (path, &figure), overwrite) {
+            Ok(lesson) => self.step_is_added(model, path, lesson, left_out),
             Err(error) => model.say(Message::File(path.to_owned(), error)),
         }
     }
@@ -72,9 +74,16 @@ impl Learn {
     }
 
     /// Reports the last step of a lesson as added, and continues with the lesson if it's the one being played.
-    pub(in crate::gui) fn step_is_added(&mut self, model: &mut Model, path: &Path, lesson: Lesson) {
+    /// `left_out` are the files that it can't show.
+    pub(in crate::gui) fn step_is_added(
+        &mut self,
+        model: &mut Model,
+        path: &Path,
+        lesson: Lesson,
+        left_out: Option<LeftOut>,
+    ) {
         self.file = Some(path.to_owned());
-        model.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
+        model.say(Message::StepAdded(path.to_owned(), lesson.steps.len(), left_out));
         if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
             // The steps before it have their places.
             playing.lesson = Arc::new(lesson);
@@ -82,7 +91,12 @@ impl Learn {
     }
 }
 
-fn added(learn: &Learn, model: &mut Model, path: &Path, overwrite: Overwrite) -> Result<Lesson, FileError> {
+fn added(
+    learn: &Learn,
+    model: &Model,
+    (path, figure): (&Path, &Figure),
+    overwrite: Overwrite,
+) -> Result<Lesson, FileError> {
     let (lesson, text) = if files::disk::exists(path) {
         let (lesson, text) = files::read_lesson(path)?;
         (Some(lesson), text)
@@ -90,10 +104,21 @@ fn added(learn: &Learn, model: &mut Model, path: &Path, overwrite: Overwrite) ->
         (None, String::new())
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let (figure, draft) = (as_shown(model), learn.draft_of_step(model, lesson.as_ref()));
-    let (text, lesson) = with_step(&text, &stem, &draft, &figure)?;
+    let draft = learn.draft_of_step(model, lesson.as_ref());
+    let (text, lesson) = with_step(&text, &stem, &draft, figure)?;
     files::save(path, text.as_bytes(), overwrite)?;
     Ok(lesson)
+}
+
+/// The figure as on the screen, for a step of the lesson in a file: its files are the same from there. Those that
+/// lessons don't read are returned too.
+pub(in crate::gui) fn for_lesson(model: &mut Model, lesson: &Path) -> (Figure, Option<LeftOut>) {
+    let (figure, _) = files::for_folder(&as_shown(model), model.document.folder(), lesson.parent());
+    let folder = lesson.parent().unwrap_or(Path::new(""));
+    let mut reads = FigureFiles::new(folder, FileAccess::Lesson);
+    let is_lost = |name: &&str| reads.read(Wanted { path: name, named_by: None }).is_err();
+    let left_out: Vec<String> = files::own_files(&figure).into_keys().filter(is_lost).map(str::to_owned).collect();
+    (figure, (!left_out.is_empty()).then_some(LeftOut(left_out)))
 }
 
 /// The figure as on the screen, with explanations, views and panel. If you haven't turned a view, its viewpoint isn't

@@ -318,7 +318,7 @@ impl Learn {
         if !self.save_text(model) {
             return;
         }
-        let figure = super::recording::as_shown(model);
+        let (figure, left_out) = super::recording::for_lesson(model, path);
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
         let draft = self.draft_of_step(model, Some(&playing.lesson));
@@ -326,7 +326,7 @@ impl Learn {
         match with_step(&writing.text, &playing.lesson.id, &draft, &figure) {
             Ok((text, lesson)) => {
                 if self.store(model, path, text, step) {
-                    self.step_is_added(model, path, lesson);
+                    self.step_is_added(model, path, lesson, left_out);
                 }
             }
             Err(fault) => model.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
@@ -338,9 +338,10 @@ impl Learn {
         if !self.save_text(model) {
             return;
         }
-        let figure = super::recording::as_shown(model);
+        let Some(path) = self.lesson.as_ref().and_then(|playing| playing.path.clone()) else { return };
+        let (figure, left_out) = super::recording::for_lesson(model, &path);
         let Some(playing) = &self.lesson else { return };
-        let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
+        let Some(writing) = &playing.writing else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());
         let (changed, then) = match change {
             StepChange::Earlier => {
@@ -363,6 +364,10 @@ impl Learn {
         match changed {
             Ok((text, lesson)) => {
                 if self.store(model, &path, text, step) {
+                    let shows = matches!(change, StepChange::Screen | StepChange::Another);
+                    if let Some(left_out) = left_out.filter(|_| shows) {
+                        model.say(Message::StepAdded(path, then + 1, Some(left_out)));
+                    }
                     self.go_on_changed(model, lesson, change, step, then);
                 }
             }

@@ -76,7 +76,8 @@ fn a_scene_is_changed_until_it_is_the_saved_one_again_however_that_came() {
     assert!(!document.is_changed() && document.revision() == first);
     document.undo(false);
     assert!(document.is_changed());
-    document.mark_saved(PathBuf::from("/a.toml"), String::new(), Screen::default());
+    let saved = document.figure().clone();
+    document.mark_saved(PathBuf::from("/a.toml"), String::new(), saved, &Renamed::new());
     assert!(!document.is_changed());
     document.replace(Figure::default()).unwrap();
     assert!(document.is_changed());
@@ -94,7 +95,10 @@ fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
         &|document| document.undo(true),
         &|document| document.undo(false),
         &|document| document.replace(other.clone()).unwrap(),
-        &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned(), Screen::default()),
+        &|document| {
+            let saved = document.figure().clone();
+            document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned(), saved, &Renamed::new());
+        },
         &|document| document.show_in_front(shown.clone()).unwrap(),
         &|document| document.operate(azimuth(1.0), Convention::RightHand).unwrap(),
         &|document| document.allow_files(),

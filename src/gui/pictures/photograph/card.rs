@@ -42,7 +42,7 @@ impl Canvas {
             scroll.show(ui, |ui| match &found {
                 Ok(found) => account(ui, model, found),
                 Err(error) => {
-                    let reason = format!("⚠ {}", steps::error(model.settings.lang, *error));
+                    let reason = format!("⚠ {}", steps::error(model.settings.lang, error));
                     ui.add(egui::Label::new(RichText::new(reason).weak()).wrap());
                 }
             });

@@ -216,7 +216,7 @@ impl Sessions {
             let written = disk::written(&file);
             let kept = match files::read_at_most(&file, MAX_SESSION_BYTES) {
                 Ok(bytes) => SessionFile::read(&bytes),
-                Err(FileError::TooLarge) => None,
+                Err(FileError::TooLarge(_)) => None,
                 Err(error) => {
                     self.news.push(News::Unusable(file, error));
                     continue;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::figure::{Bilingual, Figure, read, update};
-use crate::files::{SourceFile, disk};
+use crate::files::{Carried, SourceFile, disk};
 use crate::gui::fresh;
 use crate::gui::model::document::Document;
 use crate::gui::model::unsaved_text::UnsavedText;
@@ -89,9 +89,15 @@ pub struct Restored {
 }
 
 impl SessionFile {
-    /// The session of a figure from `place`: its file, or the folder of the picture that it came from.
-    pub(super) fn new(place: &[Option<PathBuf>; 2], source: String, figure: &Figure, restoring: bool) -> Self {
-        let figure = update(&source, figure);
+    /// The session of a figure from `place`: its file, or the folder of the picture that it came from. `carried` are
+    /// the files in that picture.
+    pub(super) fn new(
+        place: &[Option<PathBuf>; 2],
+        (source, carried): (&str, &Carried),
+        figure: &Figure,
+        restoring: bool,
+    ) -> Self {
+        let (source, figure) = (carried.join(source), update(source, figure));
         let [path, folder] = place.each_ref().map(|path| path.as_deref().map(KeptPath::from));
         Self { path, folder, source, figure, restoring, lesson: None }
     }
@@ -146,19 +152,27 @@ impl SessionFile {
     pub(super) fn restore(&self) -> Option<Restored> {
         let (changed, unknown) = read::parse_known(&self.figure).ok()?;
         let (path, folder) = (self.path(), self.folder.as_ref().and_then(KeptPath::whole));
+        let (source, carried) = if path.is_none() {
+            let (text, carried) = Carried::split(self.source.clone().into());
+            (String::from_utf8(text).ok()?, carried)
+        } else {
+            (self.source.clone(), Carried::default())
+        };
         // Without a text, the window had begun with its own first figure, not with that of an empty file.
-        let saved = match &self.source {
+        let saved = match &source {
             source if source.is_empty() && path.is_none() => fresh(),
             source => read::parse_known(source).map_or_else(|_| fresh(), |(saved, _)| saved),
         };
-        let text = self.source.clone();
+        let text = source;
         let file = match (path, folder) {
-            (Some(path), _) => Some(SourceFile { path, text, is_picture: false }),
+            (Some(path), _) => Some(SourceFile { path, text, is_picture: false, carried }),
             // Only the folder of the picture counts, because nothing is written there.
-            (None, Some(folder)) => Some(SourceFile { path: folder.join("picture.png"), text, is_picture: true }),
+            (None, Some(folder)) => {
+                Some(SourceFile { path: folder.join("picture.png"), text, is_picture: true, carried })
+            }
             (None, None) if text.is_empty() => None,
             // An empty path has no folder either.
-            (None, None) => Some(SourceFile { path: PathBuf::new(), text, is_picture: false }),
+            (None, None) => Some(SourceFile { path: PathBuf::new(), text, is_picture: false, carried }),
         };
         let mut document = Document::new(saved, file).ok()?;
         if !unknown.is_empty() || self.path().is_none() {

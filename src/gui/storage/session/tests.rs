@@ -83,7 +83,7 @@ fn fresh() -> crate::figure::Figure {
 }
 
 fn of_file(path: &Path, text: &str, is_picture: bool) -> Document {
-    let file = SourceFile { path: path.to_owned(), text: text.to_owned(), is_picture };
+    let file = SourceFile { path: path.to_owned(), text: text.to_owned(), is_picture, ..SourceFile::default() };
     change(Document::new(crate::figure::read::parse(text).unwrap(), Some(file)).unwrap(), 42.0)
 }
 

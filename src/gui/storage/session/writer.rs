@@ -10,7 +10,7 @@ use super::session_file::SessionFile;
 use crate::clock;
 use crate::figure::Figure;
 use crate::files::disk::{self, Lock};
-use crate::files::{self, FileError, Overwrite};
+use crate::files::{self, Carried, FileError, Overwrite};
 use crate::gui::background::worker::Worker;
 use crate::gui::model::document::{Document, Seen};
 use crate::gui::model::history::Revision;
@@ -18,7 +18,7 @@ use crate::gui::model::unsaved_text::UnsavedText;
 use crate::progress::Progress;
 
 /// The longest wait for a running write before the window closes.
-const MAX_WAIT: Duration = Duration::from_secs(10);
+const MAX_WAIT: Duration = Duration::from_secs(2);
 
 /// The content of a session file.
 #[derive(Debug)]
@@ -26,6 +26,7 @@ struct Note {
     /// The figure's file, and without one the folder of the picture that it came from.
     place: [Option<PathBuf>; 2],
     source: String,
+    carried: Carried,
     figure: Figure,
     text: Option<Arc<UnsavedText>>,
     restoring: bool,
@@ -90,7 +91,7 @@ impl WriteJob {
         let Some(note) = self.note else {
             return disk::remove(&self.file).map_err(FileError::Write);
         };
-        let kept = SessionFile::new(&note.place, note.source.clone(), &note.figure, note.restoring);
+        let kept = SessionFile::new(&note.place, (&note.source, &note.carried), &note.figure, note.restoring);
         let kept = kept.with_text(note.text.as_deref());
         let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
         files::save(&self.file, &text, Overwrite::Writable)
@@ -155,6 +156,7 @@ impl Writer {
             Arc::new(Note {
                 place: place(document),
                 source: document.source().to_owned(),
+                carried: document.carried().clone(),
                 figure: Figure { observers, show, screen, ..document.figure().clone() },
                 text: text.cloned(),
                 restoring,

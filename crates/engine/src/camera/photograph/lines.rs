@@ -63,7 +63,7 @@ impl Located {
 }
 
 /// A number counts as different from 0 if it's this many times its error for one pixel.
-const SURE: f64 = 2.0;
+pub(super) const SURE: f64 = 2.0;
 
 /// The vanishing points of the axes that have at least two lines. `pixel` is the size of a pixel.
 pub(super) fn vanishing(
@@ -173,6 +173,28 @@ pub(super) fn focal_length(located: &[Located]) -> Result<Option<f64>, Photograp
     Ok((weights > 0.0).then(|| (sum / weights).sqrt().recip()))
 }
 
+/// The direction of a vanishing point in the VRC.
+fn direction(point: DVec3, focal_length: f64) -> DVec3 {
+    DVec3::new(point.x / focal_length, point.y / focal_length, -point.z)
+}
+
+/// Refuses axes whose directions may be one.
+pub(super) fn differ(located: &[Located], focal_length: f64, sure: f64) -> Result<(), PhotographError> {
+    for (i, a) in located.iter().enumerate() {
+        for b in &located[i + 1..] {
+            let [d, e] = [a, b].map(|of| direction(of.point, focal_length));
+            let sine = d.cross(e).length() / (d.length() * e.length());
+            // To first order.
+            let [of_d, of_e] = [(a, d), (b, e)].map(|(of, d)| direction(of.error, focal_length).length() / d.length());
+            let is_sure = sine > sure * of_d.hypot(of_e);
+            if !is_sure {
+                return Err(PhotographError::SameDirection(a.axis, b.axis));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// R: the directions of the axes in the VRC as columns, in the sense of their lines.
 pub(super) fn rotation(
     located: &[Located],
@@ -182,7 +204,7 @@ pub(super) fn rotation(
 ) -> Result<DMat3, PhotographError> {
     let mut axes: [Option<DVec3>; 3] = [None; 3];
     for Located { axis, point, .. } in located {
-        let d = DVec3::new(point.x / focal_length, point.y / focal_length, -point.z).normalize();
+        let d = direction(*point, focal_length).normalize();
         let along = |line: &PhotographLine| {
             let [p, q] = line.ends.map(&centred);
             // The image of a point that moves along d: the derivative of (5.9) and (5.10).

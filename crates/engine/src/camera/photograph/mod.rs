@@ -14,8 +14,8 @@ mod lines;
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::{ImageSize, Parameters, Projection};
-use lines::{Located, focal_length, rotation, vanishing};
+use super::{Camera, CameraError, ImageSize, Parameters, Projection};
+use lines::{Located, SURE, differ, focal_length, rotation, vanishing};
 pub use lines::{PhotographLine, WorldAxis};
 
 /// The lines and points of a photograph that say where its camera was.
@@ -64,7 +64,7 @@ impl Untold {
 }
 
 /// The reason why there is no camera.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PhotographError {
     /// Fewer than two axes have two lines each.
     #[error("fewer than two axes have two lines each")]
@@ -78,6 +78,12 @@ pub enum PhotographError {
     /// 1/f² is negative. Axes at right angles never look like this with the principal point in the middle.
     #[error("{} and {} are not at right angles in any camera with its axis through the middle", .0.name(), .1.name())]
     NotAtRightAngles(WorldAxis, WorldAxis),
+    /// The lines of two axes meet in one point, up to the error of a pixel.
+    #[error("the lines of {} and {} have one direction", .0.name(), .1.name())]
+    SameDirection(WorldAxis, WorldAxis),
+    /// The directions of three axes lie in one plane, or a number isn't finite.
+    #[error("{0}")]
+    Impossible(CameraError),
     /// The senses of the lines make a left-handed system.
     #[error("the senses of the lines make a left-handed system")]
     LeftHanded,
@@ -130,8 +136,8 @@ pub fn camera_of_photograph(
     image: ImageSize,
     given: &Parameters,
 ) -> Result<PhotographCamera, PhotographError> {
-    let frame = Frame::new(image);
-    let solved = solve(marks, &frame, given)?;
+    let (frame, given) = (Frame::new(image), &in_perspective(given));
+    let solved = solve(marks, &frame, given, SURE)?;
     let mut untold = Vec::new();
     if solved.focal_length.is_none() {
         untold.push(Untold::ViewAngle);
@@ -144,11 +150,12 @@ pub fn camera_of_photograph(
         focal_point: placed - solved.axes.row(2) * placed.dot(solved.axes.row(2)).abs().max(given.near),
         view_up: solved.axes.row(1),
         projection: Projection::Perspective,
-        view_angle: frame.view_angle(solved.used_focal_length),
+        view_angle: solved.focal_length.map_or(given.view_angle, |f| frame.view_angle(f)),
         aspect: image.aspect(),
         window: None,
         ..*given
     };
+    Camera::new(&parameters).map_err(PhotographError::Impossible)?;
     Ok(PhotographCamera {
         parameters,
         vanishing: solved.located.iter().map(|located| located.reported(&frame)).collect(),
@@ -158,6 +165,12 @@ pub fn camera_of_photograph(
         direction_per_pixel: costs[1],
         untold,
     })
+}
+
+/// F and B of a parallel camera may be 0 or less. A perspective takes the usual ones then.
+fn in_perspective(given: &Parameters) -> Parameters {
+    let Parameters { near, far, .. } = if given.near > 0.0 { *given } else { Parameters::default() };
+    Parameters { near, far, ..*given }
 }
 
 /// Pixels → centred coordinates, y up, in half diagonals of the image, so that squares neither grow nor vanish.
@@ -203,10 +216,12 @@ struct Solved {
     axes: DMat3,
 }
 
-fn solve(marks: &PhotographMarks, frame: &Frame, given: &Parameters) -> Result<Solved, PhotographError> {
+/// Directions count as different if the sine of their angle is `sure` times its error for one pixel.
+fn solve(marks: &PhotographMarks, frame: &Frame, given: &Parameters, sure: f64) -> Result<Solved, PhotographError> {
     let located = vanishing(&marks.lines, |pixel| frame.centred(pixel), 1.0 / frame.scale)?;
     let focal_length = focal_length(&located)?;
     let used = focal_length.unwrap_or_else(|| frame.focal_length(given.view_angle));
+    differ(&located, used, sure)?;
     let axes = rotation(&located, &marks.lines, used, |pixel| frame.centred(pixel))?;
     Ok(Solved { located, focal_length, used_focal_length: used, axes })
 }
@@ -268,7 +283,7 @@ fn costs(marks: &PhotographMarks, frame: &Frame, solved: &Solved, given: &Parame
             for step in [DVec2::X, DVec2::Y] {
                 let mut moved = marks.clone();
                 moved.lines[line].ends[end] += step;
-                let Ok(other) = solve(&moved, frame, given) else { return [f64::INFINITY; 2] };
+                let Ok(other) = solve(&moved, frame, given, 0.0) else { return [f64::INFINITY; 2] };
                 let angle = |f: f64| frame.view_angle(f);
                 sums[0] += (angle(other.used_focal_length) - angle(solved.used_focal_length)).powi(2);
                 sums[1] += other.axes.row(2).angle_between(solved.axes.row(2)).to_degrees().powi(2);

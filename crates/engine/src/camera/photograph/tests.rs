@@ -138,7 +138,7 @@ fn lines_that_meet_at_infinity_leave_theta_open_and_say_so() {
         let found = camera_of_photograph(&marks, IMAGE, &given()).unwrap();
         assert_eq!((found.focal_length, found.view_angle_per_pixel), (None, None));
         assert_eq!(found.untold, [Untold::ViewAngle]);
-        assert!((found.parameters.view_angle - 33.0).abs() < 1e-9, "that of the given camera");
+        assert_eq!(found.parameters.view_angle, 33.0, "that of the given camera");
         let ideal: Vec<bool> = found.vanishing.iter().map(|vanishing| vanishing.pixel.is_none()).collect();
         assert_eq!(ideal, [true, true, false]);
         let again = Camera::new(&found.parameters).unwrap();
@@ -177,4 +177,64 @@ fn impossible_marks_are_refused_with_their_reason() {
     // Both meet on the same side of the middle, where axes at right angles never do.
     let z = x.map(|line| PhotographLine { axis: WorldAxis::Z, ends: line.ends.map(|p| p + DVec2::new(0.0, 7.0)) });
     assert_eq!(refused([x, z].concat()), PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z));
+}
+
+#[test]
+fn axes_whose_lines_have_one_direction_are_refused() {
+    let line = |axis, a: [f64; 2], b: [f64; 2]| PhotographLine { axis, ends: [a, b].map(DVec2::from_array) };
+    // Two pairs of horizontal lines, each pair called another axis; then nearly so, and both at one finite point.
+    for (tilt, meet) in [(0.0, 0.0), (0.001, 0.0), (1.0, 0.0), (0.0, 30.0)] {
+        let pair = |axis, y: f64, tilt: f64| {
+            let below = [200.0, y + 100.0 - meet + tilt];
+            [line(axis, [100.0, y], [200.0, y]), line(axis, [100.0, y + 100.0], below)]
+        };
+        let lines = [pair(WorldAxis::X, 100.0, 0.0), pair(WorldAxis::Z, 100.0, tilt)].concat();
+        let marks = PhotographMarks { lines, ..PhotographMarks::default() };
+        let refused = camera_of_photograph(&marks, ImageSize { width: 640, height: 480 }, &given()).unwrap_err();
+        assert!(
+            matches!(
+                refused,
+                PhotographError::SameDirection(WorldAxis::X, WorldAxis::Z)
+                    | PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z)
+            ),
+            "{tilt} {meet}: {refused:?}"
+        );
+    }
+}
+
+#[test]
+fn whatever_lines_are_marked_the_camera_of_them_is_one() {
+    let mut random = Numbers(4);
+    let mut cameras = 0;
+    for _ in 0..10_000 {
+        // Numbers that repeat, so that lines are parallel, coincide, and have no length.
+        let grid = 10.0_f64.powf(random.between(0.0, 3.0).floor());
+        let pixel = |random: &mut Numbers| {
+            let near = DVec2::new(random.between(-100.0, 740.0), random.between(-100.0, 580.0));
+            if random.next() < 0.7 { (near / grid).round() * grid } else { near }
+        };
+        let mut lines = Vec::new();
+        for axis in WorldAxis::ALL {
+            for _ in 0..4.0_f64.min(random.between(0.0, 5.0)).floor() as usize {
+                let from = pixel(&mut random);
+                let to = match random.next() {
+                    share if share < 0.3 => from + DVec2::X * 100.0,
+                    share if share < 0.4 => from + DVec2::Y * random.between(-1e-9, 1e-9),
+                    share if share < 0.5 => from + DVec2::X * 1e12,
+                    _ => pixel(&mut random),
+                };
+                lines.push(PhotographLine { axis, ends: [from, to] });
+            }
+        }
+        let origin = (random.next() < 0.5).then(|| pixel(&mut random));
+        let length = origin.map(|_| (WorldAxis::X, pixel(&mut random), random.between(-2.0, 2.0).round()));
+        let given = Parameters { near: random.between(-1.0, 1.0), projection: Projection::Parallel, ..given() };
+        let marks = PhotographMarks { lines, origin, length: length.filter(|of| of.2 != 0.0) };
+        if let Ok(found) = camera_of_photograph(&marks, ImageSize { width: 640, height: 480 }, &given) {
+            cameras += 1;
+            assert!(Camera::new(&found.parameters).is_ok(), "{marks:?}");
+            assert!(found.roll().is_finite() && found.axes().iter().all(|axis| axis.is_finite()), "{marks:?}");
+        }
+    }
+    assert!(cameras > 1000, "{cameras}");
 }

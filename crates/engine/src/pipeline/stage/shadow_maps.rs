@@ -43,7 +43,10 @@ pub(crate) struct ShadowLight {
 ///
 /// Maps of another scene, and of lights that a picture no longer has, go when the next picture is made.
 #[derive(Clone, Debug, Default)]
-pub struct ShadowMaps(Arc<Mutex<Kept>>);
+pub struct ShadowMaps {
+    kept: Arc<Mutex<Kept>>,
+    painting: Arc<Mutex<()>>,
+}
 
 #[derive(Debug, Default)]
 struct Kept {
@@ -68,6 +71,13 @@ impl ShadowMaps {
     /// The maps of a scene that pictures of it will ask for, painted or not.
     pub fn of_scene(&self, scenes: Scenes) -> Vec<Arc<ShadowMap>> {
         self.of(scenes).into_iter().map(|light| light.map).collect()
+    }
+
+    /// Paints maps while no other thread does, so that threads with a picture each don't paint the same ones, which takes
+    /// as much memory again. Not for threads of the pool, which the painting thread may need.
+    pub fn paint_alone(&self, paint: impl FnOnce(&Self)) {
+        let _alone = self.painting.lock().unwrap_or_else(PoisonError::into_inner);
+        paint(self);
     }
 
     /// The lights of a scene that cast shadows, with their maps.
@@ -98,7 +108,7 @@ impl ShadowMaps {
     }
 
     fn kept(&self) -> MutexGuard<'_, Kept> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::sync::Arc;
 
-use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
+use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
 use crate::appearance::Texture;
 use crate::limits::{MAX_TEXELS, MAX_TEXTURE_METADATA, MAX_TEXTURE_SIDE};
@@ -155,8 +155,11 @@ fn key(file: &str, alpha: Alpha) -> String {
 /// [`TextureFault`]. A picture that is too large is refused before it's unpacked.
 pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, TextureFault> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| TextureFault::Damaged)?;
-    if reader.format().is_none() {
-        return Err(TextureFault::Format);
+    match reader.format() {
+        None => return Err(TextureFault::Format),
+        // The decoder fills a missing rest with grey.
+        Some(ImageFormat::Jpeg) if !has_end(bytes) => return Err(TextureFault::Damaged),
+        Some(_) => {}
     }
     let mut decoder = decoder_of(reader)?;
     let (width, height) = decoder.dimensions();
@@ -193,6 +196,27 @@ pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, Te
         }
     }
     Ok(Texture::flat(width, height, rgba).with_levels())
+}
+
+/// True for a JPEG file that has its last marker, so nothing is cut off. Goes from marker to marker, since a thumbnail
+/// inside has one of its own.
+fn has_end(bytes: &[u8]) -> bool {
+    const END: u8 = 0xd9;
+    let mut at = 0;
+    while let Some(next) = bytes[at..].iter().position(|byte| *byte == 0xff) {
+        at += next + 1;
+        at += match bytes.get(at..) {
+            Some([END, ..]) => return true,
+            // Fill bytes, data, and markers without a segment.
+            Some([0xff | 0x00 | 0x01 | 0xd0..=0xd8, ..]) => 0,
+            Some([_, high, low, ..]) => 1 + usize::from(u16::from_be_bytes([*high, *low])),
+            _ => return false,
+        };
+        if at > bytes.len() {
+            return false;
+        }
+    }
+    false
 }
 
 /// A decoder that has read the head of a file. A PNG's color profile counts against [`MAX_TEXTURE_METADATA`]. It
@@ -247,6 +271,37 @@ mod tests {
         let whole = png(16, 16, &[9; 1024], ExtendedColorType::Rgba8);
         for end in [8, 20, 40, whole.len() - 20] {
             assert!(matches!(decode(&whole[..end], Alpha::Kept), Err(TextureFault::Damaged)), "{end}");
+        }
+    }
+
+    #[test]
+    fn a_picture_that_is_cut_off_anywhere_is_refused_in_every_format() {
+        let noise: Vec<u8> = (0..64 * 64 * 3_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+        let mut jpeg = Vec::new();
+        let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut jpeg, 90);
+        encoder.write_image(&noise, 64, 64, ExtendedColorType::Rgb8).unwrap();
+        // With a thumbnail in front that has an end of its own.
+        let mut segment = vec![0xff, 0xe1, 0, 0];
+        segment.extend(&jpeg);
+        let length = u16::try_from(segment.len() - 2).unwrap();
+        segment[2..4].copy_from_slice(&length.to_be_bytes());
+        let mut with_thumbnail = jpeg.clone();
+        with_thumbnail.splice(2..2, segment);
+        let mut webp = Vec::new();
+        let encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut webp);
+        encoder.write_image(&noise, 64, 64, ExtendedColorType::Rgb8).unwrap();
+        for (name, whole) in [
+            ("JPEG", jpeg),
+            ("thumbnail", with_thumbnail),
+            ("WebP", webp),
+            ("PNG", png(64, 64, &noise, ExtendedColorType::Rgb8)),
+        ] {
+            assert!(decode(&whole, Alpha::Kept).is_ok(), "{name}");
+            assert!(decode(&[&whole[..], b"trailing"].concat(), Alpha::Kept).is_ok() || name != "JPEG");
+            for tenths in 1..10 {
+                let cut = &whole[..whole.len() * tenths / 10];
+                assert_eq!(decode(cut, Alpha::Kept), Err(TextureFault::Damaged), "{name} {tenths}");
+            }
         }
     }
 

@@ -10,6 +10,7 @@ mod tex;
 mod web_font;
 
 use std::path::Path;
+use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
@@ -49,8 +50,8 @@ pub enum Item {
         scale: f32,
         /// Left, top, right and bottom of the rectangle, in units of the group.
         clip: [f32; 4],
-        /// The things in it.
-        items: Vec<Self>,
+        /// The things in it. Groups may share them, and a PDF holds shared ones once.
+        items: Arc<Vec<Self>>,
     },
     /// A filled area, by the non-zero rule.
     Fill {
@@ -117,6 +118,11 @@ impl PageText {
 impl Item {
     /// Items in the scale of the page.
     pub fn group(corner: [f32; 2], clip: [f32; 4], items: Vec<Self>) -> Self {
+        Self::shared(corner, clip, Arc::new(items))
+    }
+
+    /// Items that other groups may have too, in the scale of the page.
+    pub fn shared(corner: [f32; 2], clip: [f32; 4], items: Arc<Vec<Self>>) -> Self {
         Self::Group { corner, scale: 1.0, clip, items }
     }
 

@@ -1,6 +1,10 @@
 //! A page as PDF.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use pdf_writer::types::{AssociationKind, LineCapStyle, LineJoinStyle, StructRole};
+use pdf_writer::writers::Resources;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use tiny_skia::Pixmap;
 
@@ -37,9 +41,12 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
         glyphs: Face::ALL.map(Glyphs::of),
         opacities: Vec::new(),
         pictures: Vec::new(),
+        uses: BTreeMap::new(),
+        forms: Vec::new(),
     };
+    pages.iter().for_each(|page| count_uses(&page.items, &mut writer.uses));
     let contents: Vec<Vec<u8>> = pages.iter().map(|page| writer.page(page)).collect();
-    let Writer { glyphs, opacities, pictures, .. } = writer;
+    let Writer { glyphs, opacities, pictures, forms, .. } = writer;
     // Pages after the first come after everything else.
     let refs = |k: usize| match k {
         0 => [PAGE, CONTENT, FIGURE, TREE],
@@ -47,6 +54,11 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
             let at = |k: usize| i32::try_from(2 * pictures.len() + 4 * (k - 1)).unwrap_or(0);
             [0, 1, 2, 3].map(|i| Ref::new(PICTURES + at(k) + i))
         }
+    };
+    // After the last page.
+    let form_ref = |k: usize| {
+        let at = 2 * pictures.len() + 4 * (pages.len() - 1) + k;
+        Ref::new(PICTURES + i32::try_from(at).unwrap_or(0))
     };
 
     let mut pdf = Pdf::new();
@@ -91,16 +103,11 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
     let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
     pdf.pages(PAGES).kids((0..pages.len()).map(|k| refs(k)[0])).count(count);
 
-    let used = || glyphs.iter().enumerate().filter(|(_, glyphs)| !glyphs.is_empty());
-    for (k, page) in pages.iter().enumerate() {
-        let [width, height] = page.size.map(|side| side * page.points);
-        let mut leaf = pdf.page(refs(k)[0]);
-        leaf.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(refs(k)[1]);
-        leaf.struct_parents(i32::try_from(k).unwrap_or(0));
-        let mut resources = leaf.resources();
-        if used().next().is_some() {
+    // All pages and forms have the same.
+    let resources = |mut resources: Resources<'_>| {
+        if glyphs.iter().any(|glyphs| !glyphs.is_empty()) {
             let mut fonts = resources.fonts();
-            for (k, _) in used() {
+            for (k, _) in glyphs.iter().enumerate().filter(|(_, glyphs)| !glyphs.is_empty()) {
                 fonts.pair(FONTS_NAMED[k], font_refs(k)[0]);
             }
         }
@@ -118,9 +125,27 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
         for k in 0..pictures.len() {
             objects.pair(Name(picture_name(k).as_bytes()), picture_refs(k)[0]);
         }
-        objects.finish();
-        resources.finish();
+        for k in 0..forms.len() {
+            objects.pair(Name(form_name(k).as_bytes()), form_ref(k));
+        }
+    };
+    let used = || glyphs.iter().enumerate().filter(|(_, glyphs)| !glyphs.is_empty());
+    for (k, page) in pages.iter().enumerate() {
+        let [width, height] = page.size.map(|side| side * page.points);
+        let mut leaf = pdf.page(refs(k)[0]);
+        leaf.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(refs(k)[1]);
+        leaf.struct_parents(i32::try_from(k).unwrap_or(0));
+        resources(leaf.resources());
         leaf.finish();
+    }
+    for (k, form) in forms.iter().enumerate() {
+        let packed = packed(&form.content);
+        let mut object = pdf.form_xobject(form_ref(k), &packed);
+        object.filter(Filter::FlateDecode);
+        let [left, top, right, bottom] = form.clip;
+        object.bbox(Rect::new(left, top, right, bottom));
+        resources(object.resources());
+        object.finish();
     }
     for (k, content) in contents.iter().enumerate() {
         pdf.stream(refs(k)[1], &packed(content)).filter(Filter::FlateDecode);
@@ -152,6 +177,31 @@ fn state_name(opacity: u8) -> String {
 
 fn picture_name(k: usize) -> String {
     format!("P{k}")
+}
+
+fn form_name(k: usize) -> String {
+    format!("F{k}")
+}
+
+/// Items of several groups, written once.
+struct Form {
+    /// The items, by their place in memory.
+    items: *const Vec<Item>,
+    clip: [f32; 4],
+    content: Vec<u8>,
+}
+
+/// Counts the groups that have the same items.
+fn count_uses(items: &[Item], uses: &mut BTreeMap<*const Vec<Item>, usize>) {
+    for item in items {
+        if let Item::Group { items, .. } = item {
+            let count = uses.entry(Arc::as_ptr(items)).or_default();
+            *count += 1;
+            if *count == 1 {
+                count_uses(items, uses);
+            }
+        }
+    }
 }
 
 /// The references of a picture and its opacities; or of a font, its descendant, its description, its file, its
@@ -195,6 +245,10 @@ struct Writer<'a> {
     /// The used opacities, each a graphics state.
     opacities: Vec<u8>,
     pictures: Vec<&'a Pixmap>,
+    /// The number of groups that have the same items.
+    uses: BTreeMap<*const Vec<Item>, usize>,
+    /// The items that several groups have.
+    forms: Vec<Form>,
 }
 
 impl<'a> Writer<'a> {
@@ -212,6 +266,19 @@ impl<'a> Writer<'a> {
         std::mem::replace(&mut self.operators, Content::new()).finish().into_vec()
     }
 
+    /// The place of items among those that are written once.
+    fn form(&mut self, items: &'a Arc<Vec<Item>>, clip: [f32; 4]) -> usize {
+        let place = Arc::as_ptr(items);
+        if let Some(known) = self.forms.iter().position(|form| form.items == place) {
+            return known;
+        }
+        let outside = std::mem::replace(&mut self.operators, Content::new());
+        self.items(items);
+        let content = std::mem::replace(&mut self.operators, outside).finish().into_vec();
+        self.forms.push(Form { items: place, clip, content });
+        self.forms.len() - 1
+    }
+
     fn items(&mut self, items: &'a [Item]) {
         for item in items {
             self.item(item);
@@ -224,7 +291,12 @@ impl<'a> Writer<'a> {
                 self.operators.save_state();
                 self.operators.transform([*scale, 0.0, 0.0, *scale, *x, *y]);
                 self.operators.rect(*left, *top, right - left, bottom - top).clip_nonzero().end_path();
-                self.items(items);
+                if self.uses.get(&Arc::as_ptr(items)).is_some_and(|count| *count > 1) {
+                    let form = self.form(items, [*left, *top, *right, *bottom]);
+                    self.operators.x_object(Name(form_name(form).as_bytes()));
+                } else {
+                    self.items(items);
+                }
                 self.operators.restore_state();
             }
             Item::Fill { path, color } => {

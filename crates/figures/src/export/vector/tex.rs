@@ -1,5 +1,7 @@
 //! A page as a figure of a LaTeX document. Its letters are the document's, and everything else is in a PDF beside it.
 
+use std::sync::Arc;
+
 use super::{Item, Page, PageText, number};
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
@@ -38,7 +40,7 @@ pub(super) fn without_texts(page: &Page) -> Page {
         let keep = |item: &Item| match item {
             Item::Text(_) => None,
             Item::Group { corner, scale, clip, items } => {
-                Some(Item::Group { corner: *corner, scale: *scale, clip: *clip, items: kept(items) })
+                Some(Item::Group { corner: *corner, scale: *scale, clip: *clip, items: Arc::new(kept(items)) })
             }
             Item::Fill { .. } | Item::Stroke { .. } | Item::Picture { .. } => Some(item.clone()),
         };

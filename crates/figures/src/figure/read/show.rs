@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::camera;
 use super::section::{Fault, Section, at_most};
-use crate::camera::Operation;
+use crate::camera::{Decomposition, Operation};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::words::{MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep};
@@ -62,12 +62,10 @@ fn operations(section: &mut Section<'_>) -> Vec<Operation> {
 
 fn step(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> {
     let mut section = section.there()?;
-    let way = section.choice("way", WAYS);
-    section.require("way", Allowed::word_of(WAYS));
+    let way = section.word("way", WAYS, Decomposition::default());
     // In either projection, so that a figure can still be read after a change of it.
-    let steps = way.unwrap_or_default().most_steps();
-    let at = section.optional_in("at", 0.0, f64::from(steps), 0.0);
-    section.good(way.map(|way| ShownStep { way, at }), faults)
+    let at = section.optional_in("at", 0.0, f64::from(way.most_steps()), 0.0);
+    section.good(Some(ShownStep { way, at }), faults)
 }
 
 fn triangle(section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownTriangle> {

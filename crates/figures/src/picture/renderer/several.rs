@@ -25,7 +25,7 @@ impl Renderer {
             }
             return Some(reports);
         }
-        self.paint_shadows(requests).await;
+        self.paint_shadows(requests);
         let count = AT_ONCE.min(requests.len());
         let mut beside = std::mem::take(&mut self.beside);
         beside.resize_with(beside.len().max(count.saturating_sub(1)), || Self::sharing(&self.shadow_maps));
@@ -55,17 +55,16 @@ impl Renderer {
     }
 
     /// Paints the shadow maps of pictures made at the same time. Otherwise each would paint them.
-    async fn paint_shadows(&mut self, requests: &[Request]) {
-        let mut painted: Option<&SharedScene> = None;
+    fn paint_shadows(&mut self, requests: &[Request]) {
         let shaded = requests.iter().filter(|request| request.shot.look.style.shading != Shading::Wireframe);
-        for Request { scene, .. } in shaded {
-            // Only the maps of one scene at a time are kept.
-            if painted.get_or_insert(scene) == &scene {
-                for map in self.shadow_maps.of_scene((&**scene).into()) {
-                    self.rasterizer.paint_shadows(&map).await;
-                }
+        let scenes: Vec<&SharedScene> = shaded.map(|request| &request.scene).collect();
+        // Only the maps of one scene at a time are kept.
+        let Some(scene) = scenes.first() else { return };
+        self.shadow_maps.clone().paint_alone(|maps| {
+            for map in maps.of_scene((&***scene).into()) {
+                at_once(self.rasterizer.paint_shadows(&map));
             }
-        }
+        });
     }
 
     /// The pictures of a sheet (if there's only one, the picture itself), and the shortfall of any of them. With

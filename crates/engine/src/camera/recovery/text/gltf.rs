@@ -18,10 +18,13 @@ const MAX_STEPS: usize = 100_000;
 /// # Errors
 /// [`MatrixTextError::NoCamera`].
 pub(crate) fn of_glb(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
-    let none = MatrixTextError::NoCamera("GLB");
-    let Ok(file) = gltf::Glb::from_slice(bytes) else { return Err(none) };
-    let Ok(value) = serde_json::from_slice(&file.json) else { return Err(none) };
-    cameras(&value)
+    // A header of 12 bytes, then the first chunk: its length, its kind, its JSON. What follows has no cameras.
+    let json = || {
+        let length = u32::from_le_bytes(bytes.get(12..16)?.try_into().ok()?);
+        let rest = bytes.get(16..)?.strip_prefix(b"JSON")?;
+        serde_json::from_slice(rest.get(..usize::try_from(length).ok()?)?).ok()
+    };
+    cameras(&json().ok_or(MatrixTextError::NoCamera("GLB"))?)
 }
 
 /// The cameras of a glTF file.

@@ -1,0 +1,90 @@
+//! A limit of time for threads that mustn't wait for a file, such as the window's. A network disk that has gone away
+//! answers late or never, and no program can make it hurry.
+
+use std::io;
+use std::path::Path;
+use std::time::Duration;
+#[cfg(not(target_arch = "wasm32"))]
+pub use threads::limit_waiting;
+
+/// The longest wait of a window's thread for a file.
+pub const WINDOW_WAIT: Duration = Duration::from_secs(2);
+
+/// Does `work` with the file of this path. A thread with a limit gives up after it, and the work ends on its own.
+///
+/// # Errors
+/// [`io::ErrorKind::TimedOut`].
+pub(super) fn in_time<T: Send + 'static>(path: &Path, work: impl FnOnce(&Path) -> T + Send + 'static) -> io::Result<T> {
+    #[cfg(target_arch = "wasm32")]
+    return Ok(work(path));
+    #[cfg(not(target_arch = "wasm32"))]
+    threads::in_time(path, work)
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod threads {
+    use std::cell::Cell;
+    use std::collections::BTreeSet;
+    use std::io;
+    use std::path::{Path, PathBuf};
+    use std::sync::mpsc::channel;
+    use std::sync::{Mutex, MutexGuard, PoisonError};
+    use std::thread;
+    use std::time::Duration;
+
+    thread_local! {
+        /// The longest wait of this thread for a file.
+        static LIMIT: Cell<Option<Duration>> = const { Cell::new(None) };
+    }
+
+    /// The files for which a thread has waited in vain, while the work with them goes on.
+    static STALLED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+    /// While a file stalls, the wait for others. Its disk may have them too, and all the waits add up.
+    const NEXT: Duration = Duration::from_millis(100);
+
+    fn stalled() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+        // A panic leaves at most one path too many.
+        STALLED.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// From now on this thread waits for a file at most so long, and not at all for one that has stalled and still
+    /// does.
+    pub fn limit_waiting(limit: Duration) {
+        LIMIT.set(Some(limit));
+    }
+
+    pub(super) fn in_time<T: Send + 'static>(
+        path: &Path,
+        work: impl FnOnce(&Path) -> T + Send + 'static,
+    ) -> io::Result<T> {
+        let work = move |path: &Path| {
+            #[cfg(test)]
+            crate::files::testing::wait_while_stalled(path);
+            work(path)
+        };
+        let Some(limit) = LIMIT.get() else { return Ok(work(path)) };
+        let limit = {
+            let stalled = stalled();
+            if stalled.contains(path) {
+                return Err(io::ErrorKind::TimedOut.into());
+            }
+            if stalled.is_empty() { limit } else { limit.min(NEXT) }
+        };
+        let (sender, receiver) = channel();
+        let own = path.to_owned();
+        thread::Builder::new().name("file".to_owned()).spawn(move || {
+            // The thread that wanted it may have given up.
+            let _ = sender.send(work(&own));
+            stalled().remove(&own);
+        })?;
+        receiver.recv_timeout(limit).or_else(|_| {
+            let mut stalled = stalled();
+            // It may have come in this moment. Otherwise its thread removes the path later, since it needs the lock.
+            receiver.try_recv().map_err(|_| {
+                stalled.insert(path.to_owned());
+                io::ErrorKind::TimedOut.into()
+            })
+        })
+    }
+}

@@ -1,0 +1,167 @@
+//! The figure is written beside the window's thread, because a disk on a network may take seconds, or stall.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+
+use crate::clock;
+use crate::figure::{Figure, update};
+use crate::files::{self, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
+use crate::gui::background::worker::{Running, Worker};
+use crate::gui::model::Model;
+use crate::gui::model::action::AfterSave;
+use crate::gui::model::history::Revision;
+use crate::progress::Progress;
+
+/// Time that a frame waits for the file. On a disk of this machine it's written by then.
+const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 200 });
+
+/// The content that another program has written into the figure's file. `None` if it's unreadable.
+pub type Theirs = Option<Vec<u8>>;
+
+/// Overwrites that the user has agreed to.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Agreed {
+    /// This content of another program in the figure's file.
+    pub theirs: Option<Theirs>,
+    /// A read-only file.
+    pub read_only: bool,
+}
+
+impl Agreed {
+    /// The files that saving may replace.
+    pub fn overwrite(&self) -> Overwrite {
+        if self.read_only { Overwrite::ReadOnlyToo } else { Overwrite::Writable }
+    }
+}
+
+/// A figure to write into a file.
+#[derive(Clone, Debug)]
+struct ToSave {
+    path: PathBuf,
+    figure: Figure,
+    /// The text that was read or saved last.
+    source: String,
+    /// The folder that the names of files in the figure are relative to.
+    folder: Option<PathBuf>,
+    /// The files of the figure, if they are to be written too.
+    with_files: Option<FigureFiles>,
+    /// True if the file is the figure's own, so another program may have changed it.
+    is_own: bool,
+    agreed: Agreed,
+}
+
+/// The result.
+#[derive(Debug)]
+pub(super) enum Saved {
+    /// Written: the figure as in the file, the new names of its files, and the text.
+    Done(Box<(Figure, Renamed, String)>),
+    /// Another program has changed the file. It's as it was.
+    Changed(Theirs),
+    /// The file is read-only.
+    ReadOnly,
+    /// The reason why it isn't written.
+    Failed(FileError),
+}
+
+impl ToSave {
+    fn run(&self) -> Result<Saved, FileError> {
+        let Self { path, figure, source, folder, with_files, is_own, agreed } = self;
+        if *is_own
+            && let FileChange::Other(theirs) = files::look(path, source.as_bytes(), None)
+            && agreed.theirs.as_ref() != Some(&theirs)
+        {
+            return Ok(Saved::Changed(theirs));
+        }
+        if !agreed.read_only && files::is_read_only(path) {
+            return Ok(Saved::ReadOnly);
+        }
+        let (figure, renamed) = match with_files {
+            None => files::for_folder(figure, folder.as_deref(), path.parent()),
+            Some(files) => {
+                let (figure, renamed, beside) = files::beside_figure(figure, files.clone(), path);
+                for (path, bytes) in beside {
+                    disk::create_folder(path.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
+                    files::save(&path, &bytes, agreed.overwrite())?;
+                }
+                (figure, renamed)
+            }
+        };
+        let text = update(source, &figure);
+        files::save(path, text.as_bytes(), agreed.overwrite())?;
+        Ok(Saved::Done(Box::new((figure, renamed, text))))
+    }
+}
+
+/// The purpose of a save.
+#[derive(Clone, Debug)]
+pub(super) struct Save {
+    pub(super) path: PathBuf,
+    /// The action that follows.
+    pub(super) then: Option<AfterSave>,
+    pub(super) agreed: Agreed,
+    /// True if the files of the figure are written too.
+    pub(super) with_files: bool,
+}
+
+/// The file being written.
+#[derive(Debug)]
+pub struct Saving {
+    worker: Worker<ToSave, Saved>,
+    /// Its purpose, and the document in it.
+    asked: Option<(Save, Revision)>,
+    /// Time that a frame waits for the file. Tests have more of it.
+    pub patience: Duration,
+}
+
+impl Default for Saving {
+    fn default() -> Self {
+        let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
+        Self { worker: Worker::new("save", clock::now, move || write), asked: None, patience: PATIENCE }
+    }
+}
+
+impl Saving {
+    /// Starts writing the figure of the window. The caller has made sure that no other one is being written.
+    pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, save: Save) {
+        let document = &model.document;
+        // Without its picture, the files that it carries would be lost.
+        let with_files = save.with_files || !document.carried().is_empty();
+        let job = ToSave {
+            path: save.path.clone(),
+            figure: model.figure_to_save(),
+            source: document.source().to_owned(),
+            folder: document.folder().map(Path::to_owned),
+            with_files: with_files.then(|| document.files()),
+            is_own: document.path() == Some(&save.path),
+            agreed: save.agreed.clone(),
+        };
+        self.asked = Some((save, document.id()));
+        self.worker.ask(ctx, 0, job);
+    }
+
+    /// The file being written.
+    pub(super) fn path(&self) -> Option<&Path> {
+        self.asked.as_ref().map(|(save, _)| save.path.as_path())
+    }
+
+    /// The action that follows.
+    pub(super) fn then(&self) -> Option<&AfterSave> {
+        self.asked.as_ref()?.0.then.as_ref()
+    }
+
+    /// The result with its purpose and its document, once it's there.
+    pub(super) fn take(&mut self, patience: Duration) -> Option<(Save, Revision, Saved)> {
+        let [done] = self.worker.take(patience);
+        let outcome = done?.outcome;
+        let bug = || Saved::Failed(FileError::Write(std::io::Error::other("a bug in this program")));
+        let (save, document) = self.asked.take()?;
+        Some((save, document, outcome.unwrap_or_else(bug)))
+    }
+
+    /// The file being written, and the time that it has taken.
+    pub(super) fn running(&self) -> Option<(&Path, Running)> {
+        Some((self.path()?, self.worker.running()?))
+    }
+}
