@@ -13,7 +13,7 @@ use camera_lab::i18n::why::notes;
 use camera_lab::lessons::{Lesson, OpenLesson, Step, Task, shipped};
 use camera_lab::picture::Paragraph;
 use camera_lab::scene::{Preset, SceneSpec, no_files};
-use camera_lab::views::{View, Views, scene_of};
+use camera_lab::views::{SharedScene, View, Views, scene_of};
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
@@ -106,8 +106,8 @@ fn no_choice_shows_its_marks_on_paper() {
         for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
             let options = HandoutOptions { lang, columns: 1, answers: true, plan: true, late: false };
             let handout = handout::of_lesson(lesson, options, |(_, step), size| {
-                let scene = scene_of(&step.figure, &mut no_files, &Default::default()).unwrap();
-                handout::picture(&step.figure, scene, Views::One(View::Image), size, lang)
+                let scene = SharedScene::new(scene_of(&step.figure, &mut no_files, &Default::default()).unwrap());
+                handout::picture(&step.figure, &scene, Views::One(View::Image), size, lang)
             });
             let paragraphs: Vec<Paragraph> =
                 handout.unwrap().entries.into_iter().flat_map(|entry| entry.paragraphs).collect();
