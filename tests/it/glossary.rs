@@ -168,6 +168,28 @@ fn texts_say_what_the_glossary_says() {
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
+/// In Portuguese a comma begins decimals, so the numbers of a tuple stand between semicolons.
+#[test]
+fn tuples_in_portuguese_have_semicolons() {
+    let lessons = files("assets/lessons", ".toml");
+    let lessons = lessons.into_iter().map(|path| (path.clone(), in_lesson(&fs::read_to_string(&path).unwrap(), "pt-BR")));
+    let pages = [("assets/notes", "pt-BR.md"), ("assets/exercises", "pt-BR.md")];
+    let pages = pages.into_iter().flat_map(|(folder, ends)| files(folder, ends));
+    let pages = pages.map(|path| (path.clone(), fs::read_to_string(&path).unwrap()));
+    let is_number = |text: &str| !text.is_empty() && text.chars().all(|c| "−-/".contains(c) || c.is_ascii_digit());
+    let mut wrong = Vec::new();
+    for (path, text) in lessons.chain(pages) {
+        for (number, line) in text.lines().enumerate() {
+            for inner in line.split('(').skip(1).filter_map(|part| part.split_once(')')).map(|(inner, _)| inner) {
+                if inner.contains(", ") && inner.split(", ").all(is_number) {
+                    wrong.push(format!("{}:{}: ({inner})", path.display(), number + 1));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
 #[test]
 fn terms_are_found_as_words_in_their_language() {
     assert!(has("a z-buffer.", "z-buffer") && !has("o quadro mestre", "estre") && !has("destroços", "destro"));
