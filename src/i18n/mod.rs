@@ -172,6 +172,7 @@ mod tests {
                 "parts",
                 "slide",
                 "infinite",
+                "pan",
                 "address_hint",
                 "link",
                 "filter_bilinear",

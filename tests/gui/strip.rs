@@ -34,7 +34,7 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     window.key(Key::F10);
     window.run();
     assert!(window.stage("divide by w: 24 → 24 vertices") || window.stage("divide by w: 8 → 8 vertices"));
-    assert!(window.stage("oblique window: skipped – symmetric window"));
+    assert!(window.stage("off-axis window: skipped – symmetric window"));
     window.key(Key::F5);
     window.click(en::WINDOW.parallel);
     assert!(window.stage("divide by w: skipped – parallel projection: w is 1 everywhere"));
