@@ -139,7 +139,8 @@ fn a_picture_is_copied_at_its_full_size() {
     assert!(window.says(en::WINDOW.copied));
     window.enter(en::WINDOW.export_width, "16000");
     window.enter(en::WINDOW.export_height, "4000");
-    assert!(window.harness.get_by_label(en::WINDOW.export_copy).accesskit_node().is_disabled());
+    // The preview says how large it will be.
+    window.wait(|window| window.harness.get_by_label(en::WINDOW.export_copy).accesskit_node().is_disabled());
 }
 
 #[test]
