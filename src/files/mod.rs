@@ -207,7 +207,8 @@ fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError
     if !from_picture {
         return Ok((text, false, Carried::default()));
     }
-    let (text, carried) = Carried::split(text.into_owned());
+    let whole = text.into_owned();
+    let (text, carried) = Carried::split(whole);
     Ok((text.into(), true, carried))
 }
 
