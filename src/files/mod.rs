@@ -40,6 +40,7 @@ pub use lessons::{OwnLessons, is_lesson_file as is_lesson, read_lesson, read_les
 pub use named_files::{Renamed, for_folder, named_in_figure, rename};
 pub use own_exercises::{BadExercise, OwnExercises, entries, read_exercises};
 pub use patience::WINDOW_WAIT;
+#[cfg(not(target_arch = "wasm32"))]
 use patience::in_time;
 #[cfg(not(target_arch = "wasm32"))]
 pub use patience::limit_waiting;
@@ -237,7 +238,8 @@ fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError
     if !from_picture {
         return Ok((text, false, Carried::default()));
     }
-    let (text, carried) = Carried::split(text.into_owned());
+    let whole = text.into_owned();
+    let (text, carried) = Carried::split(whole);
     Ok((text.into(), true, carried))
 }
 

@@ -22,7 +22,6 @@ use crate::scene::Preset;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
-use model::action::AfterSave;
 use std::path::PathBuf;
 
 /// The initial state of the window.
@@ -96,7 +95,7 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
             } else {
                 app.state.file_flow.news.tell(storage::session::News::NoHome);
             }
-            let opened = lesson.map(AfterSave::Lesson).or(later.map(AfterSave::OpenPath));
+            let opened = lesson.map(model::action::AfterSave::Lesson).or(later.map(model::action::AfterSave::OpenPath));
             if let Some(open) = opened {
                 app::file_flow::begin(&context.egui_ctx, &mut app.state, open);
             }

@@ -24,7 +24,7 @@ fn each_reader_refuses_what_is_larger_than_its_limit_and_names_the_limit() {
     sparse(&bench, "lesson.toml", b"[[step]]\n", 4 * MIB + 1);
     sparse(&bench, "cameras.json", b"{", 8 * MIB + 1);
     sparse(&bench, "cameras.yaml", b"a:", 8 * MIB + 1);
-    let glb = [&b"glTF\x02\0\0\0"[..], &[0xff; 4], &(8 * MIB as u32 + 1).to_le_bytes(), b"JSON"].concat();
+    let glb = [&b"glTF\x02\0\0\0"[..], &[0xff; 4], &((8_u32 << 20) + 1).to_le_bytes(), b"JSON"].concat();
     sparse(&bench, "cameras.glb", &glb, 9 * MIB);
     sparse(&bench, "image.png", b"\x89PNG\r\n\x1a\n", (1 << 30) + 1);
     sparse(&bench, "mesh.obj", b"v 0 0 0\n", 512 * MIB + 1);

@@ -371,15 +371,13 @@ fn write(ctx: &egui::Context, state: &mut State, save: Save) {
         state.model.say(Message::NotSaved(error.clone()));
         return;
     }
-    // A second one could overtake the first.
-    if let Some(path) = state.file_flow.saving.path() {
-        state.model.say(Message::Saving(path.to_owned()));
-        return;
-    }
     let path = save.path.clone();
-    state.file_flow.saving.begin(ctx, &state.model, save);
-    take_saved(ctx, state, state.file_flow.saving.patience);
-    if state.file_flow.saving.path().is_some() {
+    // A second one could overtake the first.
+    if !state.file_flow.saving.writes(&path) {
+        state.file_flow.saving.begin(ctx, &state.model, save);
+        take_saved(ctx, state, state.file_flow.saving.patience);
+    }
+    if state.file_flow.saving.writes(&path) {
         state.model.say(Message::Saving(path));
     }
 }
@@ -387,14 +385,14 @@ fn write(ctx: &egui::Context, state: &mut State, save: Save) {
 /// Goes on with the result of writing the figure. It may be about a document that the window has left meanwhile.
 fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
     let Some((save, of, saved)) = state.file_flow.saving.take(patience) else { return };
-    let is_shown = of == state.model.document.id();
+    let is_shown = of == Some(state.model.document.id());
     let Save { path, then, agreed, with_files } = save;
     match saved {
         Saved::Done(done) => {
             let (figure, renamed, text) = *done;
             let others = state.model.kept.iter_mut().chain(&mut state.model.given_up).map(|(_, document)| document);
             let mut documents = std::iter::once(&mut state.model.document).chain(others);
-            if let Some(document) = documents.find(|document| document.id() == of) {
+            if let Some(document) = documents.find(|document| Some(document.id()) == of) {
                 document.mark_saved(path.clone(), text, figure, &renamed);
             }
             state.recent.add(&path);

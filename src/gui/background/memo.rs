@@ -99,6 +99,14 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         (self.asked, self.waits, self.given_up) = (None, false, self.number);
     }
 
+    /// Gives up the question, and the work on it, even if that hangs.
+    pub(in crate::gui) fn leave(&mut self) {
+        self.give_up();
+        if self.worker.is_pending(0) {
+            self.worker = self.worker.anew();
+        }
+    }
+
     /// Ends the running work. Its result is an answer too, unless it's given up.
     pub(in crate::gui) fn stop(&self) {
         self.worker.cancel();

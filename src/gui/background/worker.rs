@@ -99,6 +99,25 @@ struct Mailbox<Job, Outcome, const SLOTS: usize> {
     quit: bool,
 }
 
+impl<Job, Outcome, const SLOTS: usize> Default for Shared<Job, Outcome, SLOTS> {
+    fn default() -> Self {
+        let mailbox = Mailbox {
+            wanted: std::array::from_fn(|_| None),
+            busy: [None; SLOTS],
+            cancelled: [false; SLOTS],
+            finished: std::array::from_fn(|_| None),
+            waited_for: false,
+            quit: false,
+        };
+        Self {
+            progress: std::array::from_fn(|_| Progress::default()),
+            mailbox: Mutex::new(mailbox),
+            wake: Condvar::new(),
+            done: Condvar::new(),
+        }
+    }
+}
+
 impl<Job, Outcome, const SLOTS: usize> Shared<Job, Outcome, SLOTS> {
     /// A panic could leave only parts that are replaced as a whole, so a poisoned lock is as good as any.
     fn mailbox(&self) -> MutexGuard<'_, Mailbox<Job, Outcome, SLOTS>> {
@@ -146,26 +165,26 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         clock: fn() -> Duration,
         make: impl Fn() -> W + Send + Sync + 'static,
     ) -> Self {
-        let mailbox = Mailbox {
-            wanted: std::array::from_fn(|_| None),
-            busy: [None; SLOTS],
-            cancelled: [false; SLOTS],
-            finished: std::array::from_fn(|_| None),
-            waited_for: false,
-            quit: false,
-        };
-        let shared = Arc::new(Shared {
-            progress: std::array::from_fn(|_| Progress::default()),
-            mailbox: Mutex::new(mailbox),
-            wake: Condvar::new(),
-            done: Condvar::new(),
-        });
         Self {
-            shared,
+            shared: Arc::new(Shared::default()),
             place: Backend::Threads([false; SLOTS]),
             name,
             make: Arc::new(move || one_by_one(make())),
             clock,
+        }
+    }
+
+    /// A worker for the same jobs, with nothing to do. The jobs of this one are no longer wanted, and one that hangs
+    /// holds up nothing.
+    #[must_use]
+    pub(in crate::gui) fn anew(&self) -> Self {
+        let shared = Arc::new(Shared::default());
+        Self {
+            shared,
+            place: Backend::Threads([false; SLOTS]),
+            name: self.name,
+            make: Arc::clone(&self.make),
+            clock: self.clock,
         }
     }
 

@@ -141,7 +141,8 @@ impl Default for Reader {
 impl Reader {
     /// Has these files read, and no others.
     fn begin(&mut self, ctx: &egui::Context, files: Vec<SceneFile>) {
-        self.read.give_up();
+        // A file of another scene may stall.
+        self.read.leave();
         self.waiting = files;
         self.next(ctx);
     }

@@ -323,7 +323,7 @@ impl FileFlow {
         };
         asked
             || self.may_close
-            || self.saving.then().is_some_and(closes)
+            || self.saving.then().any(closes)
             || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
     }
 

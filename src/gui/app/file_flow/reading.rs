@@ -93,6 +93,10 @@ impl Reading {
             ToRead::Next(search) => search.folder().map(Path::to_owned).unwrap_or_default(),
         };
         self.asked = Some((path, now(model)));
+        if self.worker.is_pending(0) {
+            // The file before may stall.
+            self.worker = self.worker.anew();
+        }
         self.worker.ask(ctx, 0, wanted);
     }
 
@@ -123,7 +127,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::files::testing::Stall;
+    use crate::files::testing::{Directory, Stall};
     use crate::gui::Start;
     use crate::gui::app::file_flow::questions::Dialog;
     use crate::gui::app::file_flow::{begin, poll};
@@ -164,6 +168,24 @@ mod tests {
         let (path, state) = opened_slowly("changed", change);
         assert_eq!(state.model.document.figure().image.width, 300);
         assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved(AfterSave::OpenPath(path))));
+    }
+
+    #[test]
+    fn a_file_that_stalls_does_not_keep_another_from_being_opened() {
+        let directory = Directory::new("two-files");
+        let [slow, quick] = ["slow.toml", "quick.toml"].map(|name| directory.path().join(name));
+        for path in [&slow, &quick] {
+            std::fs::write(path, "[camera]\nnear = 0.5\n").unwrap();
+        }
+        let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).unwrap());
+        let stall = Stall::of(&slow);
+        state.file_flow.reading.patience = Duration::ZERO;
+        begin(&ctx, &mut state, AfterSave::OpenPath(slow));
+        assert_eq!(state.model.document.path(), None);
+        state.file_flow.reading.patience = Duration::from_secs(60);
+        begin(&ctx, &mut state, AfterSave::OpenPath(quick.clone()));
+        assert_eq!(state.model.document.path(), Some(&quick));
+        drop(stall);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use eframe::egui;
 use crate::clock;
 use crate::figure::{Figure, update};
 use crate::files::{self, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
-use crate::gui::background::worker::{Running, Worker};
+use crate::gui::background::worker::{self, Worker};
 use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::history::Revision;
@@ -105,25 +105,31 @@ pub(super) struct Save {
     pub(super) with_files: bool,
 }
 
-/// The file being written.
+/// A save that is under way.
+#[derive(Debug)]
+struct Running {
+    worker: Worker<ToSave, Saved>,
+    save: Save,
+    /// The document in it; `None` if it has been saved elsewhere meanwhile.
+    document: Option<Revision>,
+}
+
+/// The files being written. One that stalls keeps no other from being written.
 #[derive(Debug)]
 pub struct Saving {
-    worker: Worker<ToSave, Saved>,
-    /// Its purpose, and the document in it.
-    asked: Option<(Save, Revision)>,
-    /// Time that a frame waits for the file. Tests have more of it.
+    running: Vec<Running>,
+    /// Time that a frame waits for a file. Tests have more of it.
     pub patience: Duration,
 }
 
 impl Default for Saving {
     fn default() -> Self {
-        let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
-        Self { worker: Worker::new("save", clock::now, move || write), asked: None, patience: PATIENCE }
+        Self { running: Vec::new(), patience: PATIENCE }
     }
 }
 
 impl Saving {
-    /// Starts writing the figure of the window. The caller has made sure that no other one is being written.
+    /// Starts writing the figure of the window. The caller has made sure that the file isn't being written already.
     pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, save: Save) {
         let document = &model.document;
         // Without its picture, the files that it carries would be lost.
@@ -137,31 +143,47 @@ impl Saving {
             is_own: document.path() == Some(&save.path),
             agreed: save.agreed.clone(),
         };
-        self.asked = Some((save, document.id()));
-        self.worker.ask(ctx, 0, job);
+        let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
+        let mut worker = Worker::new("save", clock::now, move || write);
+        worker.ask(ctx, 0, job);
+        self.running.push(Running { worker, save, document: Some(document.id()) });
     }
 
-    /// The file being written.
-    pub(super) fn path(&self) -> Option<&Path> {
-        self.asked.as_ref().map(|(save, _)| save.path.as_path())
+    /// The number of files being written.
+    #[cfg(test)]
+    pub(super) fn count(&self) -> usize {
+        self.running.len()
     }
 
-    /// The action that follows.
-    pub(super) fn then(&self) -> Option<&AfterSave> {
-        self.asked.as_ref()?.0.then.as_ref()
+    /// True while a file is being written.
+    pub(super) fn writes(&self, path: &Path) -> bool {
+        self.running.iter().any(|running| running.save.path == path)
     }
 
-    /// The result with its purpose and its document, once it's there.
-    pub(super) fn take(&mut self, patience: Duration) -> Option<(Save, Revision, Saved)> {
-        let [done] = self.worker.take(patience);
-        let outcome = done?.outcome;
+    /// The actions that follow.
+    pub(super) fn then(&self) -> impl Iterator<Item = &AfterSave> {
+        self.running.iter().filter_map(|running| running.save.then.as_ref())
+    }
+
+    /// A result with its purpose and its document, once it's there. `None` in place of the document if it has been
+    /// saved elsewhere since. Waits up to `patience` for the last one.
+    pub(super) fn take(&mut self, patience: Duration) -> Option<(Save, Option<Revision>, Saved)> {
+        let last = self.running.len().checked_sub(1)?;
+        let (k, outcome) = self.running.iter_mut().enumerate().find_map(|(k, running)| {
+            let [done] = running.worker.take(if k == last { patience } else { Duration::ZERO });
+            Some((k, done?.outcome))
+        })?;
         let bug = || Saved::Failed(FileError::Write(std::io::Error::other("a bug in this program")));
-        let (save, document) = self.asked.take()?;
+        let Running { save, document, .. } = self.running.remove(k);
+        for before in self.running.iter_mut().take(k).filter(|before| before.document == document) {
+            // Its file is no longer that of the document.
+            before.document = None;
+        }
         Some((save, document, outcome.unwrap_or_else(bug)))
     }
 
-    /// The file being written, and the time that it has taken.
-    pub(super) fn running(&self) -> Option<(&Path, Running)> {
-        Some((self.path()?, self.worker.running()?))
+    /// The files being written, and the time that each has taken.
+    pub(super) fn running(&self) -> impl Iterator<Item = (&Path, worker::Running)> {
+        self.running.iter().filter_map(|running| Some((running.save.path.as_path(), running.worker.running()?)))
     }
 }

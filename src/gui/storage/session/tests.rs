@@ -3,7 +3,7 @@
 use std::fs;
 
 use super::*;
-use crate::files::SourceFile;
+use crate::files::{Carried, SourceFile};
 
 /// A folder that exists for one test.
 struct TempFolder(PathBuf);
@@ -362,4 +362,21 @@ fn documents_that_a_window_holds_have_a_slot_each_and_what_it_lets_go_leaves_not
     assert_eq!(folder.names(), ["session-0.json"]);
     sessions.forget();
     assert_eq!(files(), 0);
+}
+
+#[test]
+fn the_files_that_a_picture_carries_come_back_with_its_figure() {
+    let place = TempFolder::new("carried");
+    let (mut sessions, _) = place.begin(true);
+    let (text, carried) = Carried::split(b"near = 1\n#camera-lab-file \"m.obj\" AAAA\n".to_vec());
+    assert!(text == b"near = 1\n" && !carried.is_empty());
+    let text = "[camera]\nnear = 0.5\n";
+    let file =
+        SourceFile { path: place.0.join("a.png"), text: text.to_owned(), is_picture: true, carried: carried.clone() };
+    let document = Document::new(crate::figure::read::parse(text).unwrap(), Some(file)).unwrap();
+    sessions.write(&change(document, 42.0));
+    drop(sessions);
+    let (_, left) = place.begin(true);
+    let left = left.unwrap();
+    assert_eq!((left.carried(), left.source()), (&carried, text));
 }

@@ -73,8 +73,8 @@ impl ShadowMaps {
         self.of(scenes).into_iter().map(|light| light.map).collect()
     }
 
-    /// Paints maps while no other thread does, so that threads with a picture each don't paint the same ones, which takes
-    /// as much memory again. Not for threads of the pool, which the painting thread may need.
+    /// Paints maps while no other thread does, so that threads with a picture each don't paint the same ones, which
+    /// takes as much memory again. Not for threads of the pool, which the painting thread may need.
     pub fn paint_alone(&self, paint: impl FnOnce(&Self)) {
         let _alone = self.painting.lock().unwrap_or_else(PoisonError::into_inner);
         paint(self);

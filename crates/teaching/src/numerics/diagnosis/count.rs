@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, ImageSize, Projection};
-use crate::pipeline::{ObjectReport, Options, OverBudget, Pipeline, Target};
+use crate::pipeline::{ObjectReport, Options, OverBudget, Pipeline, Scenes, Target};
 use crate::raster::Rasterizer;
 use crate::scene::{Object, ObjectPaint, Scene};
 
@@ -29,7 +29,9 @@ impl Counter {
         let mut pixels = 0;
         // The order of faces doesn't change the set of covered pixels.
         let style = Style { visibility: Visibility::DepthBuffer, ..*style };
-        let painted = self.paint(scene, camera, &style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;
+        // Nor does the light, whose shadow maps would take most of the memory.
+        let dark = Scenes::from(scene).without_lights();
+        let painted = self.paint(dark, camera, &style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;
         Some(Drawn { pixels, objects: painted.objects })
     }
 
@@ -71,9 +73,9 @@ impl Counter {
 
     /// Paints a scene with one sample for each pixel, and passes each pixel to `each`, row by row. `None` if the image
     /// is too large.
-    pub(super) fn paint(
+    pub(super) fn paint<'a>(
         &mut self,
-        scene: &Scene,
+        scene: impl Into<Scenes<'a>>,
         camera: &Camera,
         style: &Style,
         image: ImageSize,
