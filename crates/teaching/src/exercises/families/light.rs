@@ -421,7 +421,7 @@ mod tests {
         #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
         for seed in 0..40 {
-            let exercise = light(&mut crate::exercises::families::numbers("light", seed));
+            let exercise = light(&mut crate::exercises::families::cameras::numbers("light", seed));
             let fact = |name: &str| exercise.facts.iter().rev().find(|(fact, _)| *fact == name).map(|(_, f)| f.clone());
             let vector = |name| match fact(name) {
                 Some(Fact::Tuple(values)) => DVec3::from_slice(&values),
