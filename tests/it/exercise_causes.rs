@@ -1,5 +1,5 @@
 //! Causes that were false once: each wrong answer is made by hand from the numbers of a statement, and the mistake that
-//! was made is told, alone or as one of several.
+//! was made is named, alone or as one of several.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -223,7 +223,7 @@ const KINDS: [Made; 18] = [
 ];
 
 #[test]
-fn the_mistake_that_was_made_is_among_those_that_are_told() {
+fn the_mistake_that_was_made_is_among_those_named() {
     for Made { id, ask: name, code, answer } in &KINDS {
         let mut told = 0;
         for seed in SEEDS {
@@ -239,7 +239,7 @@ fn the_mistake_that_was_made_is_among_those_that_are_told() {
             let context = || format!("{id} {seed} {name} = {text}: {diagnosis:?} without {code}");
             let codes: Vec<&str> =
                 diagnosis.iter().flat_map(|found| found.mistakes()).map(|mistake| mistake.code()).collect();
-            // With many that give the same, none is told.
+            // With many that give the same, the verdict names none.
             if codes.is_empty() {
                 continue;
             }
@@ -273,7 +273,7 @@ fn a_cause_speaks_of_the_steps_of_its_question() {
     }
 }
 
-/// The step prints the view coordinates of Q, so nobody has multiplied vectors.
+/// The step prints the view coordinates of Q, so students multiply no vectors.
 #[test]
 fn a_question_of_a_lesson_names_no_step_that_its_text_has_done() {
     let lesson = &shipped().iter().find(|shipped| shipped.lesson.id == "triangles").unwrap().lesson;
@@ -342,7 +342,7 @@ fn later_seeds_have_no_numbers_that_make_mistakes_look_alike() {
     }
 }
 
-/// Sheets with these seeds are printed. `UPDATE_SEEDS=1` writes the file anew.
+/// Sheets with these seeds are printed. `UPDATE_SEEDS=1` writes the file.
 #[test]
 fn the_first_seeds_of_every_family_keep_their_numbers() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/exercise_seeds.txt");

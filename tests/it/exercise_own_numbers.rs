@@ -103,7 +103,7 @@ fn right_answers_are_right_for_the_numbers_that_they_hold() {
     assert_eq!(judged_alone.get(), 200 * 5 * 3);
 }
 
-/// Two entries that are both free can be those of another choice, if they change places: m_11 and m_22 of III, and x and
+/// Two entries that are both free can be those of another choice, if they change places: `m_11` and `m_22` of III, x and
 /// y of its apex.
 fn are_free(id: &str, name: &str, places: [usize; 2]) -> bool {
     id == "1-III" && (name == "Mp" && places == [0, 5] || name == "apex" && places == [0, 1])
@@ -187,7 +187,7 @@ fn a_known_mistake_with_the_numbers_of_the_statement_is_that_mistake() {
         let told = verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.causes[0].mistake.code());
         assert!(!verdict.right && told == Some(code), "{verdict:?}");
     }
-    // Numbers that nobody may choose.
+    // Numbers out of their range.
     for numbers in [[("theta", 160.0), ("A", 1.0)], [("theta", 60.0), ("A", 5.0)], [("theta", 5.0), ("A", 1.0)]] {
         let outside = right(&projected.exercise(0, &free(&numbers)), "Mp");
         assert!(!alone(projected, "Mp", &outside, 12).right, "{numbers:?}");

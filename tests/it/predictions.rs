@@ -295,7 +295,8 @@ fn the_mark_on_the_highlight_is_where_the_ball_is_brightest() {
     let of_ball = image.pixels().iter().enumerate().filter(|(_, p)| p.blue() > p.red().saturating_add(80));
     let light = |p: &PremultipliedColorU8| u32::from(p.red()) + u32::from(p.green()) + u32::from(p.blue());
     let most = of_ball.clone().map(|(_, p)| light(p)).max().unwrap();
-    let at = |k: usize| [k as u32 % size.width, k as u32 / size.width].map(f64::from);
+    let width = size.width as usize;
+    let at = |k: usize| [(k % width) as f64, (k / width) as f64];
     let bright: Vec<[f64; 2]> = of_ball.filter(|(_, p)| light(p) + 3 >= most).map(|(k, _)| at(k)).collect();
     let mean = [0, 1].map(|axis| bright.iter().map(|at| at[axis]).sum::<f64>() / bright.len() as f64);
     let off = (mean[0] - right[0]).hypot(mean[1] - right[1]);

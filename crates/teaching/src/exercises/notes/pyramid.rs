@@ -231,12 +231,12 @@ pub(super) fn projection(free: &Free) -> Exercise {
 /// The numbers of III that are a free choice.
 const LENS: [&str; 2] = ["theta", "A"];
 
-/// θ and A from m_22 = cot(θ/2) and m_11 = m_22/A.
+/// θ and A from `m_22 = cot(θ/2)` and `m_11 = m_22/A`.
 fn lens_of(m_11: f64, m_22: f64) -> Vec<Vec<(&'static str, f64)>> {
     vec![vec![(LENS[0], 2.0 * (1.0 / m_22).atan().to_degrees()), (LENS[1], m_22 / m_11)]]
 }
 
-/// θ and A in points of clip space: x_r = m_11 x_c and y_r = m_22 y_c, by least squares.
+/// θ and A in points of clip space: `x_r = m_11 x_c` and `y_r = m_22 y_c`, by least squares.
 fn lens_in_points(ask: &'static str, seen: Vec<DVec4>) -> Holds {
     Holds::new(ask, &LENS, move |clip| {
         let factor = |row: usize| {
