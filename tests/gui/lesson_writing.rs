@@ -518,8 +518,8 @@ fn a_task_of_a_window_that_was_killed_is_in_its_fields_again() {
     assert!(writing.fault.is_some());
 }
 
-/// A new step has no text, and its title stands in its author's language. Whatever is missing in a language, the other one
-/// has.
+/// A new step has no text, and its title stands in its author's language. Whatever is missing in a language, the other
+/// one has.
 #[test]
 fn a_step_in_one_language_shows_it_in_the_other_until_it_has_its_own() {
     let folder = Folder::new("write-in-one-language");

@@ -168,7 +168,8 @@ fn a_presentation_has_keys_for_all_of_it() {
     }
 }
 
-/// The notes beside the views are the lecturer's. A presentation begins without them, and shows them only marked as private.
+/// The notes beside the views are the lecturer's. A presentation begins without them, and shows them only marked as
+/// private.
 #[test]
 fn notes_come_into_a_presentation_only_if_they_are_asked_for() {
     for lang in [Lang::En, Lang::PtBr] {

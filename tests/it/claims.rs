@@ -1,5 +1,5 @@
-//! Claims of the pages, compared with the program: numbers of things, names of buttons and menus, options, and paths. Each failure names
-//! the file and the line.
+//! Claims of the pages, compared with the program: numbers of things, names of buttons and menus, options, and paths.
+//! Each failure names the file and the line.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -103,8 +103,8 @@ fn right_answers_are_right_for_the_numbers_that_they_hold() {
     assert_eq!(judged_alone.get(), 200 * 5 * 3);
 }
 
-/// Two entries that are both free can be those of another choice, if they change places: `m_11` and `m_22` of III, x and
-/// y of its apex.
+/// Two entries that are both free can be those of another choice, if they change places: `m_11` and `m_22` of III, x
+/// and y of its apex.
 fn are_free(id: &str, name: &str, places: [usize; 2]) -> bool {
     id == "1-III" && (name == "Mp" && places == [0, 5] || name == "apex" && places == [0, 1])
 }

@@ -148,7 +148,7 @@ fn what_cannot_be_shown_is_told_by_line_key_and_what_is_allowed() {
     for (text, parts) in [
         ("stage = \"clipp\"", &["line 2", "[show] stage", "\"clipp\"", "\"clip\""][..]),
         ("painted = 1.5", &["line 2", "[show] painted", "0", "1"]),
-        ("step = { at = 2 }", &["line 2", "[show] step.way", "\"notes\""]),
+        ("step = { at = 99 }", &["line 2", "[show] step.at", "from 0 to 4"]),
         ("step = { way = \"notes\", at = -1 }", &["[show] step.at", "-1"]),
         ("step = { way = \"notes\", at = 99.0 }", &["line 2", "[show] step.at", "99", "from 0 to 4"]),
         ("step = { way = \"box\", at = 5.5 }", &["line 2", "[show] step.at", "5.5", "from 0 to 5"]),

@@ -274,7 +274,8 @@ fn faults(name: &str, text: &str, lang: Lang, most: &Bounds) -> Vec<String> {
         .collect()
 }
 
-/// The ten lines of a text that have a habit most often, each with its place. `row` is the habit's place among those of `faults`.
+/// The ten lines of a text that have a habit most often, each with its place. `row` is the habit's place among those of
+/// `faults`.
 fn worst(text: &str, lang: Lang, row: usize) -> Vec<String> {
     let often = |line: &str| {
         let found = habits(line, lang);

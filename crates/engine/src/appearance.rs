@@ -162,7 +162,8 @@ pub enum DepthFormat {
     Fixed16,
     /// Whole numbers of 24 bits.
     Fixed24,
-    /// Single precision and reversed: greater in front, 0 at the back of the range that a drawing spreads its depths over.
+    /// Single precision and reversed: greater in front, 0 at the back of the range that a drawing spreads its depths
+    /// over.
     #[default]
     Float,
 }

@@ -12,7 +12,8 @@ use crate::i18n::why::conventions;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct MatrixArgs {
-    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote. Its camera has what the matrix leaves open, such as F and B
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote. Its camera has what the matrix leaves open, such as F
+    /// and B
     pub(in crate::cli) figure: PathBuf,
     #[command(flatten)]
     pub(in crate::cli) common: FigureArgs,

@@ -14,7 +14,8 @@ use crate::i18n::why::photograph as texts;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct PhotographArgs {
-    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote. Its camera has what the photograph leaves open, such as F and B
+    /// Figure file, or a PNG, SVG or PDF that camera-lab wrote. Its camera has what the photograph leaves open, such as
+    /// F and B
     pub(in crate::cli) figure: PathBuf,
     #[command(flatten)]
     pub(in crate::cli) common: FigureArgs,

@@ -82,7 +82,8 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
             return Ok(Drawn::Svg(String::from_utf8_lossy(&file.bytes).into_owned()));
         }
         let (pixels, _) = picture::assembled(&sheet, export.crop, progress).await?;
-        // A texture that's minified on the screen skips rows of pixels, and with them thin strokes. The mean keeps them.
+        // A texture that's minified on the screen skips rows of pixels, and with them thin strokes. The mean keeps
+        // them.
         let (size_drawn, rgba) = ([pixels.width(), pixels.height()], pixels.rgba());
         let room = room.map_or([f32::INFINITY; 2], |room| room.map(|side| side / FINENESS));
         let shown = reduced(size_drawn, rgba, room);
@@ -148,7 +149,8 @@ pub(in crate::gui) fn can_be_copied(export: &Export, [width, height]: [u32; 2]) 
     export.format.is_vector() || u64::from(width) * u64::from(height) <= MAX_COPIED_PIXELS
 }
 
-/// The picture at the size at which it fits into this number of pixels, each of them the mean of those that it replaces.
+/// The picture at the size at which it fits into this number of pixels, each of them the mean of those that it
+/// replaces.
 fn reduced(size: [u32; 2], rgba: &[u8], room: [f32; 2]) -> ColorImage {
     let factor = factor(size, room);
     let whole = image::RgbaImage::from_raw(size[0], size[1], rgba.to_vec()).filter(|_| factor < 1.0);

@@ -196,8 +196,8 @@ impl CardPlace {
         self.settles > 0
     }
 
-    /// The new position, in the corner of the pictures farthest from all their marks of the probe and of C. `None` if it has its
-    /// place, and while the point of the probe is unknown, as in a heavy scene.
+    /// The new position, in the corner of the pictures farthest from all their marks of the probe and of C. `None` if
+    /// it has its place, and while the point of the probe is unknown, as in a heavy scene.
     fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>) -> Option<Pos2> {
         let point = point.filter(|_| self.is_placed_anew())?;
         self.settles -= 1;

@@ -8,10 +8,11 @@
 //! step comes early: hidden surfaces (8) before the colour (7), so that hidden pixels cost no colour. `triangle` holds
 //! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
 //!
-//! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes much faster. It cuts the picture into bands of rows, one at a time for each thread, and looks at a triangle only in the
-//! bands that it touches. One instruction works on eight triangles, or on eight pixels. Edge functions grow by a
-//! constant from pixel to pixel instead of being evaluated. None of this may change a picture:
-//! `crates/engine/tests/textbook.rs` paints random drawings both ways and demands the same bytes.
+//! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes much faster. It cuts the
+//! picture into bands of rows, one at a time for each thread, and looks at a triangle only in the bands that it
+//! touches. One instruction works on eight triangles, or on eight pixels. Edge functions grow by a constant from pixel
+//! to pixel instead of being evaluated. None of this may change a picture: `crates/engine/tests/textbook.rs` paints
+//! random drawings both ways and demands the same bytes.
 //!
 //! So the order of operations is part of what this file says, because `a·x + (b·y + c)` isn't `(a·x + b·y) + c` in
 //! floating point. Two choices of the fast path show: small triangles take their gradients in single precision

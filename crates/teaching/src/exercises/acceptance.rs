@@ -31,8 +31,8 @@ pub(super) fn in_order<T: Copy>(entries: &[T], order: &[usize]) -> Vec<T> {
 }
 
 impl Ask {
-    /// The given column that belongs to each of the right ones: the same, or if the columns are points in any order, one
-    /// that equals it. Those that equal none keep their order.
+    /// The given column that belongs to each of the right ones: the same, or if the columns are points in any order,
+    /// one that equals it. Those that equal none keep their order.
     pub(super) fn order(&self, given: &[Option<f64>], right: &Table) -> Vec<usize> {
         let columns = right.columns.max(1);
         if !self.any_order || given.len() != right.entries.len() {

@@ -15,7 +15,8 @@ use crate::scene::ObjectPoint;
 const WAYS: [&str; 5] = ["object", "view", "ndc", "clip", "pixel"];
 
 /// An ask for the place of a point in the image of a subject. `told` is the subject that the question describes, in
-/// whose spaces it gives coordinates: the figure before `see`. `None`, and a fault, if the image doesn't have the point.
+/// whose spaces it gives coordinates: the figure before `see`. `None`, and a fault, if the image doesn't have the
+/// point.
 pub(super) fn asked(section: &mut Section<'_>, name: &str, told: &Subject, subject: &Subject) -> Option<Ask> {
     for key in ["quantity", "answer"] {
         if section.is_present(key) {

@@ -169,8 +169,8 @@ fn parts(text: &str) -> (&str, Vec<&str>) {
     (head, starts.iter().zip(ends).map(|(&start, end)| &text[start..end]).collect())
 }
 
-/// The words of a step (from 0) and of its lesson as they stand in a file: title, text and notes of the step, then title and
-/// sentence of the lesson. A language without a text of its own is empty.
+/// The words of a step (from 0) and of its lesson as they stand in a file: title, text and notes of the step, then
+/// title and sentence of the lesson. A language without a text of its own is empty.
 pub fn words_in_file(text: &str, step: usize) -> [Bilingual; 5] {
     let (head, steps) = parts(text);
     let document = |part: &str| part.parse::<DocumentMut>().unwrap_or_default();

@@ -30,8 +30,8 @@ pub(super) fn told_item(text: &Bilingual) -> Item {
     Item::Value(Value::InlineTable(texts.map(|(lang, text)| (lang, text.as_str())).collect()))
 }
 
-/// The text of a key as it's written. A language without a text of its own is empty, and a text without a language is that of
-/// both. `None` if it's no text.
+/// The text of a key as it's written. A language without a text of its own is empty, and a text without a language is
+/// that of both. `None` if it's no text.
 pub(super) fn told(item: Option<&Item>) -> Option<Bilingual> {
     let item = item?;
     if let Some(text) = item.as_str() {

@@ -168,8 +168,8 @@ fn way(text: &str) -> Option<(String, String)> {
     Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
-/// A text with the numbers of a figure, and with a sentence that may stand in it. Without a report they aren't checked. It's empty
-/// if the key is missing.
+/// A text with the numbers of a figure, and with a sentence that may stand in it. Without a report they aren't checked.
+/// It's empty if the key is missing.
 fn with_numbers(
     section: &mut Section<'_>,
     key: &'static str,

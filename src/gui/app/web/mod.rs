@@ -35,7 +35,8 @@ thread_local! {
     static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
     /// The context to wake then.
     static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
-    /// Names and licences of all libraries, once they have arrived. The text is empty until then, and None before the first request.
+    /// Names and licences of all libraries, once they have arrived. The text is empty until then, and None before the
+    /// first request.
     static THIRD_PARTY: Cell<Option<&'static str>> = const { Cell::new(None) };
 }
 
@@ -60,14 +61,15 @@ fn window() -> Option<Window> {
     web_sys::window()
 }
 
-/// Calls a function of the page, defined in `index.html`, with a text. Returns None if the page lacks the function or it throws.
+/// Calls a function of the page, defined in `index.html`, with a text. Returns None if the page lacks the function or
+/// it throws.
 fn call(name: &str, text: &str) -> Option<JsValue> {
     let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok())?;
     function.dyn_into::<js_sys::Function>().ok()?.call1(&JsValue::NULL, &text.into()).ok()
 }
 
-/// Names and licences of all libraries. The page keeps them beside the program, so the program loads sooner. Returns None until they
-/// have arrived, and wakes the window then.
+/// Names and licences of all libraries. The page keeps them beside the program, so the program loads sooner. Returns
+/// None until they have arrived, and wakes the window then.
 pub(in crate::gui) fn third_party(ctx: &egui::Context) -> Option<&'static str> {
     if THIRD_PARTY.get().is_none() {
         THIRD_PARTY.set(Some(""));
