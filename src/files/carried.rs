@@ -36,7 +36,7 @@ impl Carried {
     }
 
     /// The text of a figure, and the files after it. A damaged file is left out, so that it's missed where it's needed.
-    pub fn split(mut text: Vec<u8>) -> (Vec<u8>, Self) {
+    pub fn from_text(mut text: Vec<u8>) -> (Vec<u8>, Self) {
         let mut files = BTreeMap::new();
         loop {
             let end = text.trim_ascii_end().len();
@@ -53,7 +53,7 @@ impl Carried {
     /// The text of a figure with the files after it.
     pub fn join(&self, text: &str) -> String {
         // Such comments in the text itself would be taken for files.
-        let mut text = String::from_utf8(Self::split(text.into()).0).unwrap_or_default();
+        let mut text = String::from_utf8(Self::from_text(text.into()).0).unwrap_or_default();
         if !text.is_empty() && !text.ends_with('\n') && !self.is_empty() {
             text.push('\n');
         }
@@ -97,7 +97,7 @@ mod tests {
         let all = carried(&files);
         for text in ["", "[camera]\nnear = 2\n", "near = 2 # no end", "a\r\n"] {
             let joined = all.join(text);
-            let (apart, found) = Carried::split(joined.clone().into());
+            let (apart, found) = Carried::from_text(joined.clone().into());
             assert_eq!(String::from_utf8(apart).unwrap().trim_end(), text.trim_end());
             assert_eq!(found, all);
             assert!(joined.lines().skip(text.lines().count()).all(|line| line.starts_with('#')), "still a figure file");
@@ -108,8 +108,8 @@ mod tests {
         assert_eq!(Carried::default().join("near = 2"), "near = 2");
         // Such comments in the middle are the author's own, and at the end they never count twice.
         let own = format!("{}[camera]\n", all.join(""));
-        assert_eq!(Carried::split(own.clone().into()), (own.into_bytes(), Carried::default()));
-        assert_eq!(Carried::split(all.join(&all.join("x = 1\n")).into()).0, b"x = 1\n");
+        assert_eq!(Carried::from_text(own.clone().into()), (own.into_bytes(), Carried::default()));
+        assert_eq!(Carried::from_text(all.join(&all.join("x = 1\n")).into()).0, b"x = 1\n");
     }
 
     #[test]
@@ -120,7 +120,7 @@ mod tests {
         assert_eq!(all.read("other", 1), None);
         let joined = all.join("");
         for (from, to) in [("\"bomb\" ", "\"bomb "), ("\"bomb\" ", "\"bomb\" !"), ("\"bomb\" ", "bomb ")] {
-            let (_, found) = Carried::split(joined.replace(from, to).into());
+            let (_, found) = Carried::from_text(joined.replace(from, to).into());
             assert_eq!((found.read("bomb", 1 << 20), found.read("good", 1).is_some()), (None, true), "{to}");
         }
         let changed = Carried(Arc::new([("bomb".to_owned(), vec![0xff; 10])].into()));

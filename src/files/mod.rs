@@ -238,8 +238,7 @@ fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError
     if !from_picture {
         return Ok((text, false, Carried::default()));
     }
-    let whole = text.into_owned();
-    let (text, carried) = Carried::split(whole);
+    let (text, carried) = Carried::from_text(text.into_owned());
     Ok((text.into(), true, carried))
 }
 

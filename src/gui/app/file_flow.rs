@@ -412,7 +412,7 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
             let purpose = if with_files { Purpose::SaveWithFiles } else { Purpose::Save(then) };
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path, agreed));
         }
-        Saved::Changed(_) | Saved::ReadOnly => state.model.say(Message::File(path, FileError::ReadOnly)),
+        Saved::Changed(_) | Saved::ReadOnly => state.model.say(Message::OtherFigure(path)),
         Saved::Failed(error) => state.model.say(Message::File(path, error)),
     }
 }

@@ -153,7 +153,7 @@ impl SessionFile {
         let (changed, unknown) = read::parse_known(&self.figure).ok()?;
         let (path, folder) = (self.path(), self.folder.as_ref().and_then(KeptPath::whole));
         let (source, carried) = if path.is_none() {
-            let (text, carried) = Carried::split(self.source.clone().into());
+            let (text, carried) = Carried::from_text(self.source.clone().into());
             (String::from_utf8(text).ok()?, carried)
         } else {
             (self.source.clone(), Carried::default())

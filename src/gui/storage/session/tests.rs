@@ -368,7 +368,7 @@ fn documents_that_a_window_holds_have_a_slot_each_and_what_it_lets_go_leaves_not
 fn the_files_that_a_picture_carries_come_back_with_its_figure() {
     let place = TempFolder::new("carried");
     let (mut sessions, _) = place.begin(true);
-    let (text, carried) = Carried::split(b"near = 1\n#camera-lab-file \"m.obj\" AAAA\n".to_vec());
+    let (text, carried) = Carried::from_text(b"near = 1\n#camera-lab-file \"m.obj\" AAAA\n".to_vec());
     assert!(text == b"near = 1\n" && !carried.is_empty());
     let text = "[camera]\nnear = 0.5\n";
     let file =
