@@ -30,12 +30,11 @@ pub(super) fn pixels_of(figure: &Figure) -> Vec<[i64; 2]> {
     }
 }
 
-/// The text with the sentence of its lesson in place of `{sentence}`.
+/// The text with the sentence of its lesson in place of `{sentence}`, or with none while the author has removed it.
 pub fn with_sentence(text: &Bilingual, sentence: Option<&Bilingual>) -> Bilingual {
     const PLACE: &str = "{sentence}";
-    let Some(sentence) = sentence else { return text.clone() };
-    let put = |text: &str, sentence: &str| text.replace(PLACE, sentence.trim());
-    [put(&text.en, &sentence.en), put(&text.pt_br, &sentence.pt_br)].into()
+    let [en, pt_br] = sentence.map_or(["", ""], |sentence| [&*sentence.en, &*sentence.pt_br]);
+    [text.en.replace(PLACE, en.trim()), text.pt_br.replace(PLACE, pt_br.trim())].into()
 }
 
 /// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`, where `quantity` is a path
