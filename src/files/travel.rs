@@ -83,9 +83,9 @@ pub fn text_in_picture(
     mut files: FigureFiles,
     path: &Path,
 ) -> (String, Option<LeftOut>) {
-    let holds_figure = PictureFormat::of(path).is_some_and(|format| {
-        matches!(format, PictureFormat::Png | PictureFormat::Svg | PictureFormat::Pdf | PictureFormat::Tex)
-    });
+    // A file of LaTeX has a PDF beside it, which carries the figure.
+    let holds_figure =
+        PictureFormat::of(path).is_some_and(|format| format.carries_figure() || format == PictureFormat::Tex);
     if !holds_figure || own_files(figure).is_empty() {
         return (text(figure), None);
     }

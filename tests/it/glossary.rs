@@ -172,7 +172,8 @@ fn texts_say_what_the_glossary_says() {
 #[test]
 fn tuples_in_portuguese_have_semicolons() {
     let lessons = files("assets/lessons", ".toml");
-    let lessons = lessons.into_iter().map(|path| (path.clone(), in_lesson(&fs::read_to_string(&path).unwrap(), "pt-BR")));
+    let lessons =
+        lessons.into_iter().map(|path| (path.clone(), in_lesson(&fs::read_to_string(&path).unwrap(), "pt-BR")));
     let pages = [("assets/notes", "pt-BR.md"), ("assets/exercises", "pt-BR.md")];
     let pages = pages.into_iter().flat_map(|(folder, ends)| files(folder, ends));
     let pages = pages.map(|path| (path.clone(), fs::read_to_string(&path).unwrap()));
