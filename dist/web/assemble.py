@@ -94,7 +94,7 @@ def main(made: pathlib.Path, out: pathlib.Path) -> None:
     unpack_js = UNPACK_JS.replace("@BINDINGS@", (made / "unpack.js").read_text(encoding="utf-8"))
     third_party = (pathlib.Path(__file__).parents[2] / "THIRD-PARTY.md").read_text(encoding="utf-8")
     # A script ends at the first of these, wherever it stands.
-    assert "</script" not in program_js + unpack_js + third_party
+    assert not any(mark in program_js + unpack_js + third_party for mark in ("</script", "<!--"))
     program = packed((made / "camera-lab_bg.wasm").read_bytes())
     unpack = (made / "unpack_bg.wasm").read_bytes()
     files = {

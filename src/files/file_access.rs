@@ -151,6 +151,7 @@ impl FigureFiles {
             FileError::ReservedName => ReadProblem::system(&ErrorKind::InvalidFilename.into()),
             FileError::Png(_)
             | FileError::OtherPicture(_)
+            | FileError::Latex
             | FileError::Mesh
             | FileError::Figure(_)
             | FileError::Link(_)

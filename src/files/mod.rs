@@ -87,6 +87,9 @@ pub enum FileError {
     /// A picture in a format that can't hold its figure.
     #[error("is a {0}, which can't hold its figure. {names} can", names = PictureFormat::names_with_figure("and"))]
     OtherPicture(&'static str),
+    /// A file of LaTeX, whose figure is in the PDF beside it.
+    #[error("is a LaTeX file, which can't hold its figure. The PDF beside it does")]
+    Latex,
     /// A mesh, where a figure is needed.
     #[error(
         "is a mesh, not a figure. In the window, add it with Scene ▸ + Add ▸ mesh file…; in a figure file, write [[scene.objects]] with shape = \"mesh\" and path"
@@ -156,11 +159,12 @@ pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
 
 /// The kind of a file that holds no figure, if it's one that people take for a figure.
 fn other_kind(path: &Path, bytes: &[u8]) -> Option<FileError> {
+    let is_latex = PictureFormat::of(path) == Some(PictureFormat::Tex);
     let other = match bytes {
         [0xff, 0xd8, 0xff, ..] => PictureFormat::Jpeg.name(),
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => PictureFormat::WebP.name(),
         [b'G', b'I', b'F', b'8', ..] => "GIF",
-        _ if PictureFormat::of(path) == Some(PictureFormat::Tex) => PictureFormat::Tex.name(),
+        _ if is_latex => return Some(FileError::Latex),
         _ if has_ending(path, MESH_ENDINGS) => return Some(FileError::Mesh),
         _ => return None,
     };
@@ -186,11 +190,22 @@ pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<Camera
     Ok((Opened { figure, text, from_picture: from_picture || is_link, carried }, error))
 }
 
+/// The bytes that tell a format.
+const HEAD_OF_KIND: u64 = 16;
+
 /// The bytes behind a path, and true if they come from a link.
 fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
     match share::link_of(path).and_then(share::text_in) {
         Some(text) => Ok((text?, true)),
-        None => Ok((read_figure_file(path)?, false)),
+        None => match read_figure_file(path) {
+            Ok(bytes) => Ok((bytes, false)),
+            // A photograph or a mesh of any size gets its kind, and not the limit of figures.
+            Err(error) => {
+                let head = read_start(path, HEAD_OF_KIND).unwrap_or_default();
+                let is_too_large = matches!(error, FileError::TooLarge(..));
+                Err(other_kind(path, &head).filter(|_| is_too_large).unwrap_or(error))
+            }
+        },
     }
 }
 

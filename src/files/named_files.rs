@@ -41,7 +41,7 @@ pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> (F
     for name in figure.files_mut() {
         let file = from.unwrap_or(Path::new("")).join(&*name);
         // A figure from elsewhere must not make the system look for another machine. An empty name hasn't been typed.
-        if !name.is_empty() && !is_network(&file) && disk::exists(&file) {
+        if !name.is_empty() && !is_network(&file) && disk::may_exist(&file) {
             let new = named_in_figure(to, &file);
             renamed.insert(std::mem::replace(name, new.clone()), new);
         }

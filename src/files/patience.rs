@@ -40,7 +40,7 @@ mod threads {
     /// The files for which a thread has waited in vain, while the work with them goes on.
     static STALLED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-    /// While a file stalls, the wait for others. Its disk may have them too, and all the waits add up.
+    /// While a file stalls, the wait for others in its folder. They stall too, and all the waits add up.
     const NEXT: Duration = Duration::from_millis(100);
 
     fn stalled() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -69,7 +69,8 @@ mod threads {
             if stalled.contains(path) {
                 return Err(io::ErrorKind::TimedOut.into());
             }
-            if stalled.is_empty() { limit } else { limit.min(NEXT) }
+            let is_beside = |other: &PathBuf| other.parent() == path.parent();
+            if stalled.iter().any(is_beside) { limit.min(NEXT) } else { limit }
         };
         let (sender, receiver) = channel();
         let own = path.to_owned();

@@ -22,6 +22,10 @@ pub struct LeftOut(pub Vec<String>);
 fn carried(figure: &Figure, files: &mut FigureFiles) -> Result<Carried, LeftOut> {
     let (mut carried, mut left) = (BTreeMap::new(), MAX_CARRIED_BYTES);
     let mut put = |name: &str, bytes: &[u8]| {
+        // Two meshes may share a library or a texture.
+        if carried.contains_key(name) {
+            return Some(());
+        }
         let packed = packed(bytes, left)?;
         left -= packed.len();
         carried.insert(name.to_owned(), packed);

@@ -554,3 +554,16 @@ fn forms_keep_what_you_typed_and_chose() {
     let field = window.harness.get_by_role_and_label(Role::TextInput, &title);
     assert_eq!(field.value().as_deref(), Some("Other"));
 }
+
+/// A sheet begins with an exercise that has its numbers, and says which ones are the same for everybody.
+#[test]
+fn a_new_sheet_ticks_an_exercise_that_has_its_numbers() {
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::K);
+    window.run();
+    let words = handouts::texts(Lang::En);
+    let Some(Dialog::Handout(form)) = &window.state().file_flow.dialog else { panic!("no sheet") };
+    let ticked: Vec<_> = form.exercises.iter().filter_map(|id| camera_lab::exercises::entry(id)).collect();
+    assert!(ticked.len() == 1 && ticked[0].is_family, "{ticked:?}");
+    assert!(window.says(words.with_numbers) && window.says(words.same_for_all));
+}

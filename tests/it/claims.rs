@@ -308,7 +308,7 @@ fn formats_that_carry_their_figure_are_named_wherever_it_matters() {
 fn a_file_of_another_kind_is_called_by_its_name() {
     let bench = Bench::new("other-kinds");
     bench.write("figure.toml", "");
-    for (name, says) in [("a.jpg", "is a JPEG"), ("a.webp", "is a WebP"), ("a.tex", "is a LaTeX")] {
+    for (name, says) in [("a.jpg", "is a JPEG"), ("a.webp", "is a WebP")] {
         bench.run(&["render", "figure.toml", "--size", "64x48", "-o", name]).done();
         for command in ["inspect", "diagnose"] {
             let run = bench.run(&[command, name]);
@@ -317,6 +317,15 @@ fn a_file_of_another_kind_is_called_by_its_name() {
             assert!(run.err.contains(&expected), "{command} {name}: {}", run.err);
         }
     }
+    // However large it is.
+    let mut large = bench.read("a.jpg");
+    large.resize(9 << 20, 0);
+    bench.write("large.jpg", large);
+    let run = bench.run(&["inspect", "large.jpg"]);
+    assert!(run.status == Some(2) && run.err.contains("large.jpg is a JPEG"), "{run:?}");
+    bench.run(&["render", "figure.toml", "--size", "64x48", "-o", "a.tex"]).done();
+    let run = bench.run(&["inspect", "a.tex"]);
+    assert!(run.status == Some(2) && run.err.contains("The PDF beside it does"), "{run:?}");
     bench.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let run = bench.run(&["inspect", "m.obj", "--lang", "pt-BR"]);
     assert!(run.status == Some(2) && run.err.contains("m.obj é uma malha"), "{run:?}");

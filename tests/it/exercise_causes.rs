@@ -337,6 +337,15 @@ fn later_seeds_have_no_numbers_that_make_mistakes_look_alike() {
             let is_free = p.near != p.aspect && angle != 60.0 && angle != 90.0;
             assert!(is_free || !is_in_perspective(&exercise), "{id} {seed}: F = {}, θ = {angle}", p.near);
         }
+        for id in ["ndc", "pixel"] {
+            let exercise = exercise(id, seed);
+            let p = exercise.facts.iter().find_map(|(name, fact)| match fact {
+                Fact::Tuple(values) if *name == "P" => Some(values),
+                _ => None,
+            });
+            let zeros = p.unwrap().iter().filter(|value| **value == 0.0).count();
+            assert!(zeros < 2, "{id} {seed}: P on an axis");
+        }
         let both = exercise("zoom-or-dolly", seed);
         assert_ne!(number(&both, "D"), number(&both, "e"), "{seed}");
     }

@@ -137,7 +137,13 @@ fn texts_say_what_the_glossary_says() {
     });
     let texts: Vec<(PathBuf, Option<&str>, String)> = [("assets/notes", ".md"), ("assets/exercises", ".md")]
         .into_iter()
-        .chain([("docs", ".en.md"), ("docs", ".pt-BR.md"), ("src/cli/args", ".rs"), ("", "README.md")])
+        .chain([
+            ("docs", ".en.md"),
+            ("docs", ".pt-BR.md"),
+            ("src/cli/args", ".rs"),
+            ("", "README.md"),
+            ("", "README.pt-BR.md"),
+        ])
         .flat_map(|(folder, ends)| files(folder, ends))
         .chain(files_below("src/i18n", ".rs"))
         // The words of other books are what the search is for.

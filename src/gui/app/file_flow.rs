@@ -372,8 +372,10 @@ fn write(ctx: &egui::Context, state: &mut State, save: Save) {
         return;
     }
     let path = save.path.clone();
-    // A second one could overtake the first.
-    if !state.file_flow.saving.writes(&path) {
+    if state.file_flow.saving.writes(&path) {
+        // It could overtake the first one, so it waits for it.
+        state.file_flow.saving.queue(save, state.model.document.id());
+    } else {
         state.file_flow.saving.begin(ctx, &state.model, save);
         take_saved(ctx, state, state.file_flow.saving.patience);
     }
@@ -394,6 +396,9 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
             let mut documents = std::iter::once(&mut state.model.document).chain(others);
             if let Some(document) = documents.find(|document| Some(document.id()) == of) {
                 document.mark_saved(path.clone(), text, figure, &renamed);
+                if with_files {
+                    document.forget_carried();
+                }
             }
             state.recent.add(&path);
             say_saved(&mut state.model, path);
@@ -414,6 +419,9 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
         }
         Saved::Changed(_) | Saved::ReadOnly => state.model.say(Message::OtherFigure(path)),
         Saved::Failed(error) => state.model.say(Message::File(path, error)),
+    }
+    if let Some(next) = state.file_flow.saving.queued(state.model.document.id()) {
+        write(ctx, state, next);
     }
 }
 

@@ -199,6 +199,22 @@ mod tests {
     }
 
     #[test]
+    fn a_family_of_cameras_leaves_out_the_kept_operation() {
+        let mut figure = Figure::default();
+        figure.show.operations = vec!["azimuth=30".parse().unwrap()];
+        let camera = Camera::new(&figure.camera).unwrap();
+        for (key, values, keeps) in [
+            ("azimuth", "0, 90", false),
+            ("camera.view_angle", "20, 40", false),
+            ("style.shading", "flat, phong", true),
+        ] {
+            let varied = Variation::new(key, values, None).unwrap();
+            let all = variants(&figure, &camera, &[varied], Convention::default(), MAX_FAMILY).unwrap();
+            assert!(all.iter().all(|variant| variant.figure.show.operations.is_empty() != keeps), "{key}");
+        }
+    }
+
+    #[test]
     fn a_family_that_was_left_comes_back_when_it_is_requested() {
         let mut family = FamilyChoice::default().or_last();
         family.first.values = "1, 2, 3".to_owned();

@@ -493,13 +493,18 @@ impl Document {
         let (screen, folder) = (saved.screen, path.parent().map(Path::to_owned));
         if self.path.as_ref() != Some(&path) {
             // It's the user's own file now.
-            (self.carried, self.reach) = (Carried::default(), self.reach.max(FileAccess::Figure));
+            self.reach = self.reach.max(FileAccess::Figure);
         }
         (self.figure.screen, self.folder, self.path, self.source) = (screen, folder, Some(path), source);
         // Viewpoints and explanations aren't changes.
         self.saved = Figure { show: self.figure.show.clone(), observers: self.figure.observers, ..saved };
         self.scene_is_changed = self.figure.scene != self.saved.scene;
         self.note_change();
+    }
+
+    /// Forgets the files that came with the figure, once they lie beside its file.
+    pub(in crate::gui) fn forget_carried(&mut self) {
+        self.carried = Carried::default();
     }
 
     /// Leaves the file alone from now on, so that saving asks for one.

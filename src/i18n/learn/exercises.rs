@@ -208,12 +208,12 @@ pub fn own_numbers(lang: Lang, judged: &Judged) -> Option<String> {
     Some(match &own.instead {
         Some(instead) => {
             let instead = named_numbers(lang, instead);
-            both!(lang; "This is right for {instead}. But your {ask} is for {values}, and all answers need the same numbers.",
-                "Isto está certo para {instead}. Mas sua resposta {ask} vale para {values}, e todas as respostas precisam dos mesmos números.")
+            both!(lang; "This is right for {instead}. But your {ask} holds {values}. Use the same numbers in all answers.",
+                "Isto está certo para {instead}. Mas a sua resposta {ask} tem {values}. Use os mesmos números em todas as respostas.")
         }
         None if judged.right => both!(lang; "It's right for {values}.", "Está certo para {values}."),
-        None => both!(lang; "Your {ask} is for {values}, so this was checked with them.",
-            "Sua resposta {ask} vale para {values}, e por isso esta foi conferida com esses números."),
+        None => both!(lang; "We checked this for {values}, the numbers in your {ask}.",
+            "Conferimos isto com {values}, os números da sua resposta {ask}."),
     })
 }
 

@@ -47,6 +47,9 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
             let names = PictureFormat::names_with_figure("e");
             format!("{name} é um arquivo {format}, que não pode conter a própria figura. {names} podem")
         }
+        (Lang::PtBr, FileError::Latex) => {
+            format!("{name} é um arquivo LaTeX, que não pode conter a própria figura. O PDF ao lado dele a contém")
+        }
         (Lang::PtBr, FileError::Mesh) => format!(
             "{name} é uma malha, não uma figura. Na janela, adicione-a com Cena ▸ + Adicionar ▸ arquivo de malha…; num arquivo de figura, escreva [[scene.objects]] com shape = \"mesh\" e path"
         ),
@@ -65,8 +68,8 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
 pub fn left_out(lang: Lang, LeftOut(names): &LeftOut) -> String {
     let (names, most) = (named(names), size_words(MAX_CARRIED_BYTES as u64));
     both!(lang;
-        "it doesn't carry {names}, because the files of a figure may have at most {most} when they are packed; send them with it",
-        "ela não leva {names}, porque os arquivos de uma figura podem ter no máximo {most} compactados; envie-os junto com ela")
+        "it doesn't carry {names}, because the files of a figure may have at most {most} when they're packed. Send them along",
+        "ela não leva {names}, porque os arquivos de uma figura podem ter no máximo {most} compactados. Envie-os junto")
 }
 
 /// The files that a picture carries, and that the text of its figure doesn't.
@@ -79,8 +82,8 @@ pub fn not_printed(lang: Lang, LeftOut(names): &LeftOut) -> String {
 /// The files of a step that its lesson can't reach.
 pub fn out_of_reach(lang: Lang, LeftOut(names): &LeftOut) -> String {
     let names = named(names);
-    both!(lang; "the lesson won't show {names}, because lessons read files of their own folder and below; copy them there",
-        "a lição não mostrará {names}, porque lições leem arquivos da sua própria pasta e abaixo; copie-os para lá")
+    both!(lang; "the lesson won't show {names}, because a lesson reads only its own folder and the folders in it. Copy them there",
+        "a lição não mostrará {names}, porque uma lição só lê a própria pasta e as que estão nela. Copie-os para lá")
 }
 
 /// Names of files in a sentence.

@@ -35,8 +35,8 @@ pub fn error(lang: Lang, error: &PhotographError) -> String {
         }
         PhotographError::SameDirection(a, b) => {
             let (a, b) = (a.name(), b.name());
-            both!(lang; "the lines of {a} and {b} have one direction, up to the error of a pixel; allowed: lines of axes at right angles",
-                "as retas de {a} e de {b} têm uma só direção, a menos do erro de um pixel; permitido: retas de eixos perpendiculares")
+            both!(lang; "the lines of {a} and {b} run in the same direction, to within a pixel; allowed: lines of axes at right angles",
+                "as retas de {a} e de {b} têm a mesma direção, com margem de um pixel; permitido: retas de eixos perpendiculares")
         }
         PhotographError::Impossible(error) => camera_error(lang, error),
         PhotographError::LeftHanded => both!(lang; "the senses of the lines make a left-handed system; reverse the \

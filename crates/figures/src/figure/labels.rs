@@ -393,6 +393,21 @@ mod tests {
     }
 
     #[test]
+    fn a_label_is_renamed_in_one_view_or_in_all() {
+        let mut labels = labels("[[labels.renamed]]\nname = \"far\"\nview = \"world\"\ntext = \"back\"\n");
+        let text = |labels: &Labels, view| labels.change("far", view).text.map(str::to_owned);
+        assert_eq!(text(&labels, View::World).as_deref(), Some("back"));
+        assert_eq!(text(&labels, View::Canonical), None);
+        labels.rename("far", None, "end");
+        assert_eq!(text(&labels, View::World).as_deref(), Some("back"), "the text of one view comes first");
+        assert_eq!(text(&labels, View::Canonical).as_deref(), Some("end"));
+        labels.rename("far", Some(View::World), "rear");
+        assert_eq!((labels.renamed.len(), text(&labels, View::World).as_deref()), (2, Some("rear")));
+        labels.reset("far");
+        assert_eq!(text(&labels, View::World), None);
+    }
+
+    #[test]
     fn what_is_done_is_undone_by_automatic_again_and_notes_stay() {
         let note = "[[labels.notes]]\nat = [0, 1, 2]\ntext = \"here\"\n";
         let before = labels(note);

@@ -265,6 +265,7 @@ fn exercise(section: &mut Section<'_>) -> Option<(String, u64)> {
 }
 
 fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut Vec<Fault>) -> Goal {
+    section.require("text", Allowed::Bilingual);
     let text = with_numbers(&mut section, "text", None, Some(report));
     let written = section.list("way", Allowed::Ways, way);
     let conditions = section.sections("until", "[step.try] until.");

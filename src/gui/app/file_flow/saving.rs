@@ -118,28 +118,31 @@ struct Running {
 #[derive(Debug)]
 pub struct Saving {
     running: Vec<Running>,
+    /// Saves that wait for another one of the same file, each with its document.
+    queued: Vec<(Save, Revision)>,
     /// Time that a frame waits for a file. Tests have more of it.
     pub patience: Duration,
 }
 
 impl Default for Saving {
     fn default() -> Self {
-        Self { running: Vec::new(), patience: PATIENCE }
+        Self { running: Vec::new(), queued: Vec::new(), patience: PATIENCE }
     }
 }
 
 impl Saving {
     /// Starts writing the figure of the window. The caller has made sure that the file isn't being written already.
-    pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, save: Save) {
+    pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, mut save: Save) {
         let document = &model.document;
-        // Without its picture, the files that it carries would be lost.
-        let with_files = save.with_files || !document.carried().is_empty();
+        // Without its picture, the files that it carries would be lost. A browser has no folder for them, so there the
+        // window keeps them.
+        save.with_files |= !(document.carried().is_empty() || model.in_browser);
         let job = ToSave {
             path: save.path.clone(),
             figure: model.figure_to_save(),
             source: document.source().to_owned(),
             folder: document.folder().map(Path::to_owned),
-            with_files: with_files.then(|| document.files()),
+            with_files: save.with_files.then(|| document.files()),
             is_own: document.path() == Some(&save.path),
             agreed: save.agreed.clone(),
         };
@@ -147,6 +150,20 @@ impl Saving {
         let mut worker = Worker::new("save", clock::now, move || write);
         worker.ask(ctx, 0, job);
         self.running.push(Running { worker, save, document: Some(document.id()) });
+    }
+
+    /// Saves a document once the file isn't being written any more. The last request counts, with the action of any.
+    pub(super) fn queue(&mut self, save: Save, document: Revision) {
+        let before = self.queued.iter().position(|(other, of)| other.path == save.path && *of == document);
+        let then = before.and_then(|place| self.queued.remove(place).0.then);
+        self.queued.push((Save { then: save.then.clone().or(then), ..save }, document));
+    }
+
+    /// A queued save of this document whose file isn't being written any more.
+    pub(super) fn queued(&mut self, document: Revision) -> Option<Save> {
+        let is_next = |(save, of): &(Save, Revision)| *of == document && !self.writes(&save.path);
+        let place = self.queued.iter().position(is_next)?;
+        Some(self.queued.remove(place).0)
     }
 
     /// The number of files being written.
@@ -162,7 +179,8 @@ impl Saving {
 
     /// The actions that follow.
     pub(super) fn then(&self) -> impl Iterator<Item = &AfterSave> {
-        self.running.iter().filter_map(|running| running.save.then.as_ref())
+        let queued = self.queued.iter().filter_map(|(save, _)| save.then.as_ref());
+        self.running.iter().filter_map(|running| running.save.then.as_ref()).chain(queued)
     }
 
     /// A result with its purpose and its document, once it's there. `None` in place of the document if it has been

@@ -97,7 +97,7 @@ fn added(
     (path, figure): (&Path, &Figure),
     overwrite: Overwrite,
 ) -> Result<Lesson, FileError> {
-    let (lesson, text) = if files::disk::exists(path) {
+    let (lesson, text) = if files::disk::may_exist(path) {
         let (lesson, text) = files::read_lesson(path)?;
         (Some(lesson), text)
     } else {

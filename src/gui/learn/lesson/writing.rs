@@ -2,6 +2,7 @@
 //! file, and undo.
 
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -428,10 +429,18 @@ impl Learn {
         let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else {
             return false;
         };
-        let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
-        if !is_ours && files::disk::exists(path) {
-            model.say(Message::LessonChanged(path.to_owned()));
-            return false;
+        match files::read_lesson(path) {
+            Ok((_, now)) if now == writing.text => {}
+            // A disk that answers late says nothing about the file.
+            Err(FileError::Read(error)) if error.kind() == ErrorKind::TimedOut => {
+                model.say(Message::File(path.to_owned(), FileError::Read(error)));
+                return false;
+            }
+            _ if files::disk::may_exist(path) => {
+                model.say(Message::LessonChanged(path.to_owned()));
+                return false;
+            }
+            _ => {}
         }
         match files::save(path, text.as_bytes(), Overwrite::Writable) {
             Ok(()) => {

@@ -149,3 +149,20 @@ fn what_is_not_a_camera_cannot_be_operated_on_and_stays_as_it_was_typed() {
     document.reset();
     assert!(document.operate(Operation::Dolly(0.0), Convention::RightHand).is_err());
 }
+
+#[test]
+fn kept_operations_go_when_the_camera_changes_otherwise() {
+    let mut document = Document::new(Figure::default(), None).unwrap();
+    let turned =
+        |document: &Document, degrees| azimuth(degrees).apply(document.camera(), Convention::default()).unwrap();
+    document.set_camera(turned(&document, 30.0));
+    document.commit();
+    document.show_mut().operations = vec![azimuth(30.0)];
+    document.commit();
+    document.edit(|figure| figure.style.antialias = 16);
+    document.commit();
+    assert_eq!(document.figure().show.operations.len(), 1, "it still leads to the camera");
+    document.set_camera(turned(&document, 5.0));
+    document.commit();
+    assert!(document.figure().show.operations.is_empty());
+}

@@ -240,7 +240,7 @@ impl Sessions {
         }
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
-            if disk::exists(&file) {
+            if disk::may_exist(&file) {
                 continue;
             }
             match self.lock(slot) {
@@ -328,12 +328,15 @@ impl Sessions {
     }
 }
 
+/// The most files that are set aside under one name. A disk that doesn't answer may have each of them.
+const MOST_ASIDE: u32 = 100;
+
 /// The name under which a file is set aside, which no other file has.
 pub(in crate::gui) fn aside(file: &Path) -> PathBuf {
     let first = file.with_extension("damaged");
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let others = (1_u32..).map(|number| file.with_file_name(format!("{stem}-{number}.damaged")));
-    std::iter::once(first.clone()).chain(others).find(|path| !disk::exists(path)).unwrap_or(first)
+    let others = (1..MOST_ASIDE).map(|number| file.with_file_name(format!("{stem}-{number}.damaged")));
+    std::iter::once(first.clone()).chain(others).find(|path| !disk::may_exist(path)).unwrap_or(first)
 }
 
 #[cfg(test)]

@@ -35,7 +35,7 @@ pub(super) fn without_coincidences(family: &str, seed: u64, make: fn(&mut Random
     exercise
 }
 
-/// True for numbers of a statement that hide which one was used: F = A, D = e, and angles whose half has a tangent that
+/// True for numbers of a statement that hide which one was used: F = A, D = e, P on an axis, and angles whose half has a tangent that
 /// another step has too, tan 30° = cot 60° and tan 45° = 1.
 fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
     let number = |name: &str| {
@@ -46,6 +46,10 @@ fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
     };
     let is = |name: &str, values: &[f64]| number(name).is_some_and(|number| values.contains(&number));
     let are_equal = |a: &str, b: &str| number(a).is_some() && number(a) == number(b);
+    let is_on_an_axis = |name: &str| match exercise.facts.iter().find(|(other, _)| *other == name) {
+        Some((_, Fact::Tuple(values))) => values.iter().filter(|value| **value == 0.0).count() + 1 >= values.len(),
+        _ => false,
+    };
     let in_perspective = exercise.subject.figure.camera.projection == Projection::Perspective;
     let tells = |slip: Slip| exercise.asks.iter().any(|ask| ask.tells(slip));
     let are_alike = |a: Slip, b: Slip| {
@@ -57,6 +61,7 @@ fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
     match family {
         // On the back plane Z is z_n, and one depth has the same Z without its range and without a minus.
         "viewport" if !tells(Slip::DepthNotMapped) || are_alike(Slip::DepthRangeIgnored, Slip::DepthScaleSign) => true,
+        "ndc" | "pixel" if is_on_an_axis("P") => true,
         "window" | "perspective-matrix" | "ndc" | "inside" | "pixel" | "ray" | "viewport" | "zoom" | "vocabulary" => {
             in_perspective && (is("theta", &[60.0, 90.0]) || are_equal("F", "A"))
         }
