@@ -261,7 +261,7 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
         return Err(Failure::BadInput(format!("{}: {missing}", sanitize::path(path))));
     }
     for unread in files.unread() {
-        say(&messages::without_colors(lang, unread));
+        say(&messages::without_file(lang, unread));
     }
     for (object, notice) in &scene.notices {
         say(&format!("{}: {}", sanitize::escaped(object), messages::mesh_notice(lang, notice)));

@@ -115,6 +115,25 @@ fn save_as_appends_the_ending_and_asks_before_it_replaces() {
 }
 
 #[test]
+fn a_path_to_open_is_typed_right_after_one_to_save() {
+    let folder = Folder::new("two-paths");
+    let mut window = Window::new(Lang::En);
+    window.enter("B", "40");
+    window.command_key(Key::O);
+    window.click(en::WINDOW.save_first);
+    window.choose(&folder.file("first.toml"));
+    assert!(folder.file("first.toml").exists());
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))));
+    let field = window.harness.get_by_role_and_label(Role::TextInput, en::WINDOW.path_name);
+    assert!(field.is_focused());
+    // The path to save asks for its own again.
+    window.key(Key::Escape);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(Purpose::Save(_), _))));
+}
+
+#[test]
 fn a_faulty_file_is_explained_and_changes_nothing() {
     let folder = Folder::new("faulty");
     let path = folder.file("broken.toml");

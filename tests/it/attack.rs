@@ -126,7 +126,7 @@ fn lines_of_one_direction_are_no_camera_in_any_format() {
     let z = "z: 100,300 200,300; 100,400 200,400";
     for format in ["text", "json"] {
         let run = bench.run(&["photograph", "figure.toml", "--lines", x, "--lines", z, "--format", format]);
-        assert!(run.refused(2).contains("x and z have one direction"), "{}", run.err);
+        assert!(run.refused(2).contains("x and z run in the same direction"), "{}", run.err);
     }
     // A parallel figure gets the usual planes of a perspective.
     let z = "z: 100,100 20,130; 100,300 10,260";

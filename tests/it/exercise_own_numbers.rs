@@ -160,12 +160,12 @@ fn the_verdict_names_the_numbers_and_the_answer_that_decided() {
     // One decides for all, and the other one says why it's wrong.
     let both = judged(zoomed, &Free::new(), &[("corner", corner.to_vec()), ("Mp", matrix.clone())], 6);
     assert!(!both[0].right && both[1].right && both[0].diagnosis.is_none());
-    let reason = "This is right for F = 1. But your Mp is for F = 3 and B = 10, and all answers need the same numbers.";
+    let reason = "This is right for F = 1. But your Mp holds F = 3 and B = 10. Use the same numbers in all answers.";
     assert_eq!(said(&both[0]), reason);
     let of_statement = right(&zoomed.exercise(0, &Free::new()), "Mp");
     let both = judged(zoomed, &Free::new(), &[("corner", corner.to_vec()), ("Mp", of_statement)], 6);
     assert!(!both[0].right && both[1].right && both[1].numbers.is_none());
-    assert!(said(&both[0]).contains("your Mp is for F = 5 and B = 20"), "{}", said(&both[0]));
+    assert!(said(&both[0]).contains("your Mp holds F = 5 and B = 20"), "{}", said(&both[0]));
     // Given numbers decide.
     assert!(!judged(zoomed, &free(&[("F", 5.0), ("B", 20.0)]), &[("corner", corner.to_vec())], 6)[0].right);
     assert!(judged(zoomed, &free(&[("F", 1.0)]), &[("corner", corner.to_vec())], 6)[0].right);

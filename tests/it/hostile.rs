@@ -179,7 +179,7 @@ fn a_material_library_that_is_not_read_is_mentioned() {
         bench.write("inner/m.obj", format!("mtllib {library}\nmtllib {library}\n{TRIANGLE}"));
         let run = render(&bench, "figure.toml", &[]);
         assert_eq!(run.status, Some(0), "{}", run.err);
-        assert!(run.err.contains(en) && run.err.contains("without the colours of its materials"), "{}", run.err);
+        assert!(run.err.contains(en) && run.err.contains("drawn without it"), "{}", run.err);
         assert_eq!(run.err.lines().count(), 1, "once: {}", run.err);
         let run = render(&bench, "figure.toml", &["--lang", "pt-BR"]);
         assert!(run.err.contains(pt) && run.err.contains("sem as cores"), "{}", run.err);

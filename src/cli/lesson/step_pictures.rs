@@ -47,7 +47,7 @@ pub(in crate::cli) fn scene(
     let mut files = files_of(path.map(PathBuf::as_path), allow_files);
     let scene = scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
         .map_err(|error| messages::scene(lang, &error))?;
-    let missing = files.unread().iter().map(|unread| messages::without_colors(lang, unread));
+    let missing = files.unread().iter().map(|unread| messages::without_file(lang, unread));
     let notices = scene
         .notices
         .iter()

@@ -1,7 +1,6 @@
 //! The questions in the window.
 
 use std::collections::BTreeSet;
-use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Id, Key, Modal, RichText};
@@ -12,7 +11,7 @@ use super::menu;
 use super::search;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::file_kind::FileKind;
-use crate::gui::app::file_flow::questions::{Agreed, Changed, Dialog, FileFlow, Purpose};
+use crate::gui::app::file_flow::questions::{Agreed, Changed, Dialog, DialogKind, FileFlow, Purpose};
 use crate::gui::app::file_flow::title_dialog::{self, Answer};
 use crate::gui::app::file_flow::{link_dialog, qr};
 use crate::gui::app::state::State;
@@ -48,12 +47,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     }
     let shown = Id::unique("dialog shown");
     let Some(dialog) = state.file_flow.dialog.take() else {
-        ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
+        ctx.data_mut(|data| data.remove::<Option<DialogKind>>(shown));
         (state.file_flow.preview, state.file_flow.pages) = (None, None);
         return None;
     };
     let mut wanted = None;
-    let kind = Some(discriminant(&dialog));
+    let kind = Some(dialog.kind());
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
     let dialog = if first { state.file_flow.reopened(dialog) } else { dialog };

@@ -36,6 +36,8 @@ pub enum Message {
     LastFigure,
     /// A step was added to the lesson in a file. Holds its number, and the files of the figure that it can't show.
     StepAdded(PathBuf, usize, Option<LeftOut>),
+    /// A step was replaced by the state on the screen. Holds its lesson, and the files that it can't show.
+    OutOfReach(PathBuf, LeftOut),
     /// The texts of a step can't be written into the file of its lesson.
     StepNotKept(PathBuf, FileError),
     /// Another program changed the file of the lesson.
@@ -161,6 +163,9 @@ impl Message {
             Self::StepAdded(path, number, Some(left_out)) => {
                 let added = lessons::step_added(lang, &sanitize::path(path), *number);
                 (Error, format!("{added}; {}", messages::out_of_reach(lang, left_out)))
+            }
+            Self::OutOfReach(path, left_out) => {
+                (Error, format!("{}: {}", sanitize::path(path), messages::out_of_reach(lang, left_out)))
             }
             Self::StepNotKept(path, error) => {
                 let why = messages::file(lang, &sanitize::path(path), error);

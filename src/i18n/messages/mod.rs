@@ -17,5 +17,5 @@ pub use crate::i18n::messages::figure_files::{figure, without_line};
 pub use crate::i18n::messages::files::{encoder, file, left_out, link, not_printed, opened, out_of_reach, png};
 pub use crate::i18n::messages::meshes::notice as mesh_notice;
 pub use crate::i18n::messages::scene_errors::scene;
-pub use crate::i18n::messages::unreadable::without_colors;
+pub use crate::i18n::messages::unreadable::without_file;
 pub use crate::i18n::window::progress::over_budget;

@@ -36,11 +36,11 @@ const fn named_by_in_portuguese(named_by: NamedBy) -> &'static str {
     }
 }
 
-/// A material library that a mesh names and that could not be read.
-pub fn without_colors(lang: Lang, error: &ReadError) -> String {
+/// A material library or a picture that a mesh names and that can't be read.
+pub fn without_file(lang: Lang, error: &ReadError) -> String {
     let why = unreadable(lang, error);
-    both!(lang; "{why}. The mesh is drawn without the colours of its materials",
-        "{why}. A malha é desenhada sem as cores dos materiais")
+    both!(lang; "{why}. The mesh is drawn without it",
+        "{why}. A malha é desenhada sem ele")
 }
 
 /// The error of the system, in our words. An unusual one by its number.

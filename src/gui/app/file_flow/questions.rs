@@ -1,7 +1,7 @@
 //! Questions about files, and pending work with them.
 
 use std::collections::BTreeSet;
-use std::mem::discriminant;
+use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
 use super::reading::Reading;
@@ -93,6 +93,9 @@ pub struct TitleForm {
     /// The file, once its name differs from the one that the title gives it.
     pub(in crate::gui) path: Option<String>,
 }
+
+/// Tells one dialog from the next. Two that differ only in their content are one.
+pub(in crate::gui) type DialogKind = (Discriminant<Dialog>, Option<Discriminant<Purpose>>);
 
 /// A question in the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -218,7 +221,7 @@ impl FileFlow {
     pub(in crate::gui) fn keep_form(&mut self) {
         let Some(dialog) = &self.dialog else { return };
         // The one that opened last.
-        let kept = self.forms.last_mut().filter(|[_, left]| discriminant(left) == discriminant(dialog));
+        let kept = self.forms.last_mut().filter(|[_, left]| left.kind() == dialog.kind());
         if let Some([_, left]) = kept.filter(|[_, left]| left != dialog) {
             left.clone_from(dialog);
         }
@@ -240,8 +243,14 @@ impl Dialog {
     fn is_as(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Handout(form), Self::Handout(other)) => form.lesson.is_some() == other.lesson.is_some(),
-            _ => discriminant(self) == discriminant(other),
+            _ => self.kind() == other.kind(),
         }
+    }
+
+    /// Its kind. Paths for two purposes are two dialogs.
+    pub(in crate::gui) fn kind(&self) -> DialogKind {
+        let purpose = if let Self::Path(purpose, _) = self { Some(discriminant(purpose)) } else { None };
+        (discriminant(self), purpose)
     }
 
     /// True if the dialog has fields or choices, so a click beside it doesn't close it.

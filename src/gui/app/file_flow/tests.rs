@@ -146,14 +146,21 @@ fn the_window_goes_on_while_a_disk_stalls_and_what_is_changed_then_is_not_taken_
     confirmed_save(&ctx, &mut state, &path);
     assert!(start.elapsed() < Duration::from_secs(5) && state.file_flow.saving.writes(&path));
     state.model.document.edit(|figure| figure.image.width = 301);
-    // A second one would overtake the first.
-    confirmed_save(&ctx, &mut state, &path);
-    assert_eq!(state.file_flow.saving.count(), 1);
     drop(stall);
     finish(&ctx, &mut state);
     assert_eq!(state.model.document.path(), Some(&path));
     assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 300);
     assert!(state.model.document.is_changed() && state.model.document.figure().image.width == 301);
+    // A second one would overtake the first, so it waits.
+    let stall = Stall::of(&path);
+    confirmed_save(&ctx, &mut state, &path);
+    state.model.document.edit(|figure| figure.image.width = 302);
+    confirmed_save(&ctx, &mut state, &path);
+    assert_eq!(state.file_flow.saving.count(), 1);
+    drop(stall);
+    finish(&ctx, &mut state);
+    assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 302);
+    assert!(!state.model.document.is_changed());
     // While it stalls again, the figure is saved elsewhere, and that's its file from then on.
     let stall = Stall::of(&path);
     confirmed_save(&ctx, &mut state, &path);
@@ -163,7 +170,7 @@ fn the_window_goes_on_while_a_disk_stalls_and_what_is_changed_then_is_not_taken_
     drop(stall);
     finish(&ctx, &mut state);
     assert_eq!(state.model.document.path(), Some(&other));
-    assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 301);
+    assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 302);
 }
 
 /// Saves into a new file.

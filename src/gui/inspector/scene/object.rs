@@ -350,7 +350,7 @@ fn mesh_file(ui: &mut egui::Ui, model: &mut Model, t: &Texts, owner: &str, path:
     let unread = model.scene_cache.unread_of(owner);
     let mut is_outside = matches!(&problem, Some(SceneError::Mesh { error, .. }) if error.is_outside());
     for error in unread {
-        complaint(ui, &messages::without_colors(model.settings.lang, error));
+        complaint(ui, &messages::without_file(model.settings.lang, error));
         is_outside |= error.is_outside();
     }
     let is_lacking = problem.is_some() || !unread.is_empty();

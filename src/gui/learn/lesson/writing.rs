@@ -365,9 +365,12 @@ impl Learn {
         match changed {
             Ok((text, lesson)) => {
                 if self.store(model, &path, text, step) {
-                    let shows = matches!(change, StepChange::Screen | StepChange::Another);
-                    if let Some(left_out) = left_out.filter(|_| shows) {
-                        model.say(Message::StepAdded(path, then + 1, Some(left_out)));
+                    match (left_out, &change) {
+                        (Some(left_out), StepChange::Screen) => model.say(Message::OutOfReach(path, left_out)),
+                        (left_out @ Some(_), StepChange::Another) => {
+                            model.say(Message::StepAdded(path, then + 1, left_out));
+                        }
+                        _ => {}
                     }
                     self.go_on_changed(model, lesson, change, step, then);
                 }

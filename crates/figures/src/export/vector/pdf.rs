@@ -269,7 +269,7 @@ impl<'a> Writer<'a> {
     /// The place of items among those that are written once.
     fn form(&mut self, items: &'a Arc<Vec<Item>>, clip: [f32; 4]) -> usize {
         let place = Arc::as_ptr(items);
-        if let Some(known) = self.forms.iter().position(|form| form.items == place) {
+        if let Some(known) = self.forms.iter().position(|form| form.items == place && form.clip == clip) {
             return known;
         }
         let outside = std::mem::replace(&mut self.operators, Content::new());
