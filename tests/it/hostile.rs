@@ -182,7 +182,7 @@ fn a_material_library_that_is_not_read_is_mentioned() {
         assert!(run.err.contains(en) && run.err.contains("drawn without it"), "{}", run.err);
         assert_eq!(run.err.lines().count(), 1, "once: {}", run.err);
         let run = render(&bench, "figure.toml", &["--lang", "pt-BR"]);
-        assert!(run.err.contains(pt) && run.err.contains("sem as cores"), "{}", run.err);
+        assert!(run.err.contains(pt) && run.err.contains("desenhada sem ele"), "{}", run.err);
     }
     bench.write("inner/m.obj", format!("mtllib ../red.mtl\n{TRIANGLE}"));
     assert_eq!(render(&bench, "figure.toml", &["--allow-files"]).err, "");
