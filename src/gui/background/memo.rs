@@ -103,7 +103,7 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
     pub(in crate::gui) fn leave(&mut self) {
         self.give_up();
         if self.worker.is_pending(0) {
-            self.worker = self.worker.anew();
+            self.worker = self.worker.restarted();
         }
     }
 

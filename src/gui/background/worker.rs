@@ -177,7 +177,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
     /// A worker for the same jobs, with nothing to do. The jobs of this one are no longer wanted, and one that hangs
     /// holds up nothing.
     #[must_use]
-    pub(in crate::gui) fn anew(&self) -> Self {
+    pub(in crate::gui) fn restarted(&self) -> Self {
         let shared = Arc::new(Shared::default());
         Self {
             shared,

@@ -95,7 +95,7 @@ impl Reading {
         self.asked = Some((path, now(model)));
         if self.worker.is_pending(0) {
             // The file before may stall.
-            self.worker = self.worker.anew();
+            self.worker = self.worker.restarted();
         }
         self.worker.ask(ctx, 0, wanted);
     }
