@@ -39,11 +39,11 @@ pub use file_change::{FileChange, Stamp, look};
 pub use lessons::{OwnLessons, is_lesson_file as is_lesson, read_lesson, read_lessons};
 pub use named_files::{Renamed, for_folder, named_in_figure, rename};
 pub use own_exercises::{BadExercise, OwnExercises, entries, read_exercises};
-pub use patience::WINDOW_WAIT;
 #[cfg(not(target_arch = "wasm32"))]
 use patience::in_time;
 #[cfg(not(target_arch = "wasm32"))]
 pub use patience::limit_waiting;
+pub use patience::{READER_WAIT, WINDOW_WAIT};
 #[cfg(not(target_arch = "wasm32"))]
 pub use save::{is_read_only, remove_left_over, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};

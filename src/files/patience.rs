@@ -10,6 +10,9 @@ pub use threads::limit_waiting;
 /// The longest wait of a window's thread for a file.
 pub const WINDOW_WAIT: Duration = Duration::from_secs(2);
 
+/// The longest wait of a thread that reads the files of a figure one after the other, for one of them.
+pub const READER_WAIT: Duration = Duration::from_millis(if cfg!(test) { 200 } else { 10_000 });
+
 /// Does `work` with the file of this path. A thread with a limit gives up after it, and the work ends on its own.
 ///
 /// # Errors
@@ -27,7 +30,7 @@ mod threads {
     use std::collections::BTreeSet;
     use std::io;
     use std::path::{Path, PathBuf};
-    use std::sync::mpsc::channel;
+    use std::sync::mpsc::{TryRecvError, channel};
     use std::sync::{Mutex, MutexGuard, PoisonError};
     use std::thread;
     use std::time::Duration;
@@ -40,12 +43,22 @@ mod threads {
     /// The files for which a thread has waited in vain, while the work with them goes on.
     static STALLED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-    /// While a file stalls, the wait for others in its folder. They stall too, and all the waits add up.
-    const NEXT: Duration = Duration::from_millis(100);
+    /// While a file stalls, the part of the limit for others in its folder. They may stall too, and all the waits add
+    /// up.
+    const PART: u32 = 20;
 
     fn stalled() -> MutexGuard<'static, BTreeSet<PathBuf>> {
-        // A panic leaves at most one path too many.
+        // A set of paths is as good after a panic.
         STALLED.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Work with a file. When it ends, also with a panic, the file doesn't stall any more.
+    struct Work(PathBuf);
+
+    impl Drop for Work {
+        fn drop(&mut self) {
+            stalled().remove(&self.0);
+        }
     }
 
     /// From now on this thread waits for a file at most so long, and not at all for one that has stalled and still
@@ -70,21 +83,23 @@ mod threads {
                 return Err(io::ErrorKind::TimedOut.into());
             }
             let is_beside = |other: &PathBuf| other.parent() == path.parent();
-            if stalled.iter().any(is_beside) { limit.min(NEXT) } else { limit }
+            if stalled.iter().any(is_beside) { limit / PART } else { limit }
         };
         let (sender, receiver) = channel();
-        let own = path.to_owned();
+        let own = Work(path.to_owned());
         thread::Builder::new().name("file".to_owned()).spawn(move || {
             // The thread that wanted it may have given up.
-            let _ = sender.send(work(&own));
-            stalled().remove(&own);
+            let _ = sender.send(work(&own.0));
         })?;
         receiver.recv_timeout(limit).or_else(|_| {
             let mut stalled = stalled();
             // It may have come in this moment. Otherwise its thread removes the path later, since it needs the lock.
-            receiver.try_recv().map_err(|_| {
-                stalled.insert(path.to_owned());
-                io::ErrorKind::TimedOut.into()
+            receiver.try_recv().map_err(|error| match error {
+                TryRecvError::Empty => {
+                    stalled.insert(path.to_owned());
+                    io::ErrorKind::TimedOut.into()
+                }
+                TryRecvError::Disconnected => io::Error::other("the work with the file has failed"),
             })
         })
     }

@@ -93,14 +93,17 @@ pub fn text_in_picture(
     if !holds_figure || own_files(figure).is_empty() {
         return (text(figure), None);
     }
-    let carried = carried(figure, &mut files);
-    let joined = carried.map(|carried| carried.join(&text(figure)));
+    let (moved, mut renamed) = for_folder(figure, Some(files.folder()), path.parent());
+    let joined = carried(figure, &mut files).map(|carried| {
+        // A file that isn't carried, because it can't be read now, is looked for again from the picture's folder.
+        renamed.retain(|name, _| !carried.0.contains_key(name));
+        let mut figure = figure.clone();
+        rename(figure.files_mut(), &renamed);
+        carried.join(&text(&figure))
+    });
     match joined.map(|joined| Some(joined).filter(|joined| joined.len() <= MAX_FIGURE_BYTES)) {
         Ok(Some(joined)) => (joined, None),
-        left_out => {
-            let (moved, _) = for_folder(figure, Some(files.folder()), path.parent());
-            (text(&moved), Some(left_out.err().unwrap_or_else(|| LeftOut::of(figure))))
-        }
+        left_out => (text(&moved), Some(left_out.err().unwrap_or_else(|| LeftOut::of(figure)))),
     }
 }
 
@@ -164,6 +167,11 @@ mod tests {
         let files = || FigureFiles::new(directory.path(), FileAccess::Figure);
         let names: Vec<String> = carried(&figure, &mut files()).unwrap().0.keys().cloned().collect();
         assert_eq!(names, ["m.mtl", "m.obj"]);
+        // In a picture elsewhere, only what it doesn't carry is looked for in the old folder.
+        let picture = directory.path().join("sub").join("p.png");
+        let (text, left_out) = text_in_picture(crate::figure::write::to_toml, &figure, files(), &picture);
+        let secret = directory.path().join("secret.png").display().to_string();
+        assert!(text.contains("\"m.obj\"") && text.contains(&format!("\"{secret}\"")) && left_out.is_none(), "{text}");
         // With its files, it's written to a folder of its own, which is new each time.
         let target = directory.path().join("new.toml");
         std::fs::create_dir(directory.path().join("new-files")).unwrap();

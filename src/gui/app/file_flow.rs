@@ -530,11 +530,11 @@ fn take_exports(ctx: &egui::Context, model: &mut Model, file_flow: &mut FileFlow
     let mut failed = false;
     for (path, result) in file_flow.exported() {
         let message = match result {
-            Ok(None) => {
+            Ok(shortfalls) if shortfalls.is_empty() => {
                 say_saved(model, path);
                 continue;
             }
-            Ok(Some(shortfall)) => Message::SavedOtherwise(path, shortfall),
+            Ok(shortfalls) => Message::SavedOtherwise(path, shortfalls),
             Err(error) => {
                 failed |= !matches!(error, ExportError::Cancelled);
                 Message::NotExported(path, NotExported(error))

@@ -209,7 +209,7 @@ const FILM: Size = Size { width: 640, height: 480, scale: 1.0 };
 const STEP_SECONDS: f64 = 2.0;
 
 /// The result of an export: a shortfall, or the reason why no file was written.
-pub(super) type Exported = Result<Option<Shortfall>, ExportError>;
+pub(super) type Exported = Result<Vec<Shortfall>, ExportError>;
 
 /// A picture being written.
 #[derive(Debug)]
@@ -377,7 +377,7 @@ impl Task {
                 error => error,
             })?;
         save_both(&self.path, &bytes, beside, self.overwrite)?;
-        Ok(over_budget.map(Shortfall::OverBudget).or(left_out.map(Shortfall::LeftOut)))
+        Ok(over_budget.map(Shortfall::OverBudget).into_iter().chain(left_out.map(Shortfall::LeftOut)).collect())
     }
 
     /// The file, with the figure file in it, and the files of the figure that have no room in it.

@@ -94,8 +94,8 @@ pub enum Message {
     OverBudget(OverBudget),
     /// A picture is being written.
     Exporting,
-    /// The picture in this file is written, with a shortfall.
-    SavedOtherwise(PathBuf, Shortfall),
+    /// The picture in this file is written, with shortfalls.
+    SavedOtherwise(PathBuf, Vec<Shortfall>),
     /// No picture was written to this file.
     NotExported(PathBuf, NotExported),
     /// A named scene is a list of objects now.
@@ -207,14 +207,15 @@ impl Message {
             Self::NoPhotograph(notice) => (Error, messages::mesh_notice(lang, notice)),
             Self::OverBudget(over_budget) => (Error, messages::over_budget(lang, over_budget)),
             Self::Exporting => (Lasting, t.exporting.to_owned()),
-            Self::SavedOtherwise(path, shortfall) => {
-                let what = match shortfall {
+            Self::SavedOtherwise(path, shortfalls) => {
+                let words = |shortfall: &Shortfall| match shortfall {
                     Shortfall::OverBudget(over_budget) => messages::over_budget(lang, over_budget),
                     Shortfall::LeftOut(left_out) => {
                         format!("{} ({})", messages::left_out(lang, left_out), t.save_with_files)
                     }
                 };
-                (Error, format!("{}; {what}", about(t.saved, path)))
+                let parts = std::iter::once(about(t.saved, path)).chain(shortfalls.iter().map(words));
+                (Error, parts.collect::<Vec<_>>().join("; "))
             }
             Self::NotExported(path, NotExported(error)) => {
                 let tone = if matches!(error, ExportError::Cancelled) { News } else { Error };

@@ -14,7 +14,7 @@ use super::history::Revision;
 use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::clock;
 use crate::figure::Figure;
-use crate::files::{Carried, FigureFiles, FileAccess};
+use crate::files::{self, Carried, FigureFiles, FileAccess};
 use crate::gui::background::memo::Latest;
 use crate::gui::background::worker::Running;
 use crate::progress::Progress;
@@ -133,7 +133,12 @@ struct Reader {
 
 impl Default for Reader {
     fn default() -> Self {
-        let read = Latest::new("meshes", || async |file: &SceneFile, progress: &Progress| file.read(progress).await);
+        let read = Latest::new("meshes", || {
+            // A file that stalls mustn't keep the others from being read.
+            #[cfg(not(target_arch = "wasm32"))]
+            files::limit_waiting(files::READER_WAIT);
+            async |file: &SceneFile, progress: &Progress| file.read(progress).await
+        });
         Self { read, waiting: Vec::new(), bytes: BTreeMap::new() }
     }
 }
@@ -441,4 +446,38 @@ fn paths(MadeFrom { spec, photograph, .. }: &MadeFrom) -> BTreeSet<(String, bool
     let all = spec.files().chain(photograph).map(|(path, of)| (path.to_owned(), of == FileUse::Image));
     // An empty name of an image hasn't been typed yet.
     all.filter(|(path, is_texture)| !(*is_texture && path.is_empty())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::files::SourceFile;
+    use crate::files::testing::{Directory, Stall};
+
+    #[test]
+    fn a_stalled_file_keeps_no_other_file_of_the_figure_from_being_read() {
+        let directory = Directory::new("stalled-mesh");
+        let mesh = |name: &str| {
+            std::fs::write(directory.path().join(name), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+            format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"mesh\"\npath = \"{name}\"\n")
+        };
+        let text = ["slow.obj", "there.obj"].map(mesh).concat();
+        let figure = crate::figure::read::parse(&text).unwrap();
+        let path = directory.path().join("figure.toml");
+        let document = Document::new(figure, Some(SourceFile { path, text, ..SourceFile::default() })).unwrap();
+        let (ctx, mut cache) = (egui::Context::default(), SceneCache::default());
+        let stall = Stall::of(&directory.path().join("slow.obj"));
+        let end = clock::now() + Duration::from_secs(60);
+        let mut reported = Ok(());
+        while !cache.is_of(&document, Theme::Light) {
+            assert!(clock::now() < end);
+            reported = reported.and(cache.update(&ctx, &document, Theme::Light, Duration::from_millis(20)));
+        }
+        drop(stall);
+        let names: Vec<&str> = cache.scene().objects.iter().map(|object| object.name.as_str()).collect();
+        assert_eq!(names, ["there.obj"]);
+        assert!(cache.problem_of("slow.obj").is_some() && reported.is_err());
+    }
 }

@@ -99,7 +99,7 @@ fn a_window_that_is_closed_waits_for_its_pictures() {
     fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {
         async |_, _: &Progress| {
             let _wait = HELD.lock();
-            Ok(None)
+            Ok(Vec::new())
         }
     }
     let held = HELD.lock();
@@ -213,4 +213,57 @@ fn a_stalled_name_is_asked_about_as_if_it_were_there() {
     .join()
     .expect("no panic");
     drop(stall);
+}
+
+/// Does something on a thread that waits for files as the window's does, but not as long.
+fn as_the_window(work: impl FnOnce() + Send + 'static) {
+    let work = || {
+        files::limit_waiting(Duration::from_millis(100));
+        work();
+    };
+    std::thread::spawn(work).join().expect("no panic");
+}
+
+/// The words of the last message, which must be an error.
+fn last_error(state: &State) -> String {
+    let message = state.model.message.as_ref().expect("a message");
+    assert!(message.is_error());
+    message.text(Lang::En)
+}
+
+#[test]
+fn a_stalled_lesson_keeps_its_steps_and_the_text_you_type() {
+    let directory = Directory::new("stalled-lesson");
+    let path = directory.path().join("mine.toml");
+    as_the_window(move || {
+        let (_, mut state) = new_state();
+        let State { model, learn, .. } = &mut state;
+        learn.add_step(model, &path, Overwrite::Writable);
+        let before = std::fs::read_to_string(&path).expect("a lesson");
+        let stall = Stall::of(&path);
+        learn.add_step(model, &path, Overwrite::Writable);
+        assert!(last_error(&state).contains("mine.toml"), "recording");
+        drop(stall);
+        assert_eq!(std::fs::read_to_string(&path).expect("a lesson"), before);
+
+        let State { model, learn, .. } = &mut state;
+        let (lesson, _) = files::read_lesson(&path).expect("a lesson");
+        let open = crate::lessons::OpenLesson { lesson: lesson.into(), path: Some(path.clone()), step: 0 };
+        learn.play(model, open);
+        learn.write_lesson(model);
+        let writing = learn.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+        writing.expect("a lesson of one's own").typed.words[0].en.push_str(" typed");
+        learn.text_edited(0.0);
+        let stall = Stall::of(&path);
+        assert!(!learn.save_text(model));
+        assert!(last_error(&state).contains("mine.toml"), "writing");
+        drop(stall);
+        let State { model, learn, .. } = &mut state;
+        let begin = Instant::now();
+        while !learn.save_text(model) {
+            assert!(begin.elapsed() < Duration::from_secs(60));
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert!(std::fs::read_to_string(&path).expect("a lesson").contains(" typed"));
+    });
 }

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::learn::Learn;
+use crate::gui::learn::lesson::recording::for_lesson;
 use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::gui::model::unsaved_text::UnsavedText;
@@ -319,7 +320,7 @@ impl Learn {
         if !self.save_text(model) {
             return;
         }
-        let (figure, left_out) = super::recording::for_lesson(model, path);
+        let (figure, left_out) = for_lesson(model, path);
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
         let draft = self.draft_of_step(model, Some(&playing.lesson));
@@ -340,7 +341,8 @@ impl Learn {
             return;
         }
         let Some(path) = self.lesson.as_ref().and_then(|playing| playing.path.clone()) else { return };
-        let (figure, left_out) = super::recording::for_lesson(model, &path);
+        let shown = matches!(change, StepChange::Screen | StepChange::Another);
+        let (figure, left_out) = shown.then(|| for_lesson(model, &path)).unwrap_or_default();
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());

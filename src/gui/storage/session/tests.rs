@@ -3,6 +3,7 @@
 use std::fs;
 
 use super::*;
+use crate::files::testing::Stall;
 use crate::files::{Carried, SourceFile};
 
 /// A folder that exists for one test.
@@ -379,4 +380,24 @@ fn the_files_that_a_picture_carries_come_back_with_its_figure() {
     let (_, left) = place.begin(true);
     let left = left.unwrap();
     assert_eq!((left.carried(), left.source()), (&carried, text));
+}
+
+#[test]
+fn a_stalled_folder_holds_up_no_window_and_the_session_is_stored_afterwards() {
+    let work = || {
+        files::limit_waiting(Duration::from_millis(100));
+        let (place, document) = (TempFolder::new("stalled"), changed());
+        let (mut sessions, _) = place.begin(true);
+        let stall = Stall::of(&place.0.join("session-0.json"));
+        let begin = std::time::Instant::now();
+        let (ctx, seen) = (egui::Context::default(), Seen::of(document.figure()));
+        sessions.keep(&ctx, Kept { document: &document, seen: &seen, is_work: true, text: None }, &[]);
+        // Another window begins, and closes again.
+        place.begin(true).0.forget();
+        assert!(begin.elapsed() < Duration::from_secs(2), "{:?}", begin.elapsed());
+        drop(stall);
+        sessions.write(&document);
+        assert!(place.names().contains(&"session-0.json".to_owned()));
+    };
+    std::thread::spawn(work).join().unwrap();
 }

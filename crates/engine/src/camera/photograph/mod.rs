@@ -79,7 +79,7 @@ pub enum PhotographError {
     #[error("{} and {} are not at right angles in any camera with its axis through the middle", .0.name(), .1.name())]
     NotAtRightAngles(WorldAxis, WorldAxis),
     /// The lines of two axes meet in one point, up to the error of a pixel.
-    #[error("the lines of {} and {} have one direction", .0.name(), .1.name())]
+    #[error("the lines of {} and {} point in the same direction", .0.name(), .1.name())]
     SameDirection(WorldAxis, WorldAxis),
     /// The directions of three axes lie in one plane, or a number isn't finite.
     #[error("{0}")]
