@@ -15,6 +15,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable;
 
+use super::lesson_writing::{playing, write};
 use super::window::Window;
 use crate::named_files;
 use crate::words::en;
@@ -483,4 +484,9 @@ fn a_step_added_to_a_lesson_elsewhere_says_which_files_the_lesson_cannot_show() 
         let names: Vec<&str> = lesson.steps[0].figure.files().map(|(name, _)| name).collect();
         assert!(is_said || names.iter().all(|name| name.starts_with("a/")), "{names:?}");
     }
+    // The step is shown again from what the window shows, with the same files.
+    let mut window = playing(&folder.file("b/lesson.toml"), 0);
+    write(&mut window);
+    window.click(en::LESSONS.step_screen);
+    assert!(window.says("the lesson won't show"), "{:?}", window.state().model.message);
 }

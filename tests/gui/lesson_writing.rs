@@ -29,7 +29,7 @@ fn own(folder: &Folder, step: usize) -> (Window, PathBuf) {
     (playing(&path, step), path)
 }
 
-fn playing(path: &Path, step: usize) -> Window {
+pub(crate) fn playing(path: &Path, step: usize) -> Window {
     playing_in(path, step, Lang::En)
 }
 
@@ -44,7 +44,7 @@ fn playing_in(path: &Path, step: usize, lang: Lang) -> Window {
     window
 }
 
-fn write(window: &mut Window) {
+pub(crate) fn write(window: &mut Window) {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::R);
     window.run();
     // Another frame: the panel has its height by then.

@@ -20,7 +20,7 @@ use proptest::prelude::*;
 
 use super::files::Folder;
 use super::shot::{observers, operations, shows};
-use super::window::Window;
+use super::window::{Window, opened};
 use crate::words::en;
 
 const FIGURE: &str = "[camera]\nposition = [2.5, 3, 5]\nnear = 2\nfar = 12\n[scene]\npreset = \"house\"\n\
@@ -53,19 +53,7 @@ impl Opened {
         let folder = Folder::new(&format!("same-{}", COUNT.fetch_add(1, Ordering::Relaxed)));
         let path = folder.file("figure.toml");
         fs::write(&path, figure).expect("written");
-        let opened = open_figure(&path).expect("a figure");
-        let (figure, file) = opened.at(&path);
-        let mut state = State::new(Start {
-            figure,
-            file: Some(file),
-            lang: Lang::En,
-            allow_files: false,
-            lesson: None,
-            later: None,
-        })
-        .expect("a possible camera");
-        state.file_flow.native = false;
-        state.model.layout.maximized = Some(view);
+        let mut state = opened(&path, view);
         state.model.settings.panels = Panels::default();
         let window = Window::at_scale(state, [480.0, 400.0], scale);
         Self { window, folder, path, scale }

@@ -46,6 +46,17 @@ pub(crate) fn names(lang: Lang, explanation: Explanation) -> [&'static str; 2] {
     }
 }
 
+/// The state of a window with a figure file, and only one view in it.
+pub(crate) fn opened(path: &std::path::Path, view: View) -> State {
+    let opened = camera_lab::files::open_figure(path).expect("a figure file");
+    let (figure, file) = opened.at(path);
+    let mut state = State::new(Start { figure, file: Some(file), allow_files: false, ..Start::default() })
+        .expect("a possible camera");
+    state.file_flow.native = false;
+    state.model.layout.maximized = Some(view);
+    state
+}
+
 impl Window {
     /// Opens the side of explanations, a question and one of its answers, as a user does.
     pub(crate) fn explain(&mut self, explanation: Explanation) {
@@ -78,20 +89,7 @@ impl Window {
 
     /// A window with a figure file, and only the image in it.
     pub(crate) fn opened(path: &std::path::Path) -> Self {
-        let opened = camera_lab::files::open_figure(path).expect("a figure file");
-        let (figure, file) = opened.at(path);
-        let mut state = State::new(Start {
-            figure,
-            file: Some(file),
-            lang: Lang::En,
-            allow_files: false,
-            lesson: None,
-            later: None,
-        })
-        .expect("a possible camera");
-        state.file_flow.native = false;
-        state.model.layout.maximized = Some(View::Image);
-        Self::with_state(state, [1280.0, 800.0])
+        Self::with_state(opened(path, View::Image), [1280.0, 800.0])
     }
 
     /// A window with a state.

@@ -2,13 +2,13 @@
 
 use tiny_skia::{IntRect, Pixmap};
 
-/// The part of a picture that differs from its background, the pixel at the top left, with `margin` pixels around it.
-/// The whole picture if nothing differs.
-pub fn cropped(pixmap: Pixmap, margin: u32) -> Pixmap {
-    let Some(rect) = content(&pixmap, margin) else { return pixmap };
-    match pixmap.clone_rect(rect) {
-        Some(part) => part,
-        None => pixmap,
+/// The part of a picture that differs from its background, the pixel at the top left, with `margin` pixels around it,
+/// and its corner. The whole picture if nothing differs.
+pub fn cropped(pixmap: Pixmap, margin: u32) -> (Pixmap, [u32; 2]) {
+    let [left, top, ..] = part(&pixmap, margin);
+    match content(&pixmap, margin).and_then(|rect| pixmap.clone_rect(rect)) {
+        Some(part) => (part, [left, top]),
+        None => (pixmap, [0; 2]),
     }
 }
 
@@ -58,13 +58,13 @@ mod tests {
         for (x, y) in [(5, 3), (11, 6)] {
             pixmap.pixels_mut()[y * 20 + x] = ink;
         }
-        let part = cropped(pixmap.clone(), 0);
+        let part = cropped(pixmap.clone(), 0).0;
         assert_eq!((part.width(), part.height()), (7, 4));
         assert_eq!((part.pixels()[0], part.pixels()[27]), (ink, ink));
         // The margin ends at the border.
-        let part = cropped(pixmap, 4);
+        let part = cropped(pixmap, 4).0;
         assert_eq!((part.width(), part.height()), (15, 10));
         let empty = Pixmap::new(4, 3).unwrap();
-        assert_eq!(cropped(empty.clone(), 1), empty);
+        assert_eq!(cropped(empty.clone(), 1).0, empty);
     }
 }

@@ -1,14 +1,15 @@
 //! Pictures with texts on pages of paper, for handing out.
 
+use super::Composite;
 use super::error::PictureError;
 use super::handout_formula::{self, FormulaPart, INK, written};
 use super::vectors::{Faces, KnownPictures, page};
-use super::{Composite, PER_INCH};
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
 use crate::export::vector::{Item, Letters, Page, pdf_of};
 use crate::progress::Progress;
 use crate::text::{Element, broken, measure};
+use crate::views::Request;
 use std::sync::Arc;
 
 /// Width and height of a page in points: A4.
@@ -23,8 +24,13 @@ const GAP: f32 = 16.0;
 const LEADING: f32 = 1.35;
 /// From line to line where a student writes, in points.
 const WRITING: f32 = 21.0;
-/// Resolution of shaded faces, in pixels per inch.
+/// Resolution of faces that are pictures, in pixels per inch of the page.
 const DPI: f64 = 200.0;
+/// The most different pictures with their faces as areas. Each takes up to a fifth of a megabyte and a thirtieth of a
+/// second, so a longer handout has pixels instead.
+const MOST_WITH_AREAS: usize = 60;
+/// Resolution of those. With lines and letters as vectors, it's enough to recognize a scene.
+const DPI_OF_MANY: f64 = 120.0;
 
 const FAINT: Rgba = Rgba::rgb(0x66, 0x66, 0x66);
 
@@ -92,6 +98,7 @@ impl Handout {
         pages.title(&self.title);
         let size = if self.columns > 1 { 8.5 } else { 10.0 };
         let (mut row, mut known) = (Vec::new(), KnownPictures::new());
+        let (faces, dpi) = if self.has_many_pictures() { (Faces::Picture, DPI_OF_MANY) } else { (Faces::Auto, DPI) };
         for entry in &self.entries {
             let Some(sheet) = &entry.picture else {
                 pages.put_row(std::mem::take(&mut row));
@@ -99,7 +106,8 @@ impl Handout {
                 continue;
             };
             let mut block = Block { items: Vec::new(), height: 0.0, width };
-            let drawn = page(sheet, (Faces::Auto, &mut known), [PER_INCH, DPI], false, progress).await?;
+            let per_inch = 72.0 * f64::from(sheet.size().ok_or(PictureError::TooLarge)?[0]) / f64::from(width);
+            let drawn = page(sheet, (faces, &mut known), [per_inch, dpi], false, progress).await?;
             block.picture(drawn.page);
             let fits = block.texts(&entry.paragraphs, size);
             row.push(block);
@@ -112,6 +120,18 @@ impl Handout {
         }
         pages.put_row(row);
         Ok(pages.finish())
+    }
+
+    /// True if it has more than [`MOST_WITH_AREAS`] different pictures.
+    fn has_many_pictures(&self) -> bool {
+        let mut different: Vec<&Request> = Vec::new();
+        let sheets = self.entries.iter().filter_map(|entry| entry.picture.as_ref());
+        for request in sheets.flat_map(|sheet| &sheet.requests) {
+            if different.len() <= MOST_WITH_AREAS && !different.contains(&request) {
+                different.push(request);
+            }
+        }
+        different.len() > MOST_WITH_AREAS
     }
 }
 
@@ -331,7 +351,7 @@ mod tests {
     use crate::camera::Camera;
     use crate::figure::Figure;
     use crate::progress::at_once;
-    use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of, unlabelled};
+    use crate::views::{SharedScene, Shot, Size, View, Views, scene_of, unlabelled};
 
     /// A handout of these figures, which all show the same scene.
     fn pdf(figures: &[Figure]) -> Vec<u8> {
@@ -362,5 +382,17 @@ mod tests {
         assert!(two > one + one / 4, "{two} {one}");
         let back = pdf(&[figure.clone(), turned, figure]).len();
         assert!(back < two + two / 10, "{back} {two}");
+    }
+    #[test]
+    fn many_different_pictures_have_their_faces_as_pixels() {
+        let turned = |k: usize| {
+            let mut figure = Figure::default();
+            figure.camera.position.x += 0.01 * k as f64;
+            figure
+        };
+        let figures: Vec<Figure> = (0..40).map(turned).collect();
+        // Three views of each.
+        let (few, many) = (pdf(&figures[..20]).len(), pdf(&figures).len());
+        assert!(many < few, "{many} {few}");
     }
 }

@@ -69,7 +69,7 @@ impl Pixels {
 
     /// The picture without the empty background around its content, except for a margin in pixels.
     pub fn cropped(mut self, margin: u32) -> Self {
-        self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
+        self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).0.into())
     }
 
     /// The picture as a PNG with a figure file in it, with the description `said`, and with the number of pixels per

@@ -332,7 +332,10 @@ fn faces_as_picture(drawing: &Drawing, size: [f32; 2], rasterizer: &mut Rasteriz
         ..drawing.clone()
     };
     let pixels = rasterizer.paint(&alone).ok_or(PictureError::TooLarge)?;
-    Ok(Item::Picture { corner: [0.0; 2], size, pixels })
+    let per_pixel = [size[0] / unit(pixels.width()), size[1] / unit(pixels.height())];
+    let (pixels, corner) = crate::export::crop::cropped(pixels, 1);
+    let scaled = |[x, y]: [u32; 2]| [per_pixel[0] * unit(x), per_pixel[1] * unit(y)];
+    Ok(Item::Picture { corner: scaled(corner), size: scaled([pixels.width(), pixels.height()]), pixels })
 }
 
 /// A coordinate of pixels.

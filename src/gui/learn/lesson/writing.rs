@@ -367,14 +367,14 @@ impl Learn {
         match changed {
             Ok((text, lesson)) => {
                 if self.store(model, &path, text, step) {
-                    match (left_out, &change) {
-                        (Some(left_out), StepChange::Screen) => model.say(Message::OutOfReach(path, left_out)),
-                        (left_out @ Some(_), StepChange::Another) => {
-                            model.say(Message::StepAdded(path, then + 1, left_out));
-                        }
-                        _ => {}
-                    }
+                    let message = match (left_out, &change) {
+                        (Some(left_out), StepChange::Screen) => Some(Message::OutOfReach(path, left_out)),
+                        (left_out @ Some(_), StepChange::Another) => Some(Message::StepAdded(path, then + 1, left_out)),
+                        _ => None,
+                    };
+                    // A step that begins takes the message of the one before it away.
                     self.go_on_changed(model, lesson, change, step, then);
+                    message.into_iter().for_each(|message| model.say(message));
                 }
             }
             Err(fault) => model.say(Message::StepNotKept(path, FileError::Figure(fault))),

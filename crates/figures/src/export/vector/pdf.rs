@@ -37,6 +37,7 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
     let first = pages.first()?;
     let mut writer = Writer {
         operators: Content::new(),
+        ink: Ink::default(),
         letters,
         glyphs: Face::ALL.map(Glyphs::of),
         opacities: Vec::new(),
@@ -236,9 +237,20 @@ fn write_picture(pdf: &mut Pdf, pixels: &Pixmap, [itself, mask]: [Ref; 2]) -> Op
     Some(())
 }
 
+/// The part of the graphics state that has been set since the last save or restore. Most neighbours on a page share
+/// it, and writing it once for all of them halves the page.
+#[derive(Default)]
+struct Ink {
+    color: Option<[u8; 3]>,
+    opacity: Option<u8>,
+    /// Width, round ends and joins, dashes and their phase.
+    line: Option<(f32, bool, Vec<f32>, f32)>,
+}
+
 /// The operators of a page.
 struct Writer<'a> {
     operators: Content,
+    ink: Ink,
     letters: Letters,
     /// By [`Face`].
     glyphs: [Glyphs; 4],
@@ -254,7 +266,7 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     /// The operators of a page. Fonts and pictures are collected over all pages.
     fn page(&mut self, page: &'a Page) -> Vec<u8> {
-        self.operators = Content::new();
+        (self.operators, self.ink) = (Content::new(), Ink::default());
         self.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
         self.operators.save_state();
         // From here on y points down, and the unit is that of the page.
@@ -273,6 +285,7 @@ impl<'a> Writer<'a> {
             return known;
         }
         let outside = std::mem::replace(&mut self.operators, Content::new());
+        self.ink = Ink::default();
         self.items(items);
         let content = std::mem::replace(&mut self.operators, outside).finish().into_vec();
         self.forms.push(Form { items: place, clip, content });
@@ -298,6 +311,7 @@ impl<'a> Writer<'a> {
                     self.items(items);
                 }
                 self.operators.restore_state();
+                self.ink = Ink::default();
             }
             Item::Fill { path, color } => {
                 self.color(*color);
@@ -306,21 +320,14 @@ impl<'a> Writer<'a> {
             }
             Item::Stroke { path, color, width, dashes, phase, round } => {
                 self.color(*color);
-                let (cap, join) = if *round {
-                    (LineCapStyle::RoundCap, LineJoinStyle::RoundJoin)
-                } else {
-                    (LineCapStyle::ButtCap, LineJoinStyle::MiterJoin)
-                };
-                self.operators.set_line_width(*width).set_line_cap(cap).set_line_join(join);
-                self.operators.set_dash_pattern(dashes.iter().copied(), *phase);
+                self.line(*width, *round, dashes, *phase);
                 self.path(path);
                 self.operators.stroke();
             }
             Item::Text(text) => {
                 if text.halo.a > 0 {
                     self.color(text.halo);
-                    self.operators.set_line_width(text.halo_width).set_line_join(LineJoinStyle::RoundJoin);
-                    self.operators.set_dash_pattern([], 0.0);
+                    self.line(text.halo_width, true, &[], 0.0);
                     self.path(&text.outline());
                     self.operators.stroke();
                 }
@@ -341,6 +348,7 @@ impl<'a> Writer<'a> {
                 // A picture fills the square from (0, 0) to (1, 1), its first row at the top.
                 self.operators.transform([*width, 0.0, 0.0, -height, *x, y + height]);
                 self.operators.x_object(Name(name.as_bytes())).restore_state();
+                self.ink = Ink::default();
             }
         }
     }
@@ -359,49 +367,63 @@ impl<'a> Writer<'a> {
     }
 
     fn color(&mut self, color: Rgba) {
-        let [r, g, b] = [color.r, color.g, color.b].map(|x| f32::from(x) / 255.0);
-        self.operators.set_fill_rgb(r, g, b).set_stroke_rgb(r, g, b);
+        let rgb = [color.r, color.g, color.b];
+        if self.ink.color.replace(rgb) != Some(rgb) {
+            let [r, g, b] = rgb.map(|x| f32::from(x) / 255.0);
+            self.operators.set_fill_rgb(r, g, b).set_stroke_rgb(r, g, b);
+        }
         self.opacity(color.a);
     }
 
     fn opacity(&mut self, opacity: u8) {
+        if self.ink.opacity.replace(opacity) == Some(opacity) {
+            return;
+        }
         if !self.opacities.contains(&opacity) {
             self.opacities.push(opacity);
         }
         self.operators.set_parameters(Name(state_name(opacity).as_bytes()));
     }
 
-    fn path(&mut self, path: &[Element]) {
-        path_of(&mut self.operators, path);
+    fn line(&mut self, width: f32, round: bool, dashes: &[f32], phase: f32) {
+        let line = Some((width, round, dashes.to_vec(), phase));
+        if self.ink.line == line {
+            return;
+        }
+        self.ink.line = line;
+        let (cap, join) = if round {
+            (LineCapStyle::RoundCap, LineJoinStyle::RoundJoin)
+        } else {
+            (LineCapStyle::ButtCap, LineJoinStyle::MiterJoin)
+        };
+        self.operators.set_line_width(width).set_line_cap(cap).set_line_join(join);
+        self.operators.set_dash_pattern(dashes.iter().copied(), phase);
     }
-}
 
-/// Writes a path. Curves of second degree are raised to third.
-fn path_of(operators: &mut Content, path: &[Element]) {
-    let mut here = [0.0f32; 2];
-    for element in path {
-        match *element {
-            Element::Move(p) => {
-                operators.move_to(p[0], p[1]);
-                here = p;
-            }
-            Element::Line(p) => {
-                operators.line_to(p[0], p[1]);
-                here = p;
-            }
-            Element::Quad(c, p) => {
-                let towards = |end: [f32; 2]| [0, 1].map(|i| end[i] + (c[i] - end[i]) * (2.0 / 3.0));
-                let (a, b) = (towards(here), towards(p));
-                operators.cubic_to(a[0], a[1], b[0], b[1], p[0], p[1]);
-                here = p;
-            }
-            Element::Cubic(a, b, p) => {
-                operators.cubic_to(a[0], a[1], b[0], b[1], p[0], p[1]);
-                here = p;
-            }
-            Element::Close => {
-                operators.close_path();
-            }
+    /// Writes a path, to a thousandth of a unit. Curves of second degree are raised to third.
+    fn path(&mut self, path: &[Element]) {
+        let near = |point: [f32; 2]| point.map(|x| (x * 1000.0).round() / 1000.0);
+        let mut here = [0.0f32; 2];
+        for element in path {
+            let (controls, end) = match *element {
+                Element::Move(p) | Element::Line(p) => (None, p),
+                Element::Quad(c, p) => {
+                    let towards = |end: [f32; 2]| [0, 1].map(|i| end[i] + (c[i] - end[i]) * (2.0 / 3.0));
+                    (Some([towards(here), towards(p)]), p)
+                }
+                Element::Cubic(a, b, p) => (Some([a, b]), p),
+                Element::Close => {
+                    self.operators.close_path();
+                    continue;
+                }
+            };
+            here = end;
+            let [x, y] = near(end);
+            match controls.map(|controls| controls.map(near)) {
+                Some([[ax, ay], [bx, by]]) => self.operators.cubic_to(ax, ay, bx, by, x, y),
+                None if matches!(element, Element::Move(_)) => self.operators.move_to(x, y),
+                None => self.operators.line_to(x, y),
+            };
         }
     }
 }
