@@ -342,7 +342,7 @@ impl Learn {
         }
         let Some(path) = self.lesson.as_ref().and_then(|playing| playing.path.clone()) else { return };
         let shown = matches!(change, StepChange::Screen | StepChange::Another);
-        let (figure, left_out) = shown.then(|| for_lesson(model, &path)).unwrap_or_default();
+        let (figure, left_out) = if shown { for_lesson(model, &path) } else { Default::default() };
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());
