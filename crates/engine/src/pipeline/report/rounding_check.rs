@@ -14,11 +14,8 @@ use crate::pipeline::space::planes::outcode;
 use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::Projector;
 use crate::pipeline::space::screen::Screen;
-use crate::pipeline::stage::divide::divide;
-use crate::pipeline::stage::project::clip_from_view;
-use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertex::{clip_from_view, divide, snap, view_point, viewport};
 use crate::pipeline::stage::vertices::Vertices;
-use crate::pipeline::stage::viewport::{snap, viewport};
 use crate::scene::Object;
 
 /// Tolerance in pixels. A quarter can't be seen.

@@ -10,12 +10,10 @@ use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
 use crate::pipeline::space::screen::Screen;
 use crate::pipeline::stage::clip::Clipper;
-use crate::pipeline::stage::divide::divide;
 use crate::pipeline::stage::faces::Faces;
-use crate::pipeline::stage::project::clip_from_view;
 use crate::pipeline::stage::reflection::{Lights, ObjectLight};
+use crate::pipeline::stage::vertex::{clip_from_view, divide, unsnapped, viewport};
 use crate::pipeline::stage::vertices::Vertices;
-use crate::pipeline::stage::viewport::{unsnapped, viewport};
 use crate::scene::Object;
 use crate::stage::{Stage, WorksOn};
 
@@ -150,7 +148,7 @@ impl<'a> Notes<'a> {
             if !self.has_room(self.work.vertices.len()) {
                 return;
             }
-            let (view, clip) = (vertices.view(i), vertices.clip(i));
+            let (view, clip) = (vertices.view_point(i), vertices.clip_point(i));
             let Some([image, _]) = self.side([view, view]) else { continue };
             let world = object.world_from_object.transform_point3(p);
             let clip_xy = [clip.x, clip.y];
@@ -168,7 +166,7 @@ impl<'a> Notes<'a> {
             if !self.has_room(self.work.after.len()) {
                 return;
             }
-            let foot = vertices.view(i);
+            let foot = vertices.view_point(i);
             let side = self.side([foot, ViewPoint(foot.0 + light.unit_normal(i) * length)]);
             self.work.after.extend(side);
         }
@@ -187,7 +185,7 @@ impl<'a> Notes<'a> {
             match is_left {
                 Some(true) => self.triangle_sides(vertices, triangle, |work| &mut work.after),
                 Some(false) => {
-                    let corners = triangle.map(|i| vertices.clip(i));
+                    let corners = triangle.map(|i| vertices.clip_point(i));
                     let polygon = self.clipper.triangle(self.projector, corners, ALL_PLANES);
                     let points: Vec<ClipPoint> = polygon.iter().map(|corner| corner.point).collect();
                     let polygon: Vec<[f32; 3]> = points.into_iter().map(|p| self.image(p)).collect();
@@ -207,7 +205,7 @@ impl<'a> Notes<'a> {
         triangle: [u32; 3],
         into: fn(&mut StageWork) -> &mut Vec<[[f32; 3]; 2]>,
     ) {
-        let [a, b, c] = triangle.map(|i| vertices.view(i));
+        let [a, b, c] = triangle.map(|i| vertices.view_point(i));
         for ends in [[a, b], [b, c], [c, a]] {
             let side = self.side(ends);
             into(&mut self.work).extend(side);

@@ -17,8 +17,8 @@ use crate::pipeline::space::projector::Projector;
 use crate::pipeline::stage::clip::Clipper;
 use crate::pipeline::stage::light::WHITE;
 use crate::pipeline::stage::lines;
-use crate::pipeline::stage::project::clip_from_world;
 use crate::pipeline::stage::reflection::{Lights, ObjectLight};
+use crate::pipeline::stage::vertex::clip_from_world;
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
@@ -307,7 +307,7 @@ impl Colored<'_> {
         let Self { object, vertices, .. } = *self;
         let origins = || self.remake.origins.iter();
         let (old, projector) = (&object.mesh, vertices.projector);
-        let w = |i: u32| vertices.clip(i).w;
+        let w = |i: u32| vertices.clip_point(i).w;
         let inverse = |origin: &VertexOrigin| projector.depths.relative_inverse_w(origin.of(w));
         let place = |i: u32| object.world_from_object.transform_point3(old.positions[i as usize]);
         let of = |lights: &Lights| self.found(&ObjectLight::new(lights, old, vertices, both_sides));

@@ -19,8 +19,7 @@ use crate::pipeline::space::point::{ClipPoint, ObjectPoint, WorldPoint};
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::pipeline::stage::clip::ClippedCorner;
 use crate::pipeline::stage::cull_objects::containment;
-use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
-use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertex::{clip_from_view, clip_from_world, view_point};
 use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
 /// The bits of an outcode, `true` if a point is outside: left, right, bottom, top, near, far. `None` for a point with a

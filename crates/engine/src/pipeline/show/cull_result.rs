@@ -10,7 +10,7 @@ use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::Projector;
 use crate::pipeline::stage::cull_faces::facing;
 use crate::pipeline::stage::cull_objects::containment;
-use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertex::view_point;
 use crate::scene::Object;
 
 /// The result of culling an object for a camera.

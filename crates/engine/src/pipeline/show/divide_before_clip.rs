@@ -14,8 +14,7 @@ use crate::pipeline::mesh::cut::{Origin, cut};
 use crate::pipeline::mesh::resample::{OWN_WEIGHTS, Remake, VertexOrigin, object_paint, with_triangles};
 use crate::pipeline::space::point::{ClipPoint, ObjectPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
-use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertex::{clip_from_view, clip_from_world, view_point};
 use crate::scene::{Line, Mesh, Object, PointMark, Scene};
 
 /// A point divided by a w near 0 that lies farther away than this is nowhere.

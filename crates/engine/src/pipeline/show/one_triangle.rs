@@ -15,10 +15,7 @@ use crate::pipeline::space::projector::Projector;
 use crate::pipeline::space::screen::Screen;
 use crate::pipeline::stage::clip::Clipper;
 use crate::pipeline::stage::cull_faces::facing;
-use crate::pipeline::stage::divide::divide;
-use crate::pipeline::stage::project::clip_from_view;
-use crate::pipeline::stage::transform::view_point;
-use crate::pipeline::stage::viewport::{snap, viewport};
+use crate::pipeline::stage::vertex::{clip_from_view, divide, snap, view_point, viewport};
 use crate::scene::Object;
 
 /// A triangle on its way.

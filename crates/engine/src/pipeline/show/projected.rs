@@ -14,8 +14,7 @@ use crate::pipeline::space::planes::{NOT_A_NUMBER, PLANES, PlaneSet, outcode};
 use crate::pipeline::space::point::{ClipPoint, ObjectPoint};
 use crate::pipeline::space::projector::Projector;
 use crate::pipeline::stage::clip::Clipper;
-use crate::pipeline::stage::project::clip_from_view;
-use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertex::{clip_from_view, view_point};
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::{Mesh, SharedEdge};
 use crate::simd::with_vectors;
@@ -24,8 +23,8 @@ use crate::simd::with_vectors;
 #[inline(always)]
 pub(crate) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
     let z = match projector.sheet {
-        None => 2.0 * projector.depths.depth(p.depth) - 1.0,
-        Some(Sheet { farthest, slope, behind }) => behind + slope * (farthest - p.depth) / p.w,
+        None => 2.0 * projector.depths.depth(p.distance) - 1.0,
+        Some(Sheet { farthest, slope, behind }) => behind + slope * (farthest - p.distance) / p.w,
     };
     DVec3::new(p.x / p.w, p.y / p.w, z)
 }
@@ -88,7 +87,7 @@ impl<'a> Projected<'a> {
     fn triangle(&mut self, triangle: [u32; 3], source: u32) {
         let codes = self.codes(triangle);
         if codes == Some([0; 3]) {
-            let corners = triangle.map(|i| self.vertex(self.vertices.clip(i), VertexOrigin::Vertex(i)));
+            let corners = triangle.map(|i| self.vertex(self.vertices.clip_point(i), VertexOrigin::Vertex(i)));
             return self.remake.polygon(&corners, source);
         }
         self.whole = false;
@@ -98,7 +97,7 @@ impl<'a> Projected<'a> {
             return;
         }
         let projector = self.vertices.projector;
-        let corners = triangle.map(|i| self.vertices.clip(i));
+        let corners = triangle.map(|i| self.vertices.clip_point(i));
         let kept = self.clipper.triangle(projector, corners, planes).to_vec();
         // A side whose ends both lie in a plane that the triangle crosses is where that plane cuts it.
         for (corner, next) in kept.iter().zip(kept.iter().cycle().skip(1)) {
@@ -115,7 +114,7 @@ impl<'a> Projected<'a> {
     fn edge(&mut self, ends: [u32; 2]) -> Option<[u32; 2]> {
         let [a, b] = ends;
         self.codes([a, b, b])?;
-        let kept = self.clipper.segment(self.vertices.projector, ends.map(|i| self.vertices.clip(i)))?;
+        let kept = self.clipper.segment(self.vertices.projector, ends.map(|i| self.vertices.clip_point(i)))?;
         Some(std::array::from_fn(|k| {
             let (point, cut) = kept[k];
             let own = ends[k];
@@ -136,7 +135,7 @@ impl<'a> Projected<'a> {
         let index = self.remake.vertex(origin);
         if self.remake.origins.len() > self.positions.len() {
             self.positions.push(displayed(self.vertices.projector, point));
-            self.in_view = self.in_view.and(InView::between(point.depth, point.depth));
+            self.in_view = self.in_view.and(InView::between(point.distance, point.distance));
         }
         index
     }

@@ -28,14 +28,14 @@ pub(crate) const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
 /// without the cancellation of clip z.
 #[inline(always)]
 pub(crate) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
-    [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
+    [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.distance - projector.near, projector.far - p.distance]
 }
 
 /// Bit `i` is set if the point is outside plane `i`; [`NOT_A_NUMBER`] if a coordinate isn't a number, or is too large
 /// to be cut.
 #[inline(always)]
 pub(crate) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
-    let size = p.x.abs() + p.y.abs() + p.depth.abs();
+    let size = p.x.abs() + p.y.abs() + p.distance.abs();
     let mut code = 0;
     for (i, distance) in distances(projector, p).into_iter().enumerate() {
         code |= PlaneSet::from(distance < 0.0) << i;

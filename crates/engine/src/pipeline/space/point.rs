@@ -1,10 +1,10 @@
 //! The spaces of a point as types: object → world → view → clip → NDC → pixel.
 //!
 //! Each stage of a vertex is a function from one of these types to the next, so that no point can skip a space
-//! unnoticed: [`transform`](crate::pipeline::stage::transform::transform),
-//! [`project`](crate::pipeline::stage::project::project), [`oblique`](crate::pipeline::stage::oblique::oblique),
-//! [`divide`](crate::pipeline::stage::divide::divide), [`viewport`](crate::pipeline::stage::viewport::viewport) and
-//! [`snap`](crate::pipeline::stage::viewport::snap). Up to the pixel everything is `f64`.
+//! unnoticed: [`transform`](crate::pipeline::stage::vertex::transform),
+//! [`project_symmetric`](crate::pipeline::stage::vertex::project_symmetric), [`oblique`](crate::pipeline::stage::vertex::oblique),
+//! [`divide`](crate::pipeline::stage::vertex::divide), [`viewport`](crate::pipeline::stage::vertex::viewport) and
+//! [`snap`](crate::pipeline::stage::vertex::snap). Up to the pixel everything is `f64`.
 
 use glam::DVec3;
 
@@ -33,10 +33,10 @@ pub(crate) struct ClipPoint {
     pub(crate) x: f64,
     /// y, in \[−w, w\] inside the volume.
     pub(crate) y: f64,
-    /// Homogeneous w: `depth` in perspective, 1 in parallel projection.
+    /// Homogeneous w: `distance` in perspective, 1 in parallel projection.
     pub(crate) w: f64,
     /// Distance from the plane through the eye, −z_c, in scene units; in \[F, B\] inside the volume.
-    pub(crate) depth: f64,
+    pub(crate) distance: f64,
 }
 
 /// A point after the divide: x_n and y_n in \[−1, 1\] inside the volume, and the depth instead of z_n.

@@ -133,7 +133,7 @@ pub(crate) struct ViewFromObject {
 impl ViewFromObject {
     /// The way from the eye to a point of the object, before [`transform`] rotates it to view space.
     ///
-    /// [`transform`]: crate::pipeline::stage::transform::transform
+    /// [`transform`]: crate::pipeline::stage::vertex::transform
     #[inline(always)]
     pub(crate) fn offset_from_eye(&self, ObjectPoint(p): ObjectPoint) -> FromEye {
         FromEye(match self.through_world {

@@ -32,7 +32,7 @@ impl Screen {
         self.half_size() + DVec2::new(ndc.x, -ndc.y) * self.half_size()
     }
 
-    /// Greatest distance by which [`snap`](crate::pipeline::stage::viewport::snap) moves a point of this image, pixels:
+    /// Greatest distance by which [`snap`](crate::pipeline::stage::vertex::snap) moves a point of this image, pixels:
     /// half a step of the grid in x and in y, and no more than that by single precision, as long as that has the steps.
     pub(crate) fn snap_distance(&self) -> f64 {
         let single = 2.0 * self.half_size().max_element() * f64::from(f32::EPSILON);

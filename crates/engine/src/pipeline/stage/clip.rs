@@ -8,10 +8,9 @@
 //! set exactly onto its plane. So two triangles that share an edge get the same corner to the last bit, and no crack
 //! opens. [`distances`] tells the side of a plane, [`cut`] the point where an edge crosses it.
 
-use super::divide::divide;
 use super::faces::{Crossing, Faces, to_u32};
+use super::vertex::{divide, snap, viewport};
 use super::vertices::Vertices;
-use super::viewport::{snap, viewport};
 use crate::pipeline::mesh::cut::{Edge, Origin, cut};
 use crate::pipeline::mesh::resample::{OWN_WEIGHTS, VertexOrigin};
 use crate::pipeline::space::planes::{ALL_PLANES, NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
@@ -27,7 +26,7 @@ pub(crate) fn clip(faces: &mut Faces, vertices: &Vertices, screen: &Screen, want
     let (mut clipper, mut fan) = (Clipper::default(), Vec::new());
     cuts.clear();
     for &Crossing { source, triangle, planes } in chunks.iter().flat_map(|chunk| &chunk.crossing) {
-        let corners = triangle.map(|i| vertices.clip(i));
+        let corners = triangle.map(|i| vertices.clip_point(i));
         let polygon = clipper.triangle(projector, corners, if all_planes { ALL_PLANES } else { planes });
         fan.clear();
         fan.extend(polygon.iter().map(|corner| match corner.origin(triangle) {
@@ -105,12 +104,12 @@ impl ClippedCorner {
             if distances[planes[1]] >= 0.0 { value.min(most) } else { value }
         };
         // The planes are left, right, bottom, top, near, far.
-        let depth = match plane {
+        let distance = match plane {
             4 => projector.near,
             5 => projector.far,
-            _ => between(edge.mean(a.depth, b.depth), [4, 5], [projector.near, projector.far]),
+            _ => between(edge.mean(a.distance, b.distance), [4, 5], [projector.near, projector.far]),
         };
-        let w = if projector.perspective { depth } else { 1.0 };
+        let w = if projector.perspective { distance } else { 1.0 };
         let x = match plane {
             0 => -w,
             1 => w,
@@ -122,7 +121,7 @@ impl ClippedCorner {
             _ => between(edge.mean(a.y, b.y), [2, 3], [-w, w]),
         };
         Self {
-            point: ClipPoint { x, y, w, depth },
+            point: ClipPoint { x, y, w, distance },
             weights: std::array::from_fn(|i| edge.mean(inside.weights[i], outside.weights[i])),
             distances,
         }
@@ -203,7 +202,7 @@ impl Clipper {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
 
-    use super::super::project::clip_from_view;
+    use super::super::vertex::clip_from_view;
     use super::*;
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
     use crate::pipeline::space::point::ViewPoint;
@@ -233,7 +232,7 @@ mod tests {
         // Leaving out the planes that aren't crossed changes no bit.
         let crossed = corners.iter().fold(0, |codes, &c| codes | outcode(&eye, c));
         assert_eq!(clipper.triangle(&eye, corners, crossed), out);
-        out.iter().map(|c| [c.point.x, c.point.y, -c.point.depth]).collect()
+        out.iter().map(|c| [c.point.x, c.point.y, -c.point.distance]).collect()
     }
 
     #[test]
@@ -284,9 +283,9 @@ mod tests {
             .iter()
             .filter(|corner| corner.weights[third] == 0.0)
             .map(|corner| {
-                let ClipPoint { x, y, w, depth } = corner.point;
+                let ClipPoint { x, y, w, distance } = corner.point;
                 let attribute = corner.origin(triangle).of(|i| points[i as usize]);
-                [x, y, w, depth, attribute.x, attribute.y, attribute.z].map(|v| (v + 0.0).to_bits())
+                [x, y, w, distance, attribute.x, attribute.y, attribute.z].map(|v| (v + 0.0).to_bits())
             })
             .collect();
         bits.sort_unstable();
@@ -339,7 +338,7 @@ mod tests {
                     let distances = distances(&eye, corner.point);
                     assert!(zero.iter().any(|&i| distances[i] == 0.0), "{corner:?}");
                     cut_at |= zero.iter().fold(0, |set, i| set | 1 << i);
-                    let w = if eye.perspective { corner.point.depth } else { 1.0 };
+                    let w = if eye.perspective { corner.point.distance } else { 1.0 };
                     assert!((corner.point.w - w).abs() < 1e-15 * w, "{corner:?}");
                 }
             }
@@ -352,7 +351,7 @@ mod tests {
         let eye = eye();
         let cut = |a: [f64; 3], b: [f64; 3]| {
             let ends = [a, b].map(|p| clip_from_view(&eye, ViewPoint(DVec3::from_array(p))));
-            Clipper::default().segment(&eye, ends).map(|ends| ends.map(|(p, cut)| ([p.x, p.y, -p.depth], cut)))
+            Clipper::default().segment(&eye, ends).map(|ends| ends.map(|(p, cut)| ([p.x, p.y, -p.distance], cut)))
         };
         let through = cut([-8.0, 0.0, -4.0], [8.0, 0.0, -4.0]).unwrap();
         assert_eq!(through, [([-4.0, 0.0, -4.0], true), ([4.0, 0.0, -4.0], true)]);

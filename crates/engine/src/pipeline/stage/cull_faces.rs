@@ -208,7 +208,7 @@ impl Culling<'_> {
             return false;
         }
         let positions = &self.image.positions;
-        let in_view = || facing(projector, triangle.map(|i| self.vertices.view(i)));
+        let in_view = || facing(projector, triangle.map(|i| self.vertices.view_point(i)));
         let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_view() };
         if self.task.watch_turning && planes == 0 && area * in_view() < 0.0 {
             chunk.turned_over += 1;

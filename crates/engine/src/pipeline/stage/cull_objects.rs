@@ -7,8 +7,7 @@
 //! with them. The depths of the boxes also say how the depth buffer's range is best spent
 //! ([`DepthScale`](crate::pipeline::space::depths::DepthScale)).
 
-use super::project::clip_from_view;
-use super::transform::view_point;
+use super::vertex::{clip_from_view, view_point};
 use crate::pipeline::mesh::bounds::{Bounds, KnownBounds};
 use crate::pipeline::plan::{Containment, Extent};
 use crate::pipeline::scenes::Scenes;
@@ -47,14 +46,14 @@ pub(crate) fn containment(projector: &Projector, view_from_object: &ViewFromObje
     let (mut range, mut depths) = ([nothing; PLANES], nothing);
     for corner in corners {
         let p = clip_from_view(projector, view_point(view_from_object, ObjectPoint(corner)));
-        depths = widened(depths, p.depth);
+        depths = widened(depths, p.distance);
         for (range, d) in range.iter_mut().zip(distances(projector, p)) {
             *range = widened(*range, d);
         }
     }
     let middle = clip_from_view(projector, view_point(view_from_object, ObjectPoint(bounds.aabb.center())));
     let across = bounds.radius * view_from_object.slope(projector.gradient(4));
-    let depths = (depths.0.max(middle.depth - across), depths.1.min(middle.depth + across));
+    let depths = (depths.0.max(middle.distance - across), depths.1.min(middle.distance + across));
     let middle = distances(projector, middle);
     let (mut outside, mut inside) = (0, 0);
     for (i, (least, most)) in range.into_iter().enumerate() {

@@ -7,9 +7,7 @@
 //! ([`bsp`](crate::pipeline::order::bsp)). That's exact, but may make too many pieces. A depth buffer then has to
 //! decide after all, and the frame says so. The painter is there to show how it fails.
 
-use super::divide::divide;
-use super::project::clip_from_view;
-use super::viewport::{snap, viewport};
+use super::vertex::{clip_from_view, divide, snap, viewport};
 use crate::appearance::Visibility;
 use crate::drawing::Surface;
 use crate::pipeline::budget::OverBudget;

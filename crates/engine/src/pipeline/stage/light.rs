@@ -99,8 +99,8 @@ impl Shaded<'_> {
 
     /// The surface, with the data for sorting its faces.
     pub(crate) fn layer(&self, faces: &mut Faces, never_hides_itself: bool) -> Option<Layer> {
-        let own = (0..self.vertex_count()).map(|i| self.vertices.view(i).0);
-        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i).0));
+        let own = (0..self.vertex_count()).map(|i| self.vertices.view_point(i).0);
+        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view_point(i).0));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
         if self.shares_no_vertex() {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
@@ -287,7 +287,7 @@ impl Shaded<'_> {
 
     /// Light at each pixel, from attributes that are interpolated between the vertices.
     fn per_pixel(&self, faces: &Faces, light: &ObjectLight) -> SurfaceLight {
-        let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
+        let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view_point(i));
         let mut normals = self.at_vertices(|i| normal(i).as_vec3().to_array());
         let mut positions = self.at_vertices(|i| self.lights.position(view(i)));
         for cut in &faces.cuts {

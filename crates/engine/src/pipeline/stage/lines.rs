@@ -12,10 +12,8 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::clip::Clipper;
-use super::divide::divide;
-use super::project::{clip_from_view, clip_from_world};
+use super::vertex::{clip_from_view, clip_from_world, divide, unsnapped, viewport};
 use super::vertices::{OnImage, Vertices};
-use super::viewport::{unsnapped, viewport};
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
@@ -36,9 +34,9 @@ pub(crate) fn in_view(scenes: Scenes, projector: &Projector) -> InView {
     let segments = scenes.lines().flat_map(|line| line.points.windows(2));
     let lines = segments
         .filter_map(|ends| clipper.segment(projector, [clip(ends[0]), clip(ends[1])]))
-        .flat_map(|ends| ends.map(|(p, _)| p.depth));
+        .flat_map(|ends| ends.map(|(p, _)| p.distance));
     let points = scenes.marks().map(|mark| mark.position).chain(scenes.texts().map(|text| text.position));
-    let points = points.map(clip).filter(|&p| outcode(projector, p) == 0).map(|p| p.depth);
+    let points = points.map(clip).filter(|&p| outcode(projector, p) == 0).map(|p| p.distance);
     lines.chain(points).fold(InView::NOTHING, |all, depth| all.and(InView::between(depth, depth)))
 }
 
@@ -117,7 +115,7 @@ impl<'a> Strokes<'a> {
         let edges = &object.mesh.edges;
         self.asked += edges.len();
         let cut = |strokes: &mut Self, edge: [u32; 2]| {
-            strokes.polyline(edge.map(|i| vertices.view(i)), line_style, strokes.fine);
+            strokes.polyline(edge.map(|i| vertices.view_point(i)), line_style, strokes.fine);
             edge.len()
         };
         if vertices.len() > 2 * edges.len() {
@@ -177,7 +175,7 @@ impl<'a> Strokes<'a> {
         let polylines = outline(&object.mesh, vertices.view_from_object.seen_from);
         self.asked += polylines.len();
         for polyline in &polylines {
-            self.polyline(polyline.iter().map(|&i| vertices.view(i)), line_style, self.fine);
+            self.polyline(polyline.iter().map(|&i| vertices.view_point(i)), line_style, self.fine);
         }
         polylines.iter().map(Vec::len).sum()
     }

@@ -1,5 +1,5 @@
-//! The stages that run in the geometry half of the pipeline, one file each, in the order of the
-//! notes:
+//! The stages of the geometry half of the pipeline, in the order of the notes. The code lights last, when culling and
+//! clipping have left the points that need it.
 //!
 //! | stage | from → to | file |
 //! | --- | --- | --- |
@@ -7,37 +7,28 @@
 //! | cull objects | boxes of objects | [`cull_objects`] |
 //! | normals | object → view | [`normals`] |
 //! | light | view → colours | [`light`], eight points at a time in [`reflection`] |
-//! | transform | object → world → view | [`transform`] |
-//! | – projection of a symmetric window | view → clip | [`project`] |
-//! | oblique window | clip | [`oblique`] |
+//! | transform, oblique window, divide, viewport | object → pixels | [`vertex`], in a loop in [`vertices`] |
 //! | cull faces | triangles on the image | [`cull_faces`] |
 //! | clip | clip | [`clip`] |
-//! | divide | clip → NDC | [`divide`] |
-//! | viewport | NDC → pixels | [`viewport`] |
 //! | hidden surfaces, without a depth buffer | view | [`hidden_surfaces`] |
 //! | lines | world → pixels | [`lines`] |
 //!
 //! The other stages work on pixels and live in [`raster`](crate::raster).
 //!
-//! A vertex goes through transform, projection, oblique window, divide and viewport in one loop, in [`vertices`]. The
-//! loop runs before culling and clipping, which need the vertices on the image and their sides of the planes. Corners
-//! that clipping makes follow on their own. [`faces`] holds the buffers in between, [`shadow_maps`] the lights'
-//! own pictures.
+//! The loop over the vertices runs before culling and clipping, which need them on the image and their sides of the
+//! planes. Corners that clipping makes follow on their own. [`faces`] holds the buffers in between, [`shadow_maps`] the
+//! lights' own pictures.
 
 pub(crate) mod clip;
 pub(crate) mod cull_faces;
 pub(crate) mod cull_objects;
-pub(crate) mod divide;
 pub(crate) mod faces;
 pub(crate) mod hidden_surfaces;
 pub(crate) mod light;
 pub(crate) mod lines;
 pub(crate) mod normals;
-pub(crate) mod oblique;
-pub(crate) mod project;
 pub mod reflection;
 pub(crate) mod shadow_maps;
-pub(crate) mod transform;
 pub(crate) mod traverse;
+pub(crate) mod vertex;
 pub(crate) mod vertices;
-pub(crate) mod viewport;

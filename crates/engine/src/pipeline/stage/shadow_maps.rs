@@ -10,8 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DMat4, DVec3};
 
-use super::project::clip_from_view;
-use super::transform::view_point;
+use super::vertex::{clip_from_view, view_point};
 use crate::appearance::Rgba;
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
@@ -318,7 +317,7 @@ impl SeenByLight<'_> {
         }
         let p = clip_from_view(projector, p_view);
         let half = 0.5 * f64::from(self.light.map.size);
-        DVec3::new((1.0 + p.x) * half, (1.0 - p.y) * half, projector.depths.depth(p.depth))
+        DVec3::new((1.0 + p.x) * half, (1.0 - p.y) * half, projector.depths.depth(p.distance))
     }
 
     /// The plane through three [places](Self::place), as [`Rays`] has it; zero if there is none.

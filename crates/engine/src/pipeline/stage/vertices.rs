@@ -11,11 +11,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::divide::divide;
-use super::oblique::oblique;
-use super::project::{clip_from_view, project};
-use super::transform::{transform, view_point};
-use super::viewport::{snap, unsnapped, viewport};
+use super::vertex::{clip_from_view, divide, snap, transform, unsnapped, view_point, viewport};
 use crate::pipeline::mesh::chunks::CHUNK;
 use crate::pipeline::space::planes::{PlaneSet, outcode};
 use crate::pipeline::space::point::{ClipPoint, FromEye, ObjectPoint, ViewPoint};
@@ -38,13 +34,13 @@ impl Vertices<'_> {
     }
 
     /// A vertex in view space.
-    pub(crate) fn view(&self, index: u32) -> ViewPoint {
+    pub(crate) fn view_point(&self, index: u32) -> ViewPoint {
         view_point(self.view_from_object, ObjectPoint(self.positions[index as usize]))
     }
 
     /// A vertex in clip space.
-    pub(crate) fn clip(&self, index: u32) -> ClipPoint {
-        clip_from_view(self.projector, self.view(index))
+    pub(crate) fn clip_point(&self, index: u32) -> ClipPoint {
+        clip_from_view(self.projector, self.view_point(index))
     }
 }
 
@@ -110,34 +106,34 @@ impl OnImage {
 impl VertexChunk<'_> {
     /// Takes the vertices from object space to the image. Returns the planes that any of them is outside of.
     ///
-    /// `x`, `y` and `depth` first hold p − C, then the clip point. The compiler turns each loop over [`BLOCK`] into
+    /// `x`, `y` and `distance` first hold p − C, then the clip point. The compiler turns each loop over [`BLOCK`] into
     /// vector instructions. That's also why a short last block is worked on whole.
     #[inline(always)]
     fn fill<const GRID: bool>(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {
         let Vertices { projector, view_from_object, .. } = *vertices;
         let depths = &projector.depths;
-        let (mut x, mut y, mut depth, mut w) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        let (mut x, mut y, mut distance, mut w) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
         let mut image = [[0.0_f32; BLOCK]; 3];
         let mut outside = 0;
         for (k, given) in self.given.chunks(BLOCK).enumerate() {
             let here = k * BLOCK..k * BLOCK + given.len();
             // Object → view → clip.
-            view_from_object.offsets_from_eye(given, [&mut x, &mut y, &mut depth]);
+            view_from_object.offsets_from_eye(given, [&mut x, &mut y, &mut distance]);
             for l in 0..BLOCK {
-                let from_eye = FromEye(DVec3::new(x[l], y[l], depth[l]));
-                let p = oblique(projector, project(projector, transform(view_from_object, from_eye)));
-                (x[l], y[l], depth[l], w[l]) = (p.x, p.y, p.depth, p.w);
+                let from_eye = FromEye(DVec3::new(x[l], y[l], distance[l]));
+                let p = clip_from_view(projector, transform(view_from_object, from_eye));
+                (x[l], y[l], distance[l], w[l]) = (p.x, p.y, p.distance, p.w);
             }
             // The side of each plane, for culling and clipping.
             if let Some(outcodes) = self.outcodes.get_mut(here.clone()) {
                 for (l, code) in outcodes.iter_mut().enumerate() {
-                    *code = outcode(projector, ClipPoint { x: x[l], y: y[l], w: w[l], depth: depth[l] });
+                    *code = outcode(projector, ClipPoint { x: x[l], y: y[l], w: w[l], distance: distance[l] });
                 }
                 outside = outcodes.iter().fold(outside, |all, code| all | code);
             }
             // Clip → NDC → pixels.
             for l in 0..BLOCK {
-                let p = divide(depths, ClipPoint { x: x[l], y: y[l], w: w[l], depth: depth[l] });
+                let p = divide(depths, ClipPoint { x: x[l], y: y[l], w: w[l], distance: distance[l] });
                 let p = viewport(screen, p);
                 [image[0][l], image[1][l], image[2][l]] = if GRID { snap(p) } else { unsnapped(p) };
             }
@@ -186,8 +182,8 @@ mod tests {
         assert_eq!(from_eye, FromEye(DVec3::new(1.0, -1.0, -2.0)), "from C = (−2, 0, 5) in the object's space");
         let p_view = transform(&view_from_object, from_eye);
         assert_eq!(p_view, ViewPoint(DVec3::new(1.0, -1.0, -2.0)), "the camera isn't turned");
-        let p_clip = oblique(&projector, project(&projector, p_view));
-        assert_eq!(p_clip, ClipPoint { x: 1.0, y: -1.0, w: 2.0, depth: 2.0 }, "w is the distance");
+        let p_clip = clip_from_view(&projector, p_view);
+        assert_eq!(p_clip, ClipPoint { x: 1.0, y: -1.0, w: 2.0, distance: 2.0 }, "w is the distance");
         let p_ndc = divide(&projector.depths, p_clip);
         assert_eq!(p_ndc, NdcPoint { x: 0.5, y: -0.5, depth: 0.25 }, "(B − d)/(B − F) · F/d = ½ · ½");
         let pixel = viewport(&screen, p_ndc);
