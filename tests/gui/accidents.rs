@@ -48,15 +48,15 @@ fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
     ] {
         window.drop_files([&*folder.file(name)]);
         assert!(window.says(said), "{:?}", window.state().model.message);
-        assert_eq!(window.state().model.document.name(), None);
+        assert_eq!(window.state().model.desk.shown.name(), None);
     }
     // With changes, it is asked before, and what was changed is there after all.
     window.enter("B", "40");
     window.drop_files([&*huge]);
     window.click(en::WINDOW.dont_save);
     assert!(window.says("huge.toml is too large"));
-    assert_eq!(window.state().model.document.draft().far, 40.0);
-    assert!(window.state().model.document.is_changed());
+    assert_eq!(window.state().model.desk.shown.draft().far, 40.0);
+    assert!(window.state().model.desk.shown.is_changed());
 }
 
 #[test]
@@ -70,10 +70,10 @@ fn meshes_that_are_none_stand_in_the_scene_with_the_reason() {
         window.drop_files([&*folder.file(name)]);
         window.wait(|window| window.says(said));
     }
-    assert_eq!(window.state().model.document.figure().scene.objects.len(), 3);
+    assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), 3);
     for left in (0..3).rev() {
         window.command_key(Key::Z);
-        assert_eq!(window.state().model.document.figure().scene.objects.len(), left);
+        assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), left);
     }
 }
 
@@ -84,13 +84,13 @@ fn of_a_thousand_files_one_is_taken_and_that_is_said() {
     fs::write(&paths[0], "[camera]\nfar = 61.0\n[scene]\npreset = \"empty\"\n").unwrap();
     let mut window = Window::new(Lang::En);
     window.drop_files(paths.iter().map(|path| &**path));
-    assert_eq!(window.state().model.document.draft().far, 61.0);
+    assert_eq!(window.state().model.desk.shown.draft().far, 61.0);
     let said = window.state().model.message.as_ref().unwrap().text(Lang::En);
     assert!(said.starts_with("Of 1000 files, the window opens one: ") && said.ends_with("0.toml"), "{said}");
     // What is wrong with the one is more than how many there are.
     window.drop_files(paths[1..].iter().map(|path| &**path));
     assert!(window.says("1.toml cannot be read"));
-    assert_eq!(window.state().model.document.draft().far, 61.0);
+    assert_eq!(window.state().model.desk.shown.draft().far, 61.0);
 }
 
 #[test]
@@ -166,9 +166,9 @@ fn the_title_and_the_bar_mark_the_same_changes() {
     // A step of a lesson is there to be tried.
     let mut window = super::lessons::playing(0, 0, Lang::En);
     assert!(!marked(&mut window));
-    let document = &mut window.app_mut().state.model.document;
+    let document = &mut window.app_mut().state.model.desk.shown;
     document.set_parameters(Parameters { near: 1.5, ..*document.draft() });
-    assert!(!marked(&mut window) && window.state().model.document.is_changed());
+    assert!(!marked(&mut window) && window.state().model.desk.shown.is_changed());
     // The layout of a figure that has a file is part of it.
     let folder = Folder::new("marks");
     let path = folder.file("mine.toml");
@@ -179,7 +179,7 @@ fn the_title_and_the_bar_mark_the_same_changes() {
     assert!(marked(&mut window));
     window.command_key(Key::S);
     assert!(!marked(&mut window));
-    let document = &mut window.app_mut().state.model.document;
+    let document = &mut window.app_mut().state.model.desk.shown;
     document.set_parameters(Parameters { near: 1.5, ..*document.draft() });
     assert!(marked(&mut window));
 }

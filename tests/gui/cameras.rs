@@ -23,7 +23,7 @@ fn window(lang: Lang, text: &str) -> Window {
 
 impl Window {
     fn figure(&self) -> &Figure {
-        self.state().model.document.figure()
+        self.state().model.desk.shown.figure()
     }
 }
 
@@ -60,7 +60,7 @@ fn the_image_of_a_camera_stands_beside_until_the_camera_is_removed() {
 fn a_stereo_pair_is_half_a_baseline_to_each_side() {
     let t = cameras::texts(Lang::En);
     let mut window = window(Lang::En, PAIR);
-    let middle = window.state().model.document.camera().clone();
+    let middle = window.state().model.desk.shown.camera().clone();
     window.app_mut().state.cameras.baseline = Some(0.5);
     window.click(t.pair);
     window.click(t.shifted);
@@ -76,9 +76,9 @@ fn a_stereo_pair_is_half_a_baseline_to_each_side() {
 fn a_click_on_a_camera_in_the_world_looks_through_it() {
     let mut h = stage(|state| {
         let pair = camera_lab::figure::read::parse(PAIR).expect("a figure");
-        state.model.document.edit_cameras(|figure| figure.cameras = pair.cameras);
+        state.model.desk.shown.edit_cameras(|figure| figure.cameras = pair.cameras);
     });
-    let wanted = h.state().state.model.document.figure().cameras[0].parameters;
+    let wanted = h.state().state.model.desk.shown.figure().cameras[0].parameters;
     let rect = place(&h, WORLD);
     let at = pick::places(&world(&h, rect)).expect("an observer")(wanted.position).expect("in the picture");
     let at = rect.min + vec2(at.x as f32, at.y as f32);

@@ -75,15 +75,15 @@ pub(super) fn place(harness: &Harness<Stage>, label: &str) -> Rect {
 }
 
 pub(super) fn parameters(harness: &Harness<Stage>) -> Parameters {
-    *harness.state().state.model.document.draft()
+    *harness.state().state.model.desk.shown.draft()
 }
 
 pub(super) fn world_observer(harness: &Harness<Stage>) -> Observer {
-    harness.state().state.model.document.figure().observers.world.unwrap()
+    harness.state().state.model.desk.shown.figure().observers.world.unwrap()
 }
 
 pub(super) fn canonical_observer(harness: &Harness<Stage>) -> Observer {
-    harness.state().state.model.document.figure().observers.canonical.unwrap()
+    harness.state().state.model.desk.shown.figure().observers.canonical.unwrap()
 }
 
 /// The world in `rect`.
@@ -91,7 +91,7 @@ pub(super) fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
     let state = &harness.state().state;
     let side = |s: f32| s.round() as u32;
     let size = Size { width: side(rect.width()), height: side(rect.height()), scale: 1.0 };
-    let (figure, camera) = (state.model.document.figure(), state.model.document.camera());
+    let (figure, camera) = (state.model.desk.shown.figure(), state.model.desk.shown.camera());
     Request::of(figure, View::World, camera, state.model.scene_cache.scene(), labels(Lang::En), size)
 }
 
@@ -123,7 +123,7 @@ pub(super) fn drag(
     harness.event(press(false, from + motion));
     harness.event(Event::ModifiersChanged(Modifiers::NONE));
     harness.run();
-    harness.state_mut().state.model.document.commit();
+    harness.state_mut().state.model.desk.commit();
 }
 
 pub(super) fn drag_primary(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2) {
@@ -144,7 +144,7 @@ fn a_drag_turns_the_observer_by_half_a_degree_a_point_and_is_no_undo_step() {
     assert!((now.azimuth - 70.0).abs() < 1e-4 && (now.elevation - 40.0).abs() < 1e-4, "{now:?}");
     assert_eq!((now.target, now.distance), (observer().target, observer().distance));
     assert_eq!(canonical_observer(&h).azimuth, observer().azimuth, "the other picture is not linked");
-    assert!(!h.state().state.model.document.can_undo(true));
+    assert!(!h.state().state.model.desk.can_undo(true));
 }
 
 #[test]
@@ -204,10 +204,10 @@ fn c_goes_over_its_plane_in_one_undo_step() {
     assert_eq!((after.focal_point, after.near, after.far), (before.focal_point, before.near, before.far));
     let now = handle(&h, Handle::Position);
     assert!(now.distance(from + vec2(30.0, 12.0)) < 2.0, "C is under the pointer: {now}");
-    let document = &mut h.state_mut().state.model.document;
-    document.undo(true);
-    assert_eq!(*document.draft(), before);
-    assert!(!document.can_undo(true), "one step");
+    let desk = &mut h.state_mut().state.model.desk;
+    desk.undo(true);
+    assert_eq!(*desk.shown.draft(), before);
+    assert!(!desk.can_undo(true), "one step");
 }
 
 #[test]
@@ -312,7 +312,7 @@ fn only_what_has_changed_is_drawn_again() {
     h.run();
     let hidden = h.state().canvas.drawn();
     let wider = Parameters { view_angle: 60.0, ..parameters(&h) };
-    h.state_mut().state.model.document.set_parameters(wider);
+    h.state_mut().state.model.desk.shown.set_parameters(wider);
     h.run();
     let changed = h.state().canvas.drawn();
     assert_eq!((changed[0], changed[1], changed[2]), (hidden[0] + 1, hidden[1], hidden[2] + 1));
@@ -333,11 +333,11 @@ fn a_look_from_a_side_is_taken_and_an_untold_observer_stays_while_the_camera_mov
     assert_eq!(world_observer(&h).elevation, 90.0);
     assert_eq!(canonical_observer(&h).elevation, 30.0, "each picture has its own buttons");
     look(&mut h, "From a corner");
-    assert_eq!(h.state().state.model.document.figure().observers.world, None);
+    assert_eq!(h.state().state.model.desk.shown.figure().observers.world, None);
 
     let drawn = h.state().canvas.drawn()[0];
     let moved = Parameters { position: parameters(&h).position * 1.02, ..parameters(&h) };
-    h.state_mut().state.model.document.set_parameters(moved);
+    h.state_mut().state.model.desk.shown.set_parameters(moved);
     h.run();
     assert_eq!(h.state().canvas.drawn()[0], drawn + 1, "one picture, from one place");
 }
@@ -469,7 +469,7 @@ fn a_right_click_in_a_picture_opens_its_menu() {
     window.run();
     let description = |window: &Window, view| {
         let state = window.state();
-        words::describe(Lang::En, view, state.model.document.camera(), state.model.document.figure().image)
+        words::describe(Lang::En, view, state.model.desk.shown.camera(), state.model.desk.shown.figure().image)
     };
     let world = description(&window, View::World);
     window.harness.get_by_label(&world).click_secondary();
@@ -497,7 +497,7 @@ fn the_axes_in_the_corner_lead_to_their_viewpoints() {
     for (name, axis) in [(en::CANVAS.top, DVec3::Y), (en::CANVAS.side, DVec3::X), (en::CANVAS.front, DVec3::Z)] {
         let axis_name = ["x", "y", "z"][axis.to_array().iter().position(|part| *part == 1.0).unwrap()];
         window.click(&format!("{} {axis_name}", en::CANVAS.axis));
-        let observer = window.state().model.document.figure().observers.world.unwrap();
+        let observer = window.state().model.desk.shown.figure().observers.world.unwrap();
         assert!(observer.axes()[2].dot(axis) > 0.999, "{name}");
     }
 }

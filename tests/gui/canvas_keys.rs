@@ -78,7 +78,7 @@ fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
     for (convention, degrees) in [(Convention::RightHand, -5.0), (Convention::Vtk, 5.0)] {
         let mut h = focused_image();
         h.state_mut().state.model.operations.convention = convention;
-        let camera = h.state().state.model.document.camera().clone();
+        let camera = h.state().state.model.desk.shown.camera().clone();
         h.key_press(Key::ArrowUp);
         h.run();
         let elevated = Operation::Elevation(Angle::from_degrees(degrees)).apply(&camera, convention).unwrap();
@@ -91,7 +91,7 @@ fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
 fn a_key_that_can_do_nothing_says_why() {
     let mut h = focused_image();
     let impossible = Parameters { near: 100.0, ..parameters(&h) };
-    h.state_mut().state.model.document.set_parameters(impossible);
+    h.state_mut().state.model.desk.shown.set_parameters(impossible);
     h.run();
     for key in [Key::PageUp, Key::ArrowLeft, Key::Plus] {
         h.state_mut().state.model.message = None;

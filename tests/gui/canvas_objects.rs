@@ -17,7 +17,7 @@ use crate::words::en;
 
 /// A turned group with a cone in it that is selected, and a lamp.
 fn with_cone(state: &mut State) {
-    state.model.document.edit(|figure| {
+    state.model.desk.shown.edit(|figure| {
         figure.scene.preset = Preset::Empty;
         figure.scene.objects = vec![
             ObjectSpec::group("group").at(1.0, 0.0, 1.0).turned(0.0, 90.0, 0.0).scaled(2.0, 2.0, 2.0),
@@ -52,11 +52,11 @@ fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2
 #[test]
 fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     let mut h = stage(with_cone);
-    h.state_mut().state.model.document.commit();
-    let undoable = h.state().state.model.document.can_undo(true);
+    h.state_mut().state.model.desk.commit();
+    let undoable = h.state().state.model.desk.can_undo(true);
     // The group's x is the world's −z, its z the world's x.
     let arrows = gizmo(Transforming::Move, DVec3::new(1.5, 1.0, 0.0), [DVec3::NEG_Z, DVec3::Y, DVec3::X]);
-    let cone = |h: &Harness<Stage>| h.state().state.model.document.figure().scene.objects[1].translate;
+    let cone = |h: &Harness<Stage>| h.state().state.model.desk.shown.figure().scene.objects[1].translate;
     let before = cone(&h);
     let from = on_axis(&h, arrows, 1);
     drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
@@ -64,10 +64,10 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
     // Tidy: no more digits than pixels.
     assert_eq!(after.y, (after.y * 1000.0).round() / 1000.0);
-    assert!(h.state().state.model.document.can_undo(true));
-    h.state_mut().state.model.document.undo(true);
+    assert!(h.state().state.model.desk.can_undo(true));
+    h.state_mut().state.model.desk.undo(true);
     h.run();
-    assert_eq!((cone(&h), h.state().state.model.document.can_undo(true)), (before, undoable));
+    assert_eq!((cone(&h), h.state().state.model.desk.can_undo(true)), (before, undoable));
 
     h.hover_at(from);
     h.run();
@@ -77,7 +77,7 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
 #[test]
 fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     let mut h = stage(with_cone);
-    h.state_mut().state.model.document.commit();
+    h.state_mut().state.model.desk.commit();
     let drawn = h.state().canvas.drawn();
     h.state_mut().state.model.tree.select(Some(Selected::Light(0)));
     h.run();
@@ -85,16 +85,16 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     let arrows = gizmo(Transforming::Move, DVec3::Y * 3.0, DVec3::AXES);
     let from = on_axis(&h, arrows, 0);
     drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
-    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.document.figure().scene.lights[0]
+    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.desk.shown.figure().scene.lights[0]
     else {
         panic!("a lamp")
     };
     assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
     // Selecting is no change of the figure.
-    h.state_mut().state.model.document.undo(true);
+    h.state_mut().state.model.desk.undo(true);
     h.state_mut().state.model.tree.select(None);
     h.run();
-    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.document.figure().scene.lights[0]
+    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.model.desk.shown.figure().scene.lights[0]
     else {
         panic!("a lamp")
     };
@@ -122,7 +122,7 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
         h.run();
     };
     let selected = |h: &Harness<Stage>| {
-        h.state().state.model.tree.selected(&h.state().state.model.document.figure().scene).cloned()
+        h.state().state.model.tree.selected(&h.state().state.model.desk.shown.figure().scene).cloned()
     };
     click(&mut h);
     assert_eq!(selected(&h), None, "the tree is not open");
@@ -138,8 +138,8 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
 #[test]
 fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps() {
     let mut h = stage(with_cone);
-    h.state_mut().state.model.document.commit();
-    let cone = |h: &Harness<Stage>| h.state().state.model.document.figure().scene.objects[1].clone();
+    h.state_mut().state.model.desk.commit();
+    let cone = |h: &Harness<Stage>| h.state().state.model.desk.shown.figure().scene.objects[1].clone();
     let before = cone(&h);
     let origin = DVec3::new(1.5, 1.0, 0.0);
     let axes = [DVec3::NEG_Z, DVec3::Y, DVec3::X];
@@ -177,15 +177,15 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
 fn objects_that_are_selected_together_go_together() {
     let mut h = stage(|state| {
         with_cone(state);
-        state.model.document.edit(|figure| {
+        state.model.desk.shown.edit(|figure| {
             figure.scene.objects.push(ObjectSpec::new("ball", Shape::Sphere).at(-2.0, 0.0, 0.0));
         });
         let also = ["ball".to_owned()].into();
         state.model.tree.select_all(Some(Selected::Object("cone".to_owned())), also);
     });
-    h.state_mut().state.model.document.commit();
+    h.state_mut().state.model.desk.commit();
     let places = |h: &Harness<Stage>| {
-        let objects = &h.state().state.model.document.figure().scene.objects;
+        let objects = &h.state().state.model.desk.shown.figure().scene.objects;
         (objects[1].translate, objects[2].translate)
     };
     let before = places(&h);
@@ -200,7 +200,7 @@ fn objects_that_are_selected_together_go_together() {
     h.run();
     assert_eq!(places(&h), before);
     assert_eq!(
-        h.state().state.model.tree.names(&h.state().state.model.document.figure().scene).len(),
+        h.state().state.model.tree.names(&h.state().state.model.desk.shown.figure().scene).len(),
         2,
         "still selected"
     );
@@ -210,13 +210,18 @@ fn objects_that_are_selected_together_go_together() {
 fn parallel_light_is_turned_by_rings() {
     let mut h = stage(|state| {
         with_cone(state);
-        state.model.document.edit(|figure| figure.scene.lights = vec![Light::directional(DVec3::new(0.0, -1.0, 0.0))]);
+        state
+            .model
+            .desk
+            .shown
+            .edit(|figure| figure.scene.lights = vec![Light::directional(DVec3::new(0.0, -1.0, 0.0))]);
         state.model.tree.select(Some(Selected::Light(0)));
     });
     let middle = h.state().state.model.scene_cache.scene().bounds().unwrap().center();
     let from = on_axis(&h, gizmo(Transforming::Turn, middle, DVec3::AXES), 0);
     drag(&mut h, from, vec2(30.0, 20.0), PointerButton::Primary, Modifiers::COMMAND);
-    let Light { kind: LightKind::Directional, vector: d, .. } = h.state().state.model.document.figure().scene.lights[0]
+    let Light { kind: LightKind::Directional, vector: d, .. } =
+        h.state().state.model.desk.shown.figure().scene.lights[0]
     else {
         panic!("parallel")
     };
@@ -228,7 +233,7 @@ fn parallel_light_is_turned_by_rings() {
 #[test]
 fn turns_of_the_view_are_gone_back_through() {
     let mut h = stage(with_cone);
-    let observers = |h: &Harness<Stage>| h.state().state.model.document.figure().observers;
+    let observers = |h: &Harness<Stage>| h.state().state.model.desk.shown.figure().observers;
     let before = observers(&h);
     let rect = place(&h, WORLD);
     let corner = rect.min + vec2(8.0, 30.0);

@@ -19,7 +19,7 @@ use crate::words::en;
 fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     let mut h = stage(|_| ());
     let rect = place(&h, IMAGE);
-    let window = h.state().state.model.document.camera().window();
+    let window = h.state().state.model.desk.shown.camera().window();
     let frame = image_frame(world(&h, rect).size, window.aspect());
     let share = DVec2::new(0.03, 0.96);
     let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
@@ -56,7 +56,7 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
 #[test]
 fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
     let observer = Observer { azimuth: 40.0, distance: 12.0, ..observer() };
-    let mut h = stage(|state| state.model.document.observers_mut().world = Some(observer));
+    let mut h = stage(|state| state.model.desk.shown.observers_mut().world = Some(observer));
     let [_, _, back] = observer.axes();
     let eye = observer.target + back * observer.distance;
     let scene = h.state().state.model.scene_cache.scene().clone();
@@ -79,7 +79,7 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
         assert_eq!(*after, before + 1);
     }
     let text = h.get_by_label_contains("NDC").accesskit_node().value().unwrap();
-    let ndc = h.state().state.model.document.camera().clip_point(corner);
+    let ndc = h.state().state.model.desk.shown.camera().clip_point(corner);
     let x = format!("{:.4}", ndc.x / ndc.w);
     assert!(text.contains(&x), "{text} has no {x}");
 }
@@ -89,11 +89,11 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
 #[test]
 fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let mut h = stage(|state| {
-        state.model.document.edit(|figure| {
+        state.model.desk.shown.edit(|figure| {
             figure.scene.preset = Preset::Empty;
             figure.scene.objects = vec![ObjectSpec::new("P", Shape::Points(vec![DVec3::new(1.0, 1.0, 0.0)]))];
         });
-        state.model.document.set_parameters(Parameters {
+        state.model.desk.shown.set_parameters(Parameters {
             position: DVec3::new(0.0, 0.0, 5.0),
             projection: Projection::Parallel,
             height: 4.0,
@@ -124,16 +124,16 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     // As the eye would see it: narrower, in the middle, and the switch goes back.
     h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
-    assert!(h.state().state.model.document.figure().undistorted);
+    assert!(h.state().state.model.desk.shown.figure().undistorted);
     let narrow = Rect::from_center_size(rect.center(), vec2((height * 0.75).round(), height));
     h.hover_at(narrow.min + narrow.size() * vec2(2.5 / 3.0, 0.25));
     h.run();
     assert_eq!(h.state().state.model.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
     h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
-    assert!(!h.state().state.model.document.figure().undistorted);
+    assert!(!h.state().state.model.desk.shown.figure().undistorted);
     // With square pixels there is nothing to switch.
-    h.state_mut().state.model.document.set_parameters(Parameters::default());
+    h.state_mut().state.model.desk.shown.set_parameters(Parameters::default());
     h.run();
     assert!(h.query_by_label(en::CANVAS.undistorted).is_none());
 }
@@ -141,7 +141,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
 #[test]
 fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
     let mut h = stage(|state| {
-        state.model.document.edit(|figure| {
+        state.model.desk.shown.edit(|figure| {
             figure.scene.preset = Preset::Empty;
             let ends = [[DVec3::ZERO, DVec3::new(0.0, 0.0, 1.0)], [DVec3::new(1.0, 0.5, 0.0), DVec3::X]];
             figure.scene.objects = vec![
@@ -153,7 +153,7 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
     });
     let rect = place(&h, IMAGE);
     let at = |h: &Harness<Stage>, p: DVec3| {
-        let camera = h.state().state.model.document.camera();
+        let camera = h.state().state.model.desk.shown.camera();
         let clip = camera.clip_from_world() * p.extend(1.0);
         let ndc = clip.truncate() / clip.w;
         let height = rect.height().min(rect.width() * 0.75).round();
@@ -196,7 +196,7 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
 #[test]
 fn a_card_goes_with_the_window_until_it_is_moved() {
     let open = |size: [f32; 2]| {
-        let mut h = stage(|state| state.model.document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE)));
+        let mut h = stage(|state| state.model.desk.shown.show_mut().probe = Some(ShownProbe::World(DVec3::ONE)));
         h.set_size(size.into());
         h.run();
         h
@@ -234,11 +234,11 @@ fn the_card_of_a_lesson_covers_neither_its_point_nor_the_camera() {
     for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {
         let Some(ShownProbe::World(point)) = step.figure.show.probe else { continue };
         let mut h = stage(|state| {
-            state.model.document.edit(|figure| {
+            state.model.desk.shown.edit(|figure| {
                 figure.clone_from(&step.figure);
                 figure.style.antialias = 1;
             });
-            state.model.document.set_parameters(step.figure.camera);
+            state.model.desk.shown.set_parameters(step.figure.camera);
         });
         h.set_size([900.0, 560.0].into());
         h.run();

@@ -20,7 +20,7 @@ use crate::words::en;
 /// A window with a cube, which there is little to draw of.
 fn window(lang: Lang) -> Window {
     let mut window = Window::new(lang);
-    window.app_mut().state.model.document.edit(|figure| figure.scene.preset = Preset::Cube);
+    window.app_mut().state.model.desk.shown.edit(|figure| figure.scene.preset = Preset::Cube);
     settled(&mut window);
     window
 }
@@ -38,9 +38,9 @@ fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
         let mut window = window(lang);
         assert!(window.harness.query_by_label(button).is_none());
         // It turns its back to the scene.
-        let before = window.state().model.document.figure().camera;
+        let before = window.state().model.desk.shown.figure().camera;
         let behind = Parameters { focal_point: 2.0 * before.position, ..before };
-        window.app_mut().state.model.document.set_parameters(behind);
+        window.app_mut().state.model.desk.shown.set_parameters(behind);
         settled(&mut window);
         assert!(window.says(why));
         window.click(button);
@@ -49,7 +49,7 @@ fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
         let advice = window.state().model.coach.advice().expect("it is known").clone();
         assert!(advice.diagnosis.expect("it can be drawn").visible > 0);
         window.command_key(Key::Z);
-        assert_eq!(window.state().model.document.figure().camera, behind, "one step back");
+        assert_eq!(window.state().model.desk.shown.figure().camera, behind, "one step back");
     }
 }
 
@@ -66,10 +66,10 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     let improve = window.harness.query_all_by_label(en::COACH.improve).next().expect("a repair");
     improve.click();
     settled(&mut window);
-    assert!(window.state().model.document.figure().camera.near > 0.5);
+    assert!(window.state().model.desk.shown.figure().camera.near > 0.5);
     assert!(window.harness.query_by_label("Camera check: good").is_some());
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().camera.near, 1e-5);
+    assert_eq!(window.state().model.desk.shown.figure().camera.near, 1e-5);
 }
 
 /// Numbers in the fields that make no camera are a finding with a repair, and the last good image stays.
@@ -78,21 +78,21 @@ fn an_impossible_camera_is_a_finding_and_one_click_repairs_it() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = coach::texts(lang);
         let mut window = window(lang);
-        let good = window.state().model.document.figure().camera;
+        let good = window.state().model.desk.shown.figure().camera;
         window.enter("B", "0,01");
         settled(&mut window);
-        assert_eq!(window.state().model.document.figure().camera, good);
+        assert_eq!(window.state().model.desk.shown.figure().camera, good);
         window.click(&format!("⚠ {}", t.one_finding));
         settled(&mut window);
         let why = if lang == Lang::En { "F must be less than B" } else { "F tem de ser menor que B" };
         assert!(window.says(why), "{lang:?}");
         window.click(t.show_it);
         settled(&mut window);
-        assert!(window.state().model.document.problem().is_none());
+        assert!(window.state().model.desk.shown.problem().is_none());
         // B = 10 F, since with F and B exchanged the cube would be beyond the back plane.
-        assert_eq!(window.state().model.document.figure().camera, Parameters { far: 10.0 * good.near, ..good });
+        assert_eq!(window.state().model.desk.shown.figure().camera, Parameters { far: 10.0 * good.near, ..good });
         window.command_key(Key::Z);
-        assert_eq!(window.state().model.document.figure().camera, good);
+        assert_eq!(window.state().model.desk.shown.figure().camera, good);
     }
 }
 
@@ -111,15 +111,15 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
         window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
         settled(&mut window);
     }
-    assert!(window.state().model.document.problem().is_some());
-    assert_eq!(window.state().model.document.draft().position.y, 9.0);
+    assert!(window.state().model.desk.shown.problem().is_some());
+    assert_eq!(window.state().model.desk.shown.draft().position.y, 9.0);
     window.click(&format!("⚠ {}", t.one_finding));
     settled(&mut window);
     assert!(window.says("VUP × n"));
     window.click(t.show_it);
     settled(&mut window);
-    assert!(window.state().model.document.problem().is_none());
-    assert_eq!(window.state().model.document.figure().camera.position.y, 9.0);
+    assert!(window.state().model.desk.shown.problem().is_none());
+    assert_eq!(window.state().model.desk.shown.figure().camera.position.y, 9.0);
 }
 
 /// While the coach looks at what has changed, a click on its button is the coach's all the same.
@@ -134,8 +134,8 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     };
     window.harness.event(Event::PointerMoved(coach));
     window.harness.step();
-    let before = window.state().model.document.figure().camera;
-    window.app_mut().state.model.document.set_parameters(Parameters { near: 1e-5, ..before });
+    let before = window.state().model.desk.shown.figure().camera;
+    window.app_mut().state.model.desk.shown.set_parameters(Parameters { near: 1e-5, ..before });
     window.harness.step();
     button(&window, true);
     window.harness.step();
@@ -210,8 +210,8 @@ fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
     for (lang, comma, point) in [(Lang::PtBr, ',', '.'), (Lang::En, '.', ',')] {
         let mut window = window(lang);
         // Nothing is seen up to here, and F is far too small.
-        let camera = window.state().model.document.figure().camera;
-        window.app_mut().state.model.document.set_parameters(Parameters { near: 1e-5, far: 3.7, ..camera });
+        let camera = window.state().model.desk.shown.figure().camera;
+        window.app_mut().state.model.desk.shown.set_parameters(Parameters { near: 1e-5, far: 3.7, ..camera });
         settled(&mut window);
         window.app_mut().state.file_flow.dialog = Some(Dialog::Coach);
         settled(&mut window);

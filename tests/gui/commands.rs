@@ -44,7 +44,7 @@ impl Window {
 fn turns_after_a_plus_are_undone_one_by_one() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
-    let camera = |window: &Window| *window.state().model.document.camera().parameters();
+    let camera = |window: &Window| *window.state().model.desk.shown.camera().parameters();
     let mut cameras = vec![camera(&window)];
     window.plus_that_comes_up_as_equals();
     cameras.push(camera(&window));
@@ -57,14 +57,14 @@ fn turns_after_a_plus_are_undone_one_by_one() {
         window.command_key(Key::Z);
         assert_eq!(camera(&window), *before, "step {i} is taken back alone");
     }
-    assert!(!window.state().model.document.can_undo(true));
+    assert!(!window.state().model.desk.can_undo(true));
 }
 
 #[test]
 fn what_a_held_key_repeats_is_one_step() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
-    let camera = |window: &Window| *window.state().model.document.camera().parameters();
+    let camera = |window: &Window| *window.state().model.desk.shown.camera().parameters();
     let before = camera(&window);
     for _ in 0..10 {
         window.key_event(Key::ArrowRight, true, Modifiers::NONE);
@@ -80,7 +80,7 @@ fn what_a_held_key_repeats_is_one_step() {
     assert_eq!(camera(&window), turned);
     window.command_key(Key::Z);
     assert_eq!(camera(&window), before);
-    assert!(!window.state().model.document.can_undo(true));
+    assert!(!window.state().model.desk.can_undo(true));
 }
 
 #[test]
@@ -88,9 +88,9 @@ fn a_key_that_never_comes_up_is_not_held_for_ever() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
     window.key_event(Key::ArrowRight, true, Modifiers::NONE);
-    assert!(!window.state().model.document.can_undo(true), "it may repeat yet");
+    assert!(!window.state().model.desk.can_undo(true), "it may repeat yet");
     window.harness.run_steps(6);
-    assert!(window.state().model.document.can_undo(true));
+    assert!(window.state().model.desk.can_undo(true));
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     assert_eq!(window.state().model.settings.theme, Theme::Dark);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Dark);
     // It is not the figure that has changed.
-    let document = &window.state().model.document;
+    let document = &window.state().model.desk.shown;
     assert!(!document.is_changed() && !document.can_undo(true));
     assert_eq!(document.figure().style.theme, Theme::Light);
     // Nor does another figure change it, not even one that was drawn for print.
@@ -221,7 +221,7 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     std::fs::write(&path, "[scene]\npreset = \"empty\"\n[style]\ntheme = \"print\"\n").expect("written");
     window.command_key(Key::O);
     window.choose(&path);
-    assert_eq!(window.state().model.document.figure().style.theme, Theme::Print);
+    assert_eq!(window.state().model.desk.shown.figure().style.theme, Theme::Print);
     assert_eq!((window.state().model.settings.theme, window.harness.ctx.theme()), (Theme::Dark, egui::Theme::Dark));
 }
 
@@ -268,7 +268,7 @@ fn pictures_are_hidden_and_shown_and_looked_at() {
     window.command_key(Key::Num1);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num2);
     window.run();
-    let observers = window.state().model.document.figure().observers;
+    let observers = window.state().model.desk.shown.figure().observers;
     assert_eq!(
         observers.world.map(|observer| observer.elevation),
         Some(90.0),
@@ -276,7 +276,7 @@ fn pictures_are_hidden_and_shown_and_looked_at() {
         ObserverChange::From(Viewpoint::Top)
     );
     // Looking from somewhere else is no change of the figure.
-    assert!(!window.state().model.document.is_changed() && !window.state().model.document.can_undo(true));
+    assert!(!window.state().model.desk.shown.is_changed() && !window.state().model.desk.can_undo(true));
 }
 
 #[test]
@@ -322,13 +322,13 @@ fn in_one_frame(window: &mut Window, keys: &[(Modifiers, Key)]) {
 #[test]
 fn every_key_of_a_frame_acts() {
     let mut window = Window::new(Lang::En);
-    let x = |window: &Window| window.state().model.document.camera().position().x;
+    let x = |window: &Window| window.state().model.desk.shown.camera().position().x;
     let start = x(&window);
     for value in 1..=6 {
         window.enter("C x", &(10 * value).to_string());
     }
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Z); 6]);
-    assert_eq!((x(&window), window.state().model.document.can_undo(true)), (start, false));
+    assert_eq!((x(&window), window.state().model.desk.can_undo(true)), (start, false));
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Y); 4]);
     assert_eq!(x(&window), 40.0);
     // In their order: two back, one forward.
@@ -347,10 +347,10 @@ fn every_key_of_a_frame_acts() {
 #[test]
 fn what_follows_the_key_of_a_dialog_is_not_for_the_window() {
     let mut window = Window::new(Lang::En);
-    let theme = window.state().model.document.figure().style.theme;
+    let theme = window.state().model.desk.shown.figure().style.theme;
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::E), (Modifiers::COMMAND, Key::T)]);
     assert!(window.state().file_flow.dialog.is_some());
-    assert_eq!(window.state().model.document.figure().style.theme, theme);
+    assert_eq!(window.state().model.desk.shown.figure().style.theme, theme);
 }
 
 #[test]
@@ -409,13 +409,13 @@ fn section_and_dimensions_are_switched_by_their_commands_and_undone_like_any_edi
     };
     press(&mut window, Modifiers::ALT, Key::Num9);
     press(&mut window, Modifiers::ALT, Key::Num8);
-    let world = window.state().model.document.figure().world;
+    let world = window.state().model.desk.shown.figure().world;
     assert!(world.section && world.dimensions);
     press(&mut window, Modifiers::ALT, Key::Num9);
-    assert!(window.state().model.document.figure().world.dimensions, "the section has its own: it does nothing");
+    assert!(window.state().model.desk.shown.figure().world.dimensions, "the section has its own: it does nothing");
     press(&mut window, Modifiers::COMMAND, Key::Z);
     press(&mut window, Modifiers::ALT, Key::Num9);
-    assert_eq!(window.state().model.document.figure().world, WorldLook::default());
+    assert_eq!(window.state().model.desk.shown.figure().world, WorldLook::default());
 }
 
 /// A window with all three pictures.
@@ -441,7 +441,7 @@ fn from_where_to_look_is_a_menu_in_words_with_the_keys_for_it() {
         let in_menu = window.harness.query_all(By::new().label_contains(entry));
         in_menu.into_iter().find(|node| node.rect().contains(place.center())).expect(entry).click();
         window.run();
-        let seen = window.state().model.document.figure().observers.world.expect("an observer");
+        let seen = window.state().model.desk.shown.figure().observers.world.expect("an observer");
         assert_eq!((seen.azimuth, seen.elevation, seen.parallel), (90.0, 0.0, true));
     }
 }
@@ -452,23 +452,23 @@ fn the_section_is_in_the_menu_of_viewpoints_and_another_side_leaves_it() {
     window.harness.get_all_by_label(en::CANVAS.look_menu).next().expect("the world's").click();
     window.run();
     window.click(en::CANVAS.section);
-    assert!(window.state().model.document.figure().world.section);
+    assert!(window.state().model.desk.shown.figure().world.section);
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num1);
     window.run();
-    let figure = window.state().model.document.figure();
+    let figure = window.state().model.desk.shown.figure();
     assert!(!figure.world.section && figure.observers.world.is_some());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num8);
     window.run();
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num0);
     window.run();
-    assert!(window.state().model.document.figure().world.section, "fitting is no other side");
+    assert!(window.state().model.desk.shown.figure().world.section, "fitting is no other side");
 }
 
 #[test]
 fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_was_turned_stays() {
     let mut window = whole(Lang::En);
-    let seen = |window: &Window| window.state().model.document.figure().observers.world.expect("an observer");
+    let seen = |window: &Window| window.state().model.desk.shown.figure().observers.world.expect("an observer");
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num5);
     window.run();
     let framed = seen(&window);
@@ -477,12 +477,12 @@ fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_w
     let again = seen(&window);
     assert_ne!(framed.distance, again.distance);
     assert_eq!((framed.azimuth, framed.elevation, framed.roll), (again.azimuth, again.elevation, again.roll));
-    assert!(!window.state().model.document.is_changed());
+    assert!(!window.state().model.desk.shown.is_changed());
     window.key(Key::F11);
     window.run();
     assert!((seen(&window).distance / framed.distance - 1.0).abs() < 1e-9, "and back");
     let turned = camera_lab::figure::Observer { azimuth: framed.azimuth + 7.0, ..seen(&window) };
-    window.app_mut().state.model.document.observers_mut().world = Some(turned);
+    window.app_mut().state.model.desk.shown.observers_mut().world = Some(turned);
     window.run();
     window.key(Key::F11);
     window.run();
@@ -496,7 +496,7 @@ fn redo_with_nothing_to_redo_does_not_undo() {
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     window.run();
-    assert_eq!(window.state().model.document.figure().camera.far, 40.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.far, 40.0);
 }
 
 #[test]

@@ -28,7 +28,7 @@ fn house(lang: Lang) -> Window {
 
 impl Window {
     fn compared(&self) -> Option<&Comparison> {
-        self.state().model.document.figure().compare.as_ref()
+        self.state().model.desk.shown.figure().compare.as_ref()
     }
 
     fn compare(&mut self) {
@@ -68,7 +68,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
         window.command_key(Key::Z);
         assert_eq!(window.compared().map(|comparison| comparison.wiper), expected);
     }
-    while window.state().model.document.can_undo(true) {
+    while window.state().model.desk.can_undo(true) {
         window.command_key(Key::Z);
     }
     assert_eq!(window.compared(), None);
@@ -91,19 +91,19 @@ fn each_ready_pair_compares_and_is_swapped() {
         assert!(window.state().model.compared().is_some(), "{pair}");
     }
     window.click(en::COMPARE.swap);
-    assert_eq!(window.state().model.document.figure().style.depth_format, DepthFormat::Fixed16);
+    assert_eq!(window.state().model.desk.shown.figure().style.depth_format, DepthFormat::Fixed16);
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32-reversed\"");
     window.click(en::COMPARE.swap);
     window.click(en::COMPARE.projection);
     window.click(en::COMPARE.swap);
-    assert_eq!(window.state().model.document.figure().camera.projection, Projection::Parallel);
+    assert_eq!(window.state().model.desk.shown.figure().camera.projection, Projection::Parallel);
     window.click(en::COMPARE.operation);
     assert_eq!(window.compared().expect("a comparison").ops.len(), 1);
     window.click(en::COMPARE.beside);
     assert!(window.compared().expect("a comparison").beside);
     window.click(en::COMPARE.nothing);
     assert_eq!(window.compared(), None);
-    let style = window.state().model.document.figure().style;
+    let style = window.state().model.desk.shown.figure().style;
     assert_eq!((style.shading, style.visibility), (Shading::Flat, Visibility::DepthBuffer));
 }
 
@@ -127,7 +127,7 @@ fn any_key_is_compared_and_a_wrong_one_is_explained() {
     assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "512".to_owned())]);
     window.click(pt::COMPARE.swap);
     assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "1024".to_owned())]);
-    assert_eq!(window.state().model.document.figure().image.width, 512);
+    assert_eq!(window.state().model.desk.shown.figure().image.width, 512);
     type_key(&mut window, "camera.near = 0");
     assert!(window.says("near é 0"));
     assert_eq!(window.compared().expect("the comparison before").with[0].0, "image.width");
@@ -175,28 +175,28 @@ fn the_convention_of_the_window_is_the_side_that_is_swapped() {
 fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
     let folder = Folder::new("compare");
     let mut window = house(Lang::En);
-    let first = window.state().model.document.figure().camera;
-    let framed = window.state().model.document.figure().observers;
+    let first = window.state().model.desk.shown.figure().camera;
+    let framed = window.state().model.desk.shown.figure().observers;
     window.key(Key::F4);
     assert!(window.says(en::COMPARE.no_sides) && window.compared().is_none());
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::F4);
     window.run();
     window.enter("C x", "-3");
-    let second = window.state().model.document.figure().camera;
+    let second = window.state().model.desk.shown.figure().camera;
     // Now, and A: swapped, and back.
     window.key(Key::F4);
     assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
     window.key(Key::F4);
-    assert_eq!(window.state().model.document.figure().camera, first);
+    assert_eq!(window.state().model.desk.shown.figure().camera, first);
     window.key(Key::F4);
-    assert_eq!(window.state().model.document.figure().camera, second);
+    assert_eq!(window.state().model.desk.shown.figure().camera, second);
     // A stays as it was while the camera continues.
     window.enter("C y", "1.5");
     assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
     window.compare();
     window.click(en::WINDOW.close);
     assert_eq!(window.compared(), None);
-    assert_eq!(window.state().model.document.figure().observers, framed);
+    assert_eq!(window.state().model.desk.shown.figure().observers, framed);
     // As it was opened, and another file.
     window.compare();
     window.click(en::COMPARE.with_saved);

@@ -41,7 +41,7 @@ fn shown(window: &Window) -> Conventions {
 fn the_numbers_are_in_the_convention_that_is_chosen() {
     let mut window = window(Lang::En);
     // The first digits of the entry of y, with a minus.
-    let y = window.state().model.document.camera().clip_from_view().y_axis.y;
+    let y = window.state().model.desk.shown.camera().clip_from_view().y_axis.y;
     let downwards = format!("−{}", &format!("{y:.6}")[..4]);
     assert!(window.says("projection matrix (5.14)") && !window.says(&downwards));
     choose(&mut window, "NDC of", "Vulkan");
@@ -54,7 +54,7 @@ fn the_numbers_are_in_the_convention_that_is_chosen() {
     assert!(window.says("projection matrix · Vulkan, reversed, B → ∞"));
     // The figure is as it was.
     window.key(Key::Escape);
-    assert!(!window.state().model.document.is_changed());
+    assert!(!window.state().model.desk.shown.is_changed());
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
     window.click("NDC de: B → ∞");
     assert!(!window.says("o mesmo z"));
     window.click(pt::WINDOW.parallel);
-    assert_eq!(window.state().model.document.camera().projection(), Projection::Parallel);
+    assert_eq!(window.state().model.desk.shown.camera().projection(), Projection::Parallel);
     assert!(window.says("B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: OpenGL aparece"));
     assert!(window.says("matriz de projeção (5.16)"), "as with a far plane");
 }
@@ -140,8 +140,9 @@ fn the_probe_and_a_presentation_are_in_the_convention() {
             window.state().model.probe.and_then(|probe| if let Probe::Point(p) = probe { Some(p) } else { None })
         });
         let p = vertex.expect("a vertex");
-        let clip = window.state().model.document.camera().clip_space(VULKAN).expect("in perspective").clip_from_view()
-            * window.state().model.document.camera().view_point(p).extend(1.0);
+        let clip =
+            window.state().model.desk.shown.camera().clip_space(VULKAN).expect("in perspective").clip_from_view()
+                * window.state().model.desk.shown.camera().view_point(p).extend(1.0);
         let text = read_out(&window);
         let z = format!("{:.6}", clip.z / clip.w)[..4].to_owned();
         assert!(text.contains(&z) && clip.z > 0.0, "{text} has no {z}");

@@ -34,23 +34,23 @@ fn a_number_of_another_vocabulary_sets_the_camera() {
     let mut window = window(Lang::En, Explanation::Dialects);
     assert_eq!(window.state().model.explained.shown(), Explanation::Dialects);
     window.enter("gluLookAt eyeX", "7");
-    assert_eq!(window.state().model.document.camera().position().x, 7.0);
+    assert_eq!(window.state().model.desk.shown.camera().position().x, 7.0);
     window.enter("F F", "0.5");
-    assert_eq!(window.state().model.document.camera().near(), 0.5);
+    assert_eq!(window.state().model.desk.shown.camera().near(), 0.5);
     window.enter("z_far z_far", "-40");
-    assert_eq!(window.state().model.document.camera().far(), 40.0);
-    let before = window.state().model.document.camera().clone();
+    assert_eq!(window.state().model.desk.shown.camera().far(), 40.0);
+    let before = window.state().model.desk.shown.camera().clone();
     // What is not a camera stays in its field, with the reason.
     window.enter("B B", "0.25");
-    assert_eq!(*window.state().model.document.camera(), before);
+    assert_eq!(*window.state().model.desk.shown.camera(), before);
     assert!(window.state().explain.refused.is_some());
     assert!(window.says("near"), "the reason names the key");
     window.enter("B B", "30");
-    assert_eq!(window.state().model.document.camera().far(), 30.0);
+    assert_eq!(window.state().model.desk.shown.camera().far(), 30.0);
     assert!(window.state().explain.refused.is_none());
     window.key(Key::Escape);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.camera().far(), 40.0, "one step for one number");
+    assert_eq!(window.state().model.desk.shown.camera().far(), 40.0, "one step for one number");
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     window.run();
     assert!(window.says("z_n troca de sinal") && window.says("ao longo de n"));
     window.click(pt::DIALECTS.take);
-    let camera = window.state().model.document.camera();
+    let camera = window.state().model.desk.shown.camera();
     let corners = camera.volume_corners();
     assert!(corners.iter().all(|p| p.abs().abs_diff_eq(DVec3::ONE, 1e-12)), "[0] exercise 5.3: {corners:?}");
     // A mirror is that of a left-handed world; a transposed matrix is recognised.
@@ -78,7 +78,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
 
 /// K, R and t of a camera, from its basis and its window, without the table of words.
 fn k_r_t(window: &Window) -> ([f64; 4], [DVec3; 3], DVec3) {
-    let (camera, image) = (window.state().model.document.camera(), window.state().model.document.figure().image);
+    let (camera, image) = (window.state().model.desk.shown.camera(), window.state().model.desk.shown.figure().image);
     let (w, near) = (camera.window(), camera.near());
     let [m, n] = [image.width, image.height].map(f64::from);
     let (width, height) = (w.right - w.left, w.top - w.bottom);
@@ -109,9 +109,9 @@ fn k_and_t_are_handles() {
         assert!(now.0.iter().zip(k).all(|(a, b)| (a - b).abs() < 1e-9 * b), "nor does it change its lens");
     }
     // No focal length is negative: the reason is beside the field, and the camera stays.
-    let before = window.state().model.document.camera().clone();
+    let before = window.state().model.desk.shown.camera().clone();
     window.enter("K f_x", "-3");
-    assert!(window.says("greater than 0") && *window.state().model.document.camera() == before);
+    assert!(window.says("greater than 0") && *window.state().model.desk.shown.camera() == before);
 }
 
 #[test]
@@ -129,9 +129,9 @@ fn an_entry_of_r_turns_the_camera() {
         assert!((trace - 1.0 - 2.0 * turn.cos()).abs() < 1e-9, "{field}: {trace}");
         assert!(t_after.abs_diff_eq(t, 1e-12) && k_after.iter().zip(k).all(|(a, b)| (a - b).abs() < 1e-9));
     }
-    let before = window.state().model.document.camera().clone();
+    let before = window.state().model.desk.shown.camera().clone();
     window.enter("R r_22", "1.5");
-    assert!(window.says("−1") && *window.state().model.document.camera() == before, "an entry is a cosine");
+    assert!(window.says("−1") && *window.state().model.desk.shown.camera() == before, "an entry is a cosine");
     window.key(Key::Escape);
 }
 
@@ -183,7 +183,7 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
         window.run();
         assert!(window.says(said) && window.says(instead));
         window.click(take);
-        let position = window.state().model.document.camera().position();
+        let position = window.state().model.desk.shown.camera().position();
         assert!(position.abs_diff_eq(DVec3::new(7.3589, 4.9583, 6.9258), 1e-9), "z was up: {position}");
         window.app_mut().state.explain.pasted.axes = Some(Axes::OPENGL);
         window.run();
@@ -191,7 +191,7 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
         assert_eq!(window.state().explain.pasted.kind, Some(MatrixKind::View));
         window.click(take);
         // −Rᵀ t
-        let position = window.state().model.document.camera().position();
+        let position = window.state().model.desk.shown.camera().position();
         assert!(position.abs_diff_eq(DVec3::new(-0.0081, 0.0599, -11.2545), 1e-2), "{position}");
     }
 }
@@ -200,7 +200,7 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
 #[test]
 fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     let mut window = window(Lang::En, Explanation::Dialects);
-    let before = *window.state().model.document.draft();
+    let before = *window.state().model.desk.shown.draft();
     window.app_mut().state.explain.pasted.text =
         "721.5377 0.0 609.5593 44.85728 0.0 721.5377 172.854 0.2163791 0.0 0.0 1.0 0.002745884".to_owned();
     window.run();
@@ -209,7 +209,7 @@ fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     window.enter("Image of the matrix m", "1242");
     window.enter("Image of the matrix n", "375");
     window.click(en::DIALECTS.take);
-    let document = &window.state().model.document;
+    let document = &window.state().model.desk.shown;
     assert_eq!((document.figure().image.width, document.figure().image.height), (1242, 375));
     let after = *document.draft();
     assert_eq!((after.near, after.far), (before.near, before.far));
@@ -218,23 +218,23 @@ fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     let share = -pixels.left / (pixels.right - pixels.left);
     assert!((share * 1242.0 - 609.5593).abs() < 1e-9, "{share}");
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().image, camera_lab::gui::fresh().image, "one step for both");
-    assert_eq!(*window.state().model.document.draft(), before);
+    assert_eq!(window.state().model.desk.shown.figure().image, camera_lab::gui::fresh().image, "one step for both");
+    assert_eq!(*window.state().model.desk.shown.draft(), before);
 }
 
 /// B20.
 #[test]
 fn the_words_of_computer_vision_switch_a_parallel_camera() {
     let mut window = window(Lang::En, Explanation::Dialects);
-    let perspective = window.state().model.document.camera().clone();
+    let perspective = window.state().model.desk.shown.camera().clone();
     let parallel = perspective.with_projection(Projection::Parallel).unwrap();
-    window.app_mut().state.model.document.set_camera(parallel);
+    window.app_mut().state.model.desk.shown.set_camera(parallel);
     window.run();
     window.click(en::DIALECTS.to_perspective);
-    let camera = window.state().model.document.camera();
+    let camera = window.state().model.desk.shown.camera();
     assert_eq!((camera.projection(), camera.window()), (Projection::Perspective, perspective.window()));
     window.enter("K f_x", "700");
-    assert!(window.state().model.document.draft().window.is_some());
+    assert!(window.state().model.desk.shown.draft().window.is_some());
 }
 
 #[test]
@@ -263,13 +263,13 @@ fn a_file_with_several_cameras_has_a_list() {
         window.app_mut().state.explain.pasted.text = text.to_owned();
         window.run();
         window.click(words.take);
-        let front = window.state().model.document.camera().position();
+        let front = window.state().model.desk.shown.camera().position();
         window.harness.get_by_role_and_label(Role::ComboBox, words.camera).click();
         window.run();
         window.click("back.png");
         assert_eq!(window.state().explain.pasted.camera, 2);
         window.click(words.take);
-        let back = window.state().model.document.camera().position();
+        let back = window.state().model.desk.shown.camera().position();
         assert!(front.length() > 3.9 && front.abs_diff_eq(-back, 1e-12), "{front} {back}");
         // One camera needs no list, and the number of the other text is no matter.
         window.app_mut().state.explain.pasted.text = BLENDER.to_owned();
@@ -285,16 +285,16 @@ const GLTF: &str = include_str!("../common/two_cameras.gltf");
 #[test]
 fn all_cameras_of_a_gltf_file_become_those_of_the_figure_and_are_undone() {
     let mut window = window(Lang::En, Explanation::Dialects);
-    let before = window.state().model.document.figure().clone();
+    let before = window.state().model.desk.shown.figure().clone();
     window.app_mut().state.explain.pasted.text = GLTF.to_owned();
     window.run();
     window.click(en::DIALECTS.take_all);
-    let figure = window.state().model.document.figure();
+    let figure = window.state().model.desk.shown.figure();
     assert_eq!(figure.tag.name.as_deref(), Some("front"));
     assert_eq!((figure.camera.position, figure.camera.near), (DVec3::new(1.0, 2.0, 6.0), 0.25));
     let [arm] = &figure.cameras[..] else { panic!("{:?}", figure.cameras) };
     assert_eq!((arm.name.as_str(), arm.parameters.position), ("arm", DVec3::new(0.0, 1.0, 9.0)));
     assert_eq!((arm.parameters.projection, arm.parameters.height), (Projection::Parallel, 4.0));
     window.command_key(Key::Z);
-    assert_eq!(*window.state().model.document.figure(), before);
+    assert_eq!(*window.state().model.desk.shown.figure(), before);
 }

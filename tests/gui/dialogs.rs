@@ -159,7 +159,7 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
     window.harness.event(Event::Text(folder.file("good.toml").display().to_string()));
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.name().as_deref(), Some("good.toml"));
+    assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("good.toml"));
     // The next dialog knows nothing of it.
     window.command_key(Key::O);
     assert!(!window.says("near < far"));
@@ -446,12 +446,12 @@ fn a_dialog_of_the_system_holds_the_window_back() {
     window.app_mut().state.file_flow.native = true;
     window.command_key(Key::O);
     assert!(window.says(t.choosing_title) && window.state().file_flow.is_asking());
-    let before = window.state().model.document.figure().clone();
+    let before = window.state().model.desk.shown.figure().clone();
     for key in [Key::G, Key::N, Key::PageDown, Key::E] {
         window.command_key(key);
         assert!(window.state().file_flow.dialog.is_none(), "{key:?}");
     }
-    assert_eq!(window.state().model.document.figure(), &before);
+    assert_eq!(window.state().model.desk.shown.figure(), &before);
     window.click(t.cancel);
     assert!(!window.state().file_flow.is_asking());
     window.command_key(Key::G);
@@ -547,7 +547,7 @@ fn forms_keep_what_you_typed_and_chose() {
         window.key(Key::Escape);
     }
     // Another title, and it begins with that one.
-    window.app_mut().state.model.document.edit(|figure| {
+    window.app_mut().state.model.desk.shown.edit(|figure| {
         figure.title = Some(camera_lab::figure::Bilingual { en: "Other".to_owned(), pt_br: "Outro".to_owned() });
     });
     window.command_key(Key::I);

@@ -199,13 +199,13 @@ fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
     let text = "# mine\n[camera]\nposition = [1, 2, 9] # from here\n";
     std::fs::write(&file, text).unwrap();
     let mut window = Window::opened(&file);
-    let own = window.state().model.document.figure().clone();
+    let own = window.state().model.desk.shown.figure().clone();
     window.app_mut().state.learn.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_ne!(window.state().model.document.figure(), &own);
-    let scene = &window.state().model.document.figure().scene;
+    assert_ne!(window.state().model.desk.shown.figure(), &own);
+    let scene = &window.state().model.desk.shown.figure().scene;
     assert!(!scene.objects.is_empty() && window.state().model.tree.names(scene).is_empty(), "nothing is selected");
     // Saving asks for a file.
     window.command_key(Key::S);
@@ -225,12 +225,12 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_eq!(window.state().model.document.path(), None);
+    assert_eq!(window.state().model.desk.shown.path(), None);
     window.key(Key::Escape);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.path(), Some(&file));
-    let parameters = *window.state().model.document.camera().parameters();
-    window.app_mut().state.model.document.set_parameters(Parameters { near: 0.5, ..parameters });
+    assert_eq!(window.state().model.desk.shown.path(), Some(&file));
+    let parameters = *window.state().model.desk.shown.camera().parameters();
+    window.app_mut().state.model.desk.shown.set_parameters(Parameters { near: 0.5, ..parameters });
     window.run();
     window.command_key(Key::S);
     let saved = std::fs::read_to_string(&file).unwrap();

@@ -81,7 +81,7 @@ pub(super) fn focused(window: &Window) -> Option<String> {
 #[test]
 fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse() {
     let mut window = window(Lang::En);
-    let own = window.state().model.document.figure().clone();
+    let own = window.state().model.desk.shown.figure().clone();
     assert!(!window.state().model.shows_exercises(), "off at the start");
     window.click(en::WINDOW.exercises);
     assert_eq!(window.state().model.explained.shown(), Explanation::Exercises);
@@ -110,9 +110,9 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     window.click("Show the camera of your answer: M_v");
     let described = window.state().learn.exercises.described.clone().unwrap().camera.unwrap();
     let right_camera = exercise.subject.camera().unwrap();
-    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera, "the right one is set");
+    assert_eq!(window.state().model.desk.shown.figure().camera, exercise.subject.figure.camera, "the right one is set");
     assert!(described.position().distance(right_camera.position()) > 0.1);
-    window.app_mut().state.model.document.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
+    window.app_mut().state.model.desk.shown.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
     window.run();
     window.key(Key::Escape);
     assert!(
@@ -122,7 +122,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     window.key(Key::Escape);
     assert!(window.state().model.pinned().is_none());
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure(), &own, "one step leads back to the own figure");
+    assert_eq!(window.state().model.desk.shown.figure(), &own, "one step leads back to the own figure");
 
     window.click("A hint: M_v");
     window.click("A stronger hint: M_v");
@@ -135,7 +135,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     assert_eq!(window.state().learn.exercises.stage("view-matrix"), Stage::Solved);
 
     window.click(en::EXERCISE_WINDOW.show_figure);
-    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera);
+    assert_eq!(window.state().model.desk.shown.figure().camera, exercise.subject.figure.camera);
     window.click(en::EXERCISE_WINDOW.back);
     let row = format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.solved);
     assert_eq!(focused(&window).as_deref(), Some(row.as_str()));
@@ -187,7 +187,7 @@ fn the_same_with_the_keyboard_alone() {
     }
     tab_to(&mut window, "Show the figure");
     window.key(Key::Space);
-    assert_eq!(window.state().model.document.figure().camera, exercise.subject.figure.camera);
+    assert_eq!(window.state().model.desk.shown.figure().camera, exercise.subject.figure.camera);
 }
 
 #[test]
@@ -252,7 +252,7 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     let (_, exercise) = made("match-picture", 3);
     let Expected::Camera(_, model, ..) = exercise.asks[0].expected() else { panic!("a camera") };
     let wanted: Parameters = **model;
-    window.app_mut().state.model.document.set_parameters(wanted);
+    window.app_mut().state.model.desk.shown.set_parameters(wanted);
     window.run();
     window.click(t.take_camera);
     window.command_key(Key::Enter);
@@ -274,7 +274,7 @@ fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
     }
     window.command_key(Key::Enter);
     window.click(t.show_figure);
-    let points = &window.state().model.document.figure().points;
+    let points = &window.state().model.desk.shown.figure().points;
     assert_eq!(points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["P", "Q", "R"]);
     assert_eq!(points[1].position, exercise.subject.points[1]);
 }
@@ -286,7 +286,7 @@ fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
     let t = exercise_window::texts(Lang::En);
     window.click(t.show_figure);
     let names = |window: &Window| -> Vec<String> {
-        window.state().model.document.figure().points.iter().map(|point| point.name.clone()).collect()
+        window.state().model.desk.shown.figure().points.iter().map(|point| point.name.clone()).collect()
     };
     assert!(names(&window).is_empty(), "C + u + v is what is asked for");
     let (_, exercise) = made("0-5.1", 1);

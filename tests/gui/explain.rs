@@ -32,7 +32,7 @@ fn toggle(window: &mut Window) {
 }
 
 fn with_camera(window: &mut Window, change: impl FnOnce(&mut Parameters)) {
-    let document = &mut window.app_mut().state.model.document;
+    let document = &mut window.app_mut().state.model.desk.shown;
     let mut parameters = *document.draft();
     change(&mut parameters);
     document.set_parameters(parameters);
@@ -125,7 +125,7 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
 
 /// The program's matrices, each from the camera itself.
 fn matrix_of(window: &Window, matrix: Matrix) -> DMat4 {
-    let camera: &Camera = window.state().model.document.camera();
+    let camera: &Camera = window.state().model.desk.shown.camera();
     match matrix {
         Matrix::View => camera.view_from_world(),
         Matrix::InverseView => camera.world_from_view(),
@@ -183,7 +183,7 @@ fn what_a_change_has_touched_glows_and_then_nothing_is_painted_again() {
     window.app_mut().state.model.explained.matrices.entry = [0, 1];
     window.run();
     let before = [painted(&window, first), painted(&window, last)];
-    let document = &mut window.app_mut().state.model.document;
+    let document = &mut window.app_mut().state.model.desk.shown;
     document.set_parameters(Parameters { view_angle: 50.0, ..*document.draft() });
     window.harness.step();
     window.harness.step();
@@ -280,7 +280,7 @@ fn with_object(lang: Lang) -> Window {
         .turned(0.0, 30.0, 0.0)
         .scaled(1.0, 2.0, 3.0);
     let state = &mut window.app_mut().state;
-    state.model.document.edit(|figure| figure.scene.objects = vec![object]);
+    state.model.desk.shown.edit(|figure| figure.scene.objects = vec![object]);
     state.model.tree.select(Some(Selected::Object("box".to_owned())));
     state.model.settings.tab = Tab::Scene;
     window.run();
@@ -352,7 +352,7 @@ fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
     window.run();
     assert_eq!(marked(&window), [true, true, false], "the viewport is the whole image");
     let viewport = Viewport { width: 300, ..Viewport::whole(ImageSize::default()) };
-    window.app_mut().state.model.document.edit(|figure| figure.viewport = Some(viewport));
+    window.app_mut().state.model.desk.shown.edit(|figure| figure.viewport = Some(viewport));
     window.run();
     window.harness.get_by_label("M_vp").focus();
     window.run();
@@ -373,7 +373,7 @@ fn an_entry_says_where_it_is_used_on_the_way_of_a_point() {
     let mut window = explaining(Lang::En);
     assert!(!window.says("it appears in the sum of"), "no point is followed");
     let point = NamedPoint { name: "A".to_owned(), position: DVec3::new(0.5, 1.0, 0.25) };
-    window.app_mut().state.model.document.edit(|figure| figure.points.push(point));
+    window.app_mut().state.model.desk.shown.edit(|figure| figure.points.push(point));
     window.run();
     assert!(window.says("for A it appears in the sum of x_r, in the term"));
 }
@@ -383,7 +383,7 @@ fn a_matrix_without_an_inverse_says_so_in_the_place_of_numbers_that_are_none() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = explaining(lang);
         let viewport = Viewport { depth_near: 0.5, depth_far: 0.5, ..Viewport::whole(ImageSize::default()) };
-        window.app_mut().state.model.document.edit(|figure| figure.viewport = Some(viewport));
+        window.app_mut().state.model.desk.shown.edit(|figure| figure.viewport = Some(viewport));
         window.app_mut().state.model.explained.matrices.matrix = Matrix::Viewport;
         window.app_mut().state.model.explained.matrices.inverse = true;
         window.run();

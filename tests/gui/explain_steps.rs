@@ -113,7 +113,7 @@ fn the_product_is_compared_and_handedness_announced() {
     assert_eq!(window.state().model.explained.steps.way, Decomposition::Normalised);
     assert!(window.says("z_n de 0 a 1"));
     // With a free window, [1] and [3] have no steps: greyed, and the reason where they were.
-    let document = &mut window.app_mut().state.model.document;
+    let document = &mut window.app_mut().state.model.desk.shown;
     let free = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
     document.set_parameters(Parameters { window: free, ..*document.draft() });
     window.run();

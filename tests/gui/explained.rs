@@ -31,12 +31,12 @@ fn the_triangle_of_an_object_goes_with_it_comes_back_with_it_and_follows_its_nam
     let triangle = |window: &Window| window.state().model.shown().triangle.clone();
     let own = ShownTriangle { object: "crate".to_owned(), index: 3, step: TriangleStep::Cuts, pixel: None };
     assert_eq!(triangle(&window), Some(own.clone()));
-    window.app_mut().state.model.document.edit(|figure| figure.scene.objects.clear());
+    window.app_mut().state.model.desk.shown.edit(|figure| figure.scene.objects.clear());
     window.run();
     assert_eq!(triangle(&window), None, "a file that is saved now can be read");
     window.command_key(Key::Z);
     assert_eq!(triangle(&window), Some(own.clone()));
-    window.app_mut().state.model.document.show_mut().rename_object("crate", "chest");
+    window.app_mut().state.model.desk.shown.show_mut().rename_object("crate", "chest");
     assert_eq!(triangle(&window), Some(ShownTriangle { object: "chest".to_owned(), ..own }));
 }
 
@@ -44,7 +44,7 @@ fn the_triangle_of_an_object_goes_with_it_comes_back_with_it_and_follows_its_nam
 fn undo_of_the_camera_leaves_the_step_of_the_triangle_where_it_is() {
     let mut window = window("explained-step", "triangle = { object = \"crate\", index = 3, step = \"view\" }");
     let go_on = |window: &mut Window| {
-        let show = window.app_mut().state.model.document.show_mut();
+        let show = window.app_mut().state.model.desk.shown.show_mut();
         let triangle = show.triangle.as_mut().expect("a triangle");
         (triangle.step, triangle.pixel) = (TriangleStep::Depth, Some([5, 4]));
         window.run();
@@ -105,7 +105,7 @@ fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
     let [part, lid, own] = [[-1.5, 0.0], [-1.5, 1.2], [1.2, 0.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
     let third = DVec3::splat(1.0 / 3.0);
     let click = |window: &mut Window, p: DVec3| {
-        let camera = window.state().model.document.camera().clone();
+        let camera = window.state().model.desk.shown.camera().clone();
         let clip = camera.clip_point(p);
         let place = window.harness.get_by_role(Role::Image).rect();
         let size = Size { width: place.width() as u32, height: place.height() as u32, scale: 1.0 };
@@ -126,7 +126,7 @@ fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
     for (place, name) in [(part + third, "engine"), (own, "engine/block"), (lid + third, "engine")] {
         click(&mut window, place);
         let state = window.state();
-        let selected = state.model.tree.selected(&state.model.document.figure().scene);
+        let selected = state.model.tree.selected(&state.model.desk.shown.figure().scene);
         assert_eq!(selected, Some(&Selected::Object(name.to_owned())), "{place}");
     }
     window.app_mut().state.model.settings.panels.show(Side::Explain);

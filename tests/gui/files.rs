@@ -78,16 +78,16 @@ fn a_figure_goes_to_its_file_and_comes_back_with_its_comments() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::O);
     window.choose(&path);
-    assert_eq!(window.state().model.document.name().as_deref(), Some("house.toml"));
-    assert_eq!(window.state().model.document.figure().camera.far, 50.0);
+    assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("house.toml"));
+    assert_eq!(window.state().model.desk.shown.figure().camera.far, 50.0);
     window.enter("B", "75");
-    assert!(window.state().model.document.is_changed());
+    assert!(window.state().model.desk.shown.is_changed());
     window.command_key(Key::S);
-    assert!(!window.state().model.document.is_changed());
+    assert!(!window.state().model.desk.shown.is_changed());
     let text = fs::read_to_string(&path).expect("there");
     assert!(text.starts_with("# For the lecture.\n") && text.contains("far = 75.0 # metres"), "{text}");
     let again = files::open_figure(&path).expect("readable").figure;
-    assert_eq!(&again, window.state().model.document.figure());
+    assert_eq!(&again, window.state().model.desk.shown.figure());
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn save_as_appends_the_ending_and_asks_before_it_replaces() {
     assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
     window.click(en::WINDOW.cancel);
     assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
-    assert_eq!(window.state().model.document.name().as_deref(), Some("a.toml"));
+    assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("a.toml"));
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
     window.choose(&folder.file("b.toml"));
@@ -140,7 +140,7 @@ fn a_faulty_file_is_explained_and_changes_nothing() {
     let path = folder.file("broken.toml");
     fs::write(&path, "[camera]\nnear = true\n").expect("written");
     let mut window = Window::new(Lang::PtBr);
-    let before = window.state().model.document.figure().clone();
+    let before = window.state().model.desk.shown.figure().clone();
     window.command_key(Key::O);
     window.harness.get_by_role_and_label(Role::TextInput, "arquivo").focus();
     window.run();
@@ -152,7 +152,7 @@ fn a_faulty_file_is_explained_and_changes_nothing() {
     assert!(window.says("near é true"));
     window.key(Key::Escape);
     assert!(window.state().file_flow.dialog.is_none());
-    assert_eq!(window.state().model.document.figure(), &before);
+    assert_eq!(window.state().model.desk.shown.figure(), &before);
 }
 
 #[test]
@@ -168,7 +168,7 @@ fn changes_are_asked_about_before_they_are_lost() {
     assert!(!window.says(en::WINDOW.unsaved_title));
     window.command_key(Key::N);
     window.click(en::WINDOW.dont_save);
-    assert_eq!(window.state().model.document.figure(), &gui::fresh());
+    assert_eq!(window.state().model.desk.shown.figure(), &gui::fresh());
     window.enter("C x", "2");
     assert!(!window.ask_to_close());
     window.click(en::WINDOW.save);
@@ -182,7 +182,7 @@ fn an_undone_change_is_no_change() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "1");
     window.command_key(Key::Z);
-    assert!(!window.state().model.document.is_changed());
+    assert!(!window.state().model.desk.shown.is_changed());
     assert!(window.ask_to_close());
 }
 
@@ -221,9 +221,9 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     let mut other = Window::new(Lang::En);
     other.command_key(Key::O);
     other.choose(&path);
-    assert_eq!(other.state().model.document.figure().camera.position.x, 1.5);
+    assert_eq!(other.state().model.desk.shown.figure().camera.position.x, 1.5);
     // Saving must not write a figure file over the picture.
-    assert!(other.state().model.document.path().is_none());
+    assert!(other.state().model.desk.shown.path().is_none());
 }
 
 #[test]
@@ -243,7 +243,7 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
     for mut window in [Window::opened(&path), Window::new(Lang::En)] {
         window.command_key(Key::O);
         window.choose(&path);
-        assert_eq!(window.state().model.document.figure().camera.near, 0.5);
+        assert_eq!(window.state().model.desk.shown.figure().camera.near, 0.5);
         window.enter("F", "0.75");
         window.command_key(Key::S);
         assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))), "it asks for another file");
@@ -271,11 +271,11 @@ fn operations_of_the_command_line_are_a_change_of_the_file() {
         lesson: None,
         later: None,
     };
-    assert!(!gui::State::new(start(figure.clone())).expect("a camera").model.document.is_changed());
+    assert!(!gui::State::new(start(figure.clone())).expect("a camera").model.desk.shown.is_changed());
     figure.camera.position.y = 7.0;
     let state = gui::State::new(start(figure)).expect("a camera");
-    assert!(state.model.document.is_changed());
-    assert_eq!(state.model.document.figure().camera.position.y, 7.0);
+    assert!(state.model.desk.shown.is_changed());
+    assert_eq!(state.model.desk.shown.figure().camera.position.y, 7.0);
 }
 
 /// A file as the system drops it on the window.
@@ -302,10 +302,10 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
     window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
     window.run();
     assert!(window.says(en::WINDOW.unsaved_title));
-    assert_eq!(window.state().model.document.draft().far, 40.0);
+    assert_eq!(window.state().model.desk.shown.draft().far, 40.0);
     window.click(en::WINDOW.dont_save);
-    assert_eq!(window.state().model.document.draft().far, 61.0);
-    assert_eq!(window.state().model.document.name().as_deref(), Some("dropped.toml"));
+    assert_eq!(window.state().model.desk.shown.draft().far, 61.0);
+    assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("dropped.toml"));
 }
 
 #[test]
@@ -323,11 +323,11 @@ fn the_layout_is_saved_with_its_figure_and_comes_back() {
     window.command_key(Key::S);
     let screen = "[screen]\npictures = [\"canonical\", \"image\"]\npanel = \"depth\"\n";
     assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
-    assert!(!window.state().learn.has_unsaved(&window.state().model) && !window.state().model.document.can_undo(false));
+    assert!(!window.state().model.is_unsaved() && !window.state().model.desk.can_undo(false));
     // The layout is no step to be undone.
     window.command_key(Key::Z);
     assert_eq!(window.state().model.layout.shown, [false, true, true]);
-    assert_eq!(window.state().model.document.draft().far, 100.0, "the last edit");
+    assert_eq!(window.state().model.desk.shown.draft().far, 100.0, "the last edit");
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     window.run();
     window.command_key(Key::S);
@@ -336,10 +336,7 @@ fn the_layout_is_saved_with_its_figure_and_comes_back() {
     window.app_mut().state.model.layout.maximized = None;
     window.run();
     assert_eq!(window.state().model.layout.shown, [false, true, true]);
-    assert!(
-        window.state().model.shows_explanation(Explanation::Depth)
-            && !window.state().learn.has_unsaved(&window.state().model)
-    );
+    assert!(window.state().model.shows_explanation(Explanation::Depth) && !window.state().model.is_unsaved());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
     window.command_key(Key::S);
@@ -364,18 +361,18 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     window.app_mut().state.model.layout.maximized = None;
     window.app_mut().state.model.layout.toggle(View::Canonical);
     window.run();
-    assert!(window.state().learn.has_unsaved(&window.state().model), "a file says otherwise");
+    assert!(window.state().model.is_unsaved(), "a file says otherwise");
     window.command_key(Key::N);
     assert!(window.says(en::WINDOW.unsaved_title));
     window.click(en::WINDOW.save);
-    assert_eq!(window.state().model.document.name(), None);
+    assert_eq!(window.state().model.desk.shown.name(), None);
     assert_eq!(window.state().model.layout.shown, [true; 3], "a new figure has all views");
     let saved = fs::read_to_string(&path).expect("there");
     assert!(saved.contains("pictures = [\"world\", \"image\"]"), "{saved}");
     // Without a file it's a way of looking: nothing asks.
     window.app_mut().state.model.layout.toggle(View::World);
     window.run();
-    assert!(!window.state().learn.has_unsaved(&window.state().model));
+    assert!(!window.state().model.is_unsaved());
     // A presentation hides for its audience only.
     let mut window = Window::opened(&path);
     window.app_mut().state.model.layout.maximized = None;
@@ -385,7 +382,7 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     assert_eq!(window.state().model.layout.shown, [false, false, true]);
     window.key(Key::F11);
     assert_eq!(window.state().model.layout.shown, [true, false, true]);
-    assert!(!window.state().learn.has_unsaved(&window.state().model));
+    assert!(!window.state().model.is_unsaved());
 }
 
 /// True if the window shows every file of its figure.
@@ -413,12 +410,12 @@ fn save_as_into_another_folder_keeps_mesh_materials_texture_and_photograph() {
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
     window.choose(&far);
-    assert!(shows_all_files(&window) && !window.state().model.document.is_changed());
+    assert!(shows_all_files(&window) && !window.state().model.desk.shown.is_changed());
     // Saving again, and each state of the history, lead to the same files.
     window.command_key(Key::S);
     window.command_key(Key::Z);
     assert!(shows_all_files(&window));
-    assert_ne!(window.state().model.document.figure().camera.far, 40.0);
+    assert_ne!(window.state().model.desk.shown.figure().camera.far, 40.0);
     window.command_key(Key::S);
     let mut again = Window::new(Lang::En);
     again.command_key(Key::O);

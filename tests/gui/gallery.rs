@@ -54,7 +54,7 @@ fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     // Right, down, left and up lead back; further up there is nothing.
     window.key(Key::ArrowRight);
     window.key(Key::Enter);
-    let document = &window.state().model.document;
+    let document = &window.state().model.desk.shown;
     assert_eq!((document.name().as_deref(), document.path()), (Some("house.toml"), None));
     assert_eq!(document.figure().scene.preset, Preset::House);
     assert!(!document.is_changed() && window.state().file_flow.dialog.is_none());
@@ -77,12 +77,12 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
     window.search_cards("painter failure");
     window.key(Key::Enter);
     let state = window.state();
-    assert_eq!(state.model.document.shipped_name(), Some("painter"));
+    assert_eq!(state.model.desk.shown.shipped_name(), Some("painter"));
     assert_eq!(
         (state.model.layout.shown, state.model.explained.shown()),
         ([false, false, true], Explanation::HiddenSurfaces)
     );
-    assert!(state.model.shows_explanation(Explanation::HiddenSurfaces) && !state.model.document.is_changed());
+    assert!(state.model.shows_explanation(Explanation::HiddenSurfaces) && !state.model.desk.shown.is_changed());
     // The next one says nothing about the layout: it is as it was before the card.
     window.command_key(Key::G);
     window.wait_for("House: ");
@@ -91,12 +91,12 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
     window.key(Key::ArrowDown);
     window.key(Key::Enter);
     let state = window.state();
-    assert_eq!(state.model.document.shipped_name(), Some("house"));
+    assert_eq!(state.model.desk.shown.shipped_name(), Some("house"));
     assert!(state.model.layout.shown == [true; 3] && !state.model.shows_explanation(Explanation::HiddenSurfaces));
     // The frame stands on the figure that is open, also after paging.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
     window.run();
-    assert_eq!(window.state().model.document.shipped_name(), Some("corridor"));
+    assert_eq!(window.state().model.desk.shown.shipped_name(), Some("corridor"));
     window.command_key(Key::G);
     window.wait_for("Corridor: ");
     assert!(window.harness.get_by_label_contains("Corridor: ").is_focused());
@@ -110,7 +110,7 @@ fn the_card_of_an_exercise_opens_the_exercise() {
     window.search_cards("5.1");
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.shipped_name(), Some("exercise-5.1"));
+    assert_eq!(window.state().model.desk.shown.shipped_name(), Some("exercise-5.1"));
     assert!(window.state().model.shows_exercises());
     assert_eq!(window.state().learn.exercises.open.as_ref().map(|open| open.id.as_str()), Some("0-5.1"));
 }
@@ -131,7 +131,7 @@ fn who_types_in_the_gallery_searches_and_headings_are_links() {
     window.harness.event(Event::Text("ghting".to_owned()));
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.shipped_name(), Some("z-fighting"));
+    assert_eq!(window.state().model.desk.shown.shipped_name(), Some("z-fighting"));
     let other = window.state().model.compared().expect("it compares");
     assert_eq!(other.comparison.with[0].0, "style.depth_format");
 }
@@ -152,7 +152,7 @@ fn the_frame_in_a_folder_follows_the_figure_that_is_open() {
     window.wait_for("One (b): ");
     window.key(Key::ArrowRight);
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.path(), Some(&folder.file("b.toml")));
+    assert_eq!(window.state().model.desk.shown.path(), Some(&folder.file("b.toml")));
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
     window.run();
     window.command_key(Key::G);
@@ -170,7 +170,7 @@ fn where_dividing_first_does_no_harm_the_card_that_shows_it_is_offered() {
     assert!(window.says(en::WINDOW.unsaved_title));
     window.click(en::WINDOW.dont_save);
     let state = window.state();
-    assert_eq!(state.model.document.shipped_name(), Some("divide-first"));
+    assert_eq!(state.model.desk.shown.shipped_name(), Some("divide-first"));
     assert!(state.model.shows_explanation(Explanation::Clipping) && !window.says(en::GALLERY.shows));
 }
 
@@ -190,7 +190,7 @@ fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
     window.key(Key::Enter);
     assert!(window.says(en::WINDOW.unsaved_title));
     window.click(en::WINDOW.cancel);
-    assert_eq!(window.state().model.document.figure().camera.position.x, 1.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.position.x, 1.0);
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
     assert!(window.harness.get_by_label_contains("gone: ").is_focused());
     window.key(Key::ArrowLeft);
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.path(), Some(&here));
+    assert_eq!(window.state().model.desk.shown.path(), Some(&here));
 }
 
 #[test]

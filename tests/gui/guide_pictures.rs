@@ -40,20 +40,20 @@ const ALL: [Shown; 9] = [
         name: "steps",
         view: View::Canonical,
         change: |state| {
-            state.model.document.show_mut().step = Some(ShownStep { way: Decomposition::Notes, at: Some(2.6) });
+            state.model.desk.shown.show_mut().step = Some(ShownStep { way: Decomposition::Notes, at: Some(2.6) });
         },
     },
     Shown {
         tab: Explanation::Homogeneous,
         name: "w",
         view: View::Image,
-        change: |state| state.model.document.edit(|figure| figure.reveal.vanishing = true),
+        change: |state| state.model.desk.shown.edit(|figure| figure.reveal.vanishing = true),
     },
     Shown {
         tab: Explanation::Stages,
         name: "stages",
         view: View::Image,
-        change: |state| state.model.document.show_mut().painted = Some(0.4),
+        change: |state| state.model.desk.shown.show_mut().painted = Some(0.4),
     },
     Shown { tab: Explanation::Dialects, name: "dialects", view: View::World, change: |_| () },
     Shown {
@@ -61,7 +61,7 @@ const ALL: [Shown; 9] = [
         name: "order",
         view: View::World,
         change: |state| {
-            state.model.document.edit(|figure| {
+            state.model.desk.shown.edit(|figure| {
                 figure.scene.preset = Preset::Empty;
                 let tower = ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 50.0, 0.0);
                 figure.scene.objects = vec![tower.scaled(0.5, 1.0, 0.5)];
@@ -100,8 +100,8 @@ fn wrong_view_matrix(state: &mut State) {
     let found = recover(&Reading::of(MatrixKind::View), matrix, &camera).unwrap();
     let described = Box::new(Camera::new(&found.parameters).unwrap());
     state.learn.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
-    state.model.document.edit(|figure| figure.points.clear());
-    state.model.document.replace(exercise.subject.figure.clone()).unwrap();
+    state.model.desk.shown.edit(|figure| figure.points.clear());
+    state.model.desk.replace(exercise.subject.figure.clone()).unwrap();
 }
 
 /// A window that shows a tab beside one picture.
@@ -110,7 +110,7 @@ fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut St
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.file_flow.native = false;
-    state.model.document.edit(|figure| {
+    state.model.desk.shown.edit(|figure| {
         let points = [("A", DVec3::new(0.5, 1.2, 1.5)), ("B", DVec3::new(-1.5, 0.0, -1.0))];
         figure.points = points.map(|(name, position)| NamedPoint { name: name.to_owned(), position }).to_vec();
     });
@@ -143,7 +143,7 @@ fn of_each_tab() {
         let mut window = window(&matrices, lang, [1280.0, 720.0], |state| {
             state.model.layout.maximized = None;
             state.model.settings.panels.wanted = [true, false, true];
-            state.model.document.edit(|figure| figure.points.clear());
+            state.model.desk.shown.edit(|figure| figure.points.clear());
             state.model.explained.matrices.matrix = Matrix::Projection;
             state.model.explained.matrices.entry = [2, 2];
         });

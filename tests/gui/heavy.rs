@@ -69,7 +69,7 @@ fn a_click_selects_the_object_in_front_when_it_is_found() {
     let at = middle(&window);
     let selected = |window: &Window| {
         let state = window.state();
-        state.model.tree.selected(&state.model.document.figure().scene).cloned()
+        state.model.tree.selected(&state.model.desk.shown.figure().scene).cloned()
     };
     click(&mut window, at);
     window.wait(|window| selected(window) == Some(Selected::Object("ball".to_owned())));
@@ -128,7 +128,7 @@ fn a_click_chooses_a_triangle_and_at_its_depth_test_a_pixel_of_it() {
     // A larger one, the first side of the box that is seen.
     let own = |index| ShownTriangle { object: "box".to_owned(), index, step: TriangleStep::Depth, pixel: None };
     let seen = |index: &u32| {
-        window.app_mut().state.model.document.show_mut().triangle = Some(own(*index));
+        window.app_mut().state.model.desk.shown.show_mut().triangle = Some(own(*index));
         window.wait(|window| !window.says(t.being_found));
         window.says(t.kept)
     };
@@ -146,7 +146,7 @@ fn a_click_chooses_a_triangle_and_at_its_depth_test_a_pixel_of_it() {
 
 /// A pixel in the middle of a triangle of the box.
 fn covered(window: &Window, triangle: u32) -> [u32; 2] {
-    let (document, scene) = (&window.state().model.document, window.state().model.scene_cache.scene());
+    let (document, scene) = (&window.state().model.desk.shown, window.state().model.scene_cache.scene());
     let size = Size { width: 1, height: 1, scale: 1.0 };
     let request =
         Request::of(document.figure(), View::Image, document.camera(), scene, pictures::labels(Lang::En), size);

@@ -58,10 +58,10 @@ fn the_floor_is_drawn_twice_and_vanishing_points_are_a_switch() {
     }
     assert!(window.says("corners of the volume"));
     window.click(en::HOMOGENEOUS.vanishing);
-    assert!(window.state().model.document.figure().reveal.vanishing);
+    assert!(window.state().model.desk.shown.figure().reveal.vanishing);
     let parallel =
-        Parameters { projection: Projection::Parallel, ..*window.state().model.document.camera().parameters() };
-    window.app_mut().state.model.document.set_camera(Camera::new(&parallel).unwrap());
+        Parameters { projection: Projection::Parallel, ..*window.state().model.desk.shown.camera().parameters() };
+    window.app_mut().state.model.desk.shown.set_camera(Camera::new(&parallel).unwrap());
     window.run();
     assert!(window.says("both are the same") && window.says("every w is 1"));
 }

@@ -199,7 +199,7 @@ fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
     assert_eq!(window.focused_name(), "wireframe");
     window.key(Key::Enter);
     window.run();
-    assert_eq!(window.state().model.document.figure().style.shading, camera_lab::appearance::Shading::Wireframe);
+    assert_eq!(window.state().model.desk.shown.figure().style.shading, camera_lab::appearance::Shading::Wireframe);
     assert_eq!(window.harness.query_all_by_role_and_label(Role::Button, "wireframe").count(), 0, "it is closed");
     let (_, _, rect) = window.focused().expect("the list has the focus again");
     assert_eq!(rect, list(&window));
@@ -209,7 +209,7 @@ fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
 #[test]
 fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     let mut h = stage(|state| {
-        state.model.document.edit(|figure| {
+        state.model.desk.shown.edit(|figure| {
             figure.scene.preset = Preset::Empty;
             figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
         });
@@ -223,10 +223,11 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
             let state = &h.state().state;
             state
                 .model
-                .document
+                .desk
+                .shown
                 .figure()
                 .image
-                .image_from_window(&state.model.document.camera().window(), point)
+                .image_from_window(&state.model.desk.shown.camera().window(), point)
                 .floor()
         }
         other => panic!("{other:?}"),
@@ -235,7 +236,7 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
         h.key_press_modifiers(modifiers, key);
         h.run();
     };
-    let before = *h.state().state.model.document.draft();
+    let before = *h.state().state.model.desk.shown.draft();
     press(&mut h, Key::I, Modifiers::NONE);
     assert_eq!(pixel(&h), DVec2::new(512.0, 384.0));
     press(&mut h, Key::ArrowRight, Modifiers::NONE);
@@ -254,7 +255,7 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     // From (3, 4, 5) the corner (1, 1, 1) is nearest to the middle; six others can be seen around it.
     assert_eq!(vertex(&h), DVec3::ONE);
     let place = |h: &Harness<Stage>| {
-        let clip = h.state().state.model.document.camera().clip_point(vertex(h));
+        let clip = h.state().state.model.desk.shown.camera().clip_point(vertex(h));
         clip.truncate().truncate() / clip.w
     };
     let middle = place(&h);
@@ -267,11 +268,11 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     press(&mut h, Key::ArrowUp, Modifiers::NONE);
     assert_eq!(place(&h), top, "nothing is farther up");
     assert_eq!(vertex(&h).y, 1.0);
-    assert_eq!(*h.state().state.model.document.draft(), before, "the camera stays");
+    assert_eq!(*h.state().state.model.desk.shown.draft(), before, "the camera stays");
 
     // Escape ends it, and the arrows turn the camera again.
     press(&mut h, Key::Escape, Modifiers::NONE);
     assert_eq!(probe(&h), None);
     press(&mut h, Key::ArrowUp, Modifiers::NONE);
-    assert_ne!(*h.state().state.model.document.draft(), before);
+    assert_ne!(*h.state().state.model.desk.shown.draft(), before);
 }

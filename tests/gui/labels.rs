@@ -21,8 +21,8 @@ fn window(lang: Lang) -> Window {
     let state = &mut window.app_mut().state;
     // Its labels are dragged in the world.
     state.model.layout.maximized = Some(View::World);
-    state.model.document.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
-    state.model.document.commit();
+    state.model.desk.shown.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
+    state.model.desk.commit();
     window.run();
     window.harness.key_press_modifiers(Modifiers::ALT, Key::T);
     window.run();
@@ -31,7 +31,7 @@ fn window(lang: Lang) -> Window {
 }
 
 fn labels(window: &Window) -> &Labels {
-    &window.state().model.document.figure().labels
+    &window.state().model.desk.shown.figure().labels
 }
 
 /// A label of the world, and where its middle is on the screen.
@@ -145,7 +145,7 @@ fn a_note_is_put_by_a_click_or_by_enter_typed_and_deleted() {
 fn labels_of_a_comparison_are_dragged_on_either_side() {
     for beside in [true, false] {
         let mut window = window(Lang::En);
-        window.app_mut().state.model.document.edit(|figure| {
+        window.app_mut().state.model.desk.shown.edit(|figure| {
             let with = vec![("style.shading".to_owned(), "\"phong\"".to_owned())];
             figure.compare = Some(Comparison { with, beside, ..Comparison::default() });
         });
@@ -180,12 +180,12 @@ fn labels_of_a_comparison_are_dragged_on_either_side() {
 fn a_legend_is_dragged_as_a_whole_and_hidden_from_a_line_of_it() {
     let mut window = window(Lang::En);
     let state = &mut window.app_mut().state;
-    state.model.document.set_parameters(Parameters { near: 2.0, far: 7.0, ..Parameters::default() });
-    state.model.document.edit(|figure| {
+    state.model.desk.shown.set_parameters(Parameters { near: 2.0, far: 7.0, ..Parameters::default() });
+    state.model.desk.shown.edit(|figure| {
         figure.scene.preset = Preset::Cube;
         figure.reveal.outside = Outside::Tinted;
     });
-    state.model.document.commit();
+    state.model.desk.commit();
     window.run();
     let (before, place) = shown(&mut window, "legend:outside").unwrap();
     window.drag(place, vec2(50.0, -40.0), |_| {});
@@ -205,17 +205,17 @@ fn the_arrow_keys_move_the_chosen_label() {
     let mut window = window(Lang::En);
     let (before, place) = shown(&mut window, "C").unwrap();
     window.click_at(place);
-    let camera = window.state().model.document.camera().clone();
+    let camera = window.state().model.desk.shown.camera().clone();
     window.key(Key::ArrowRight);
     let (after, _) = shown(&mut window, "C").unwrap();
     assert!((after.center - before.center).abs_diff_eq(DVec2::new(0.25 * before.em, 0.0), 0.5));
-    assert_eq!(*window.state().model.document.camera(), camera, "the camera stays");
+    assert_eq!(*window.state().model.desk.shown.camera(), camera, "the camera stays");
 }
 
 #[test]
 fn all_are_automatic_again_and_notes_stay() {
     let mut window = window(Lang::En);
-    window.app_mut().state.model.document.edit_labels(|labels| {
+    window.app_mut().state.model.desk.shown.edit_labels(|labels| {
         labels.hide("u");
         labels.move_to("C", View::World, DVec2::X);
         labels.rename("v", None, "up");

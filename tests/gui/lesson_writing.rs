@@ -219,7 +219,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
     expected.swap(1, 2);
     assert_eq!((titles(&path), window.state().learn.lesson.as_ref().unwrap().step), (expected, 2));
     assert_eq!(
-        window.state().model.document.figure().camera,
+        window.state().model.desk.shown.figure().camera,
         shipped()[1].lesson.steps[1].figure.camera,
         "the step is followed"
     );
@@ -230,9 +230,9 @@ fn steps_change_their_places_and_keep_their_pictures() {
     window.click(en::WINDOW.undo);
     assert_eq!(titles(&path), before);
     // A step with what is on the screen.
-    let mut camera = *window.state().model.document.camera().parameters();
+    let mut camera = *window.state().model.desk.shown.camera().parameters();
     camera.near *= 1.5;
-    window.app_mut().state.model.document.set_parameters(camera);
+    window.app_mut().state.model.desk.shown.set_parameters(camera);
     window.run();
     window.click(t.step_another);
     let (lesson, _) = read_lesson(&path).unwrap();
@@ -240,7 +240,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
     let step = window.state().learn.lesson.as_ref().unwrap().step;
     assert_eq!(lesson.steps[step].figure.camera, camera);
     camera.near *= 1.1;
-    window.app_mut().state.model.document.set_parameters(camera);
+    window.app_mut().state.model.desk.shown.set_parameters(camera);
     window.run();
     window.click(t.step_screen);
     assert_eq!(read_lesson(&path).unwrap().0.steps[step].figure.camera, camera);

@@ -84,8 +84,8 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
         window.harness.step();
     }
     assert_eq!(step(&window), 1);
-    assert_eq!(window.state().model.document.figure().camera, lesson.steps[1].figure.camera);
-    assert!(!window.state().model.document.can_undo(true), "the move is no change");
+    assert_eq!(window.state().model.desk.shown.figure().camera, lesson.steps[1].figure.camera);
+    assert!(!window.state().model.desk.can_undo(true), "the move is no change");
     // Back, and the question is still answered.
     window.harness.key_press(Key::PageUp);
     window.run();
@@ -128,12 +128,12 @@ fn a_goal_is_noticed_and_the_way_to_it_is_shown_and_undone() {
     window.run();
     assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(t.done);
-    assert_ne!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
+    assert_ne!(window.state().model.desk.shown.figure().camera, lesson.steps[with_goal].figure.camera);
     // Nothing that is tried is lost work, and the step comes back.
-    assert!(window.state().model.document.is_changed() && !window.state().learn.has_unsaved(&window.state().model));
+    assert!(window.state().model.desk.shown.is_changed() && !window.state().model.is_unsaved());
     window.harness.get_by_label(t.again).click();
     window.run();
-    assert_eq!(window.state().model.document.figure().camera, lesson.steps[with_goal].figure.camera);
+    assert_eq!(window.state().model.desk.shown.figure().camera, lesson.steps[with_goal].figure.camera);
 }
 
 #[test]
@@ -211,7 +211,7 @@ fn whoever_leaves_has_the_figure_and_the_panels_back() {
     window.run();
     assert!(window.state().learn.lesson.is_none());
     assert_eq!(window.state().model.settings.panels.wanted, panels);
-    assert_eq!(window.state().model.document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
+    assert_eq!(window.state().model.desk.shown.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
 }
 
 #[test]
@@ -450,9 +450,9 @@ fn steps_are_recorded_from_the_screen_and_played() {
     record(&mut window);
     window.choose(&file);
     window.run();
-    let mut second = *window.state().model.document.camera().parameters();
+    let mut second = *window.state().model.desk.shown.camera().parameters();
     second.near = 2.5;
-    window.app_mut().state.model.document.set_parameters(second);
+    window.app_mut().state.model.desk.shown.set_parameters(second);
     window.run();
     // The file is known now.
     record(&mut window);
@@ -471,7 +471,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     // It opens as any file does.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
-    if window.state().file_flow.dialog.is_some() && window.state().model.document.is_changed() {
+    if window.state().file_flow.dialog.is_some() && window.state().model.desk.shown.is_changed() {
         window.harness.get_by_label_contains(en::WINDOW.dont_save).click();
         window.run();
     }
@@ -513,11 +513,11 @@ fn links_of_a_text_open_pages_and_no_files() {
 #[test]
 fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     let mut window = playing(0, 0, Lang::En);
-    let camera = *window.state().model.document.camera().parameters();
+    let camera = *window.state().model.desk.shown.camera().parameters();
     let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };
-    window.app_mut().state.model.document.set_parameters(tried);
+    window.app_mut().state.model.desk.shown.set_parameters(tried);
     window.run();
-    assert!(window.state().model.document.is_changed() && !window.state().learn.has_unsaved(&window.state().model));
+    assert!(window.state().model.desk.shown.is_changed() && !window.state().model.is_unsaved());
     let turn = |window: &mut Window, step: usize| {
         let state = &mut window.app_mut().state;
         state.learn.go_to_step(&mut state.model, step);
@@ -527,24 +527,24 @@ fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     };
     turn(&mut window, 1);
     turn(&mut window, 0);
-    assert_eq!(window.state().model.document.draft(), &camera, "it was tried");
-    window.app_mut().state.model.document.set_parameters(tried);
+    assert_eq!(window.state().model.desk.shown.draft(), &camera, "it was tried");
+    window.app_mut().state.model.desk.shown.set_parameters(tried);
     let point = NamedPoint { name: "Mine".to_owned(), position: glam::DVec3::ONE };
-    window.app_mut().state.model.document.edit(|figure| figure.points.push(point));
+    window.app_mut().state.model.desk.shown.edit(|figure| figure.points.push(point));
     window.run();
-    assert!(window.state().learn.has_unsaved(&window.state().model));
+    assert!(window.state().model.is_unsaved());
     turn(&mut window, 1);
-    assert!(!window.state().learn.has_unsaved(&window.state().model) && window.state().would_lose_something());
+    assert!(!window.state().model.is_unsaved() && window.state().would_lose_something());
     turn(&mut window, 0);
-    assert_eq!(window.state().model.document.draft(), &tried, "it is work");
+    assert_eq!(window.state().model.desk.shown.draft(), &tried, "it is work");
     // The step as it was is one undo step away from the work.
     let state = &mut window.app_mut().state;
     state.learn.step_again(&mut state.model);
     window.run();
-    assert!(!window.state().learn.has_unsaved(&window.state().model));
+    assert!(!window.state().model.is_unsaved());
     let state = &mut window.app_mut().state;
     state.learn.undo(&mut state.model, true);
-    assert!(window.state().learn.has_unsaved(&window.state().model) && window.state().model.document.draft() == &tried);
+    assert!(window.state().model.is_unsaved() && window.state().model.desk.shown.draft() == &tried);
 }
 
 /// A class answers by hands: letters count them, and the bars come with the answer.

@@ -137,8 +137,8 @@ fn begin(work: Work, window: &mut Window, folder: &Folder) {
     window.app_mut().keep_session(&folder.file("sessions"), false);
     let path = folder.file("lesson.toml");
     if window.state().learn.lesson.is_none() {
-        let far = Parameters { far: FAR, ..*window.state().model.document.draft() };
-        window.app_mut().state.model.document.set_parameters(far);
+        let far = Parameters { far: FAR, ..*window.state().model.desk.shown.draft() };
+        window.app_mut().state.model.desk.shown.set_parameters(far);
         window.run();
     }
     let t = words::texts(Lang::En);
@@ -151,7 +151,7 @@ fn begin(work: Work, window: &mut Window, folder: &Folder) {
         }
         Work::Left => press(window, Modifiers::COMMAND, Key::PageDown),
         Work::Step => {
-            window.app_mut().state.model.document.edit(|figure| {
+            window.app_mut().state.model.desk.shown.edit(|figure| {
                 let position = glam::DVec3::ONE;
                 figure.points.push(camera_lab::figure::NamedPoint { name: POINT.to_owned(), position });
             });
@@ -206,14 +206,14 @@ impl Work {
         if self.is_text() {
             return self.is_in_text(state.learn.unsaved_text().map(|text| &**text));
         }
-        let (mut back, mut forth) = (state.model.document.clone(), state.model.document.clone());
+        let (mut back, mut forth) = (state.model.desk.clone(), state.model.desk.clone());
         let mut is_near = false;
         for _ in 0..20 {
-            is_near |= self.is_in(&back) || self.is_in(&forth);
+            is_near |= self.is_in(&back.shown) || self.is_in(&forth.shown);
             back.undo(true);
             forth.undo(false);
         }
-        is_near || state.learn.held_documents(&state.model).into_iter().any(|document| self.is_in(document))
+        is_near || state.model.desk.held().into_iter().any(|document| self.is_in(document))
     }
 
     /// The user has it in a file.
@@ -257,10 +257,9 @@ impl Work {
         };
         let plays = matches!(self, Self::Step | Self::WrongText | Self::TextBeside);
         let is_shown = match self {
-            Self::BehindExercise => state.model.document.behind().any(|document| self.is_in(document)),
-            Self::Left => state.learn.held_documents(&state.model).iter().any(|document| self.is_in(document)),
+            Self::BehindExercise | Self::Left => state.model.desk.held().iter().any(|document| self.is_in(document)),
             Self::WrongText | Self::TextBeside => true,
-            Self::Figure | Self::Step | Self::Path => self.is_in(&state.model.document),
+            Self::Figure | Self::Step | Self::Path => self.is_in(&state.model.desk.shown),
         };
         let is_at_rest =
             !state.model.settings.presentation && state.model.settings.lang == Lang::En && state.learn.welcome;

@@ -83,7 +83,7 @@ fn a_note_says_its_equation_its_number_here_and_its_errata() {
     for said in ["H = 2F tan(θ/2)", "[0] (5.5)"] {
         assert!(window.harness.query_by_label(said).is_some(), "{said}");
     }
-    let height = window.state().model.document.camera().window_height();
+    let height = window.state().model.desk.shown.camera().window_height();
     let said = camera_lab::numbers::DecimalMark::Point.number(height, window.state().model.settings.digits);
     assert!(window.harness.query_all_by_label_contains(&said).next().is_some(), "{said}");
     window.app_mut().state.explain.notes.chosen = "5.11";
@@ -222,7 +222,7 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
     let object = ObjectSpec::new("caixa", Shape::Box);
     let point = NamedPoint { name: "A".to_owned(), position: DVec3::ONE };
     let state = &mut window.app_mut().state;
-    state.model.document.edit(|figure| (figure.scene.objects, figure.points) = (vec![object], vec![point]));
+    state.model.desk.shown.edit(|figure| (figure.scene.objects, figure.points) = (vec![object], vec![point]));
     state.model.tree.select(Some(Selected::Object("caixa".to_owned())));
     state.model.settings.tab = Tab::Scene;
     window.run();

@@ -61,7 +61,7 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     let mut window = window(Lang::En, Some("box"));
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
     assert_eq!(calls(&window)[2], Call::RotateY(90.0));
-    let before = window.state().model.document.figure().clone();
+    let before = window.state().model.desk.shown.figure().clone();
     window.harness.get_by_label("Step 3: R_y").focus();
     window.run();
     alt(&mut window, Key::ArrowUp);
@@ -87,7 +87,7 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     assert_eq!(calls(&window).last(), Some(&Call::RotateZ(30.0)));
     window.click("Remove 6");
     assert_eq!(calls(&window).len(), 5);
-    let after = Figure { show: before.show.clone(), ..window.state().model.document.figure().clone() };
+    let after = Figure { show: before.show.clone(), ..window.state().model.desk.shown.figure().clone() };
     assert_eq!(after, before, "nothing of it is in the figure but what is shown");
     window.click(en::ORDER.again);
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
@@ -141,7 +141,7 @@ fn both_readings_end_at_one_matrix_and_the_wrong_order_elsewhere() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
         let mut window = window(lang, Some("box"));
-        let scene = &window.state().model.document.figure().scene;
+        let scene = &window.state().model.desk.shown.figure().scene;
         let own = placements(scene).unwrap()["box"];
         let parent = DMat4::from_translation(DVec3::Y);
         // T and R_y exchanged: turned about the parent's origin, it is at −2 z.
@@ -176,26 +176,26 @@ fn both_readings_end_at_one_matrix_and_the_wrong_order_elsewhere() {
 fn the_object_takes_over_t_r_s_and_it_can_be_undone() {
     let mut window = window(Lang::PtBr, Some("box"));
     let t = texts(Lang::PtBr);
-    let before = window.state().model.document.figure().scene.clone();
+    let before = window.state().model.desk.shown.figure().scene.clone();
     window.enter("R_z", "30");
     window.enter("S x", "0");
     window.click(t.take);
-    assert_eq!(window.state().model.document.figure().scene, before, "scaled to nothing it is not an object");
+    assert_eq!(window.state().model.desk.shown.figure().scene, before, "scaled to nothing it is not an object");
     assert!(window.state().model.message.is_some());
     window.enter("S x", "4");
     assert!(window.says(t.is_form));
     window.click(t.take);
-    let object = &window.state().model.document.figure().scene.objects[1];
+    let object = &window.state().model.desk.shown.figure().scene.objects[1];
     assert_eq!((object.rotate, object.scale.x), (DVec3::new(0.0, 90.0, 30.0), 4.0));
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().scene, before, "one step");
+    assert_eq!(window.state().model.desk.shown.figure().scene, before, "one step");
 }
 
 #[test]
 fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
     let mut window = window(Lang::En, Some("box"));
-    let before = window.state().model.document.figure().scene.clone();
+    let before = window.state().model.desk.shown.figure().scene.clone();
     window.harness.get_by_label("Step 5: S").focus();
     window.run();
     for _ in 0..4 {
@@ -205,14 +205,14 @@ fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
     assert!(window.says("Step 2 (T) doesn't fit"));
     let wanted = placed(&window)[0];
     window.click(en::ORDER.take);
-    let scene = &window.state().model.document.figure().scene;
+    let scene = &window.state().model.desk.shown.figure().scene;
     let names: Vec<&str> = scene.objects.iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names, ["arm", "group", "box"]);
     assert!(placements(scene).unwrap()["box"].abs_diff_eq(wanted, 1e-12));
     // The list is that of the object, below its new parent.
     assert!(placed(&window)[0].abs_diff_eq(wanted, 1e-12));
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().scene, before);
+    assert_eq!(window.state().model.desk.shown.figure().scene, before);
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn what_another_program_wrote_is_replaced_only_after_a_question() {
     assert!(window.says("+ # Mine.") && window.says("+ far = 75.0"));
     window.click(en::WINDOW.cancel);
     assert_eq!(read(&path), THEIRS);
-    assert!(window.state().model.document.is_changed());
+    assert!(window.state().model.desk.shown.is_changed());
 
     // What was not there when one was asked is asked about again.
     window.command_key(Key::S);
@@ -58,7 +58,7 @@ fn what_another_program_wrote_is_replaced_only_after_a_question() {
     assert_eq!(read(&path), "# Again.\n");
     window.click(en::WINDOW.replace);
     assert!(read(&path).contains("far = 75.0") && read(&path).contains("# Mine."));
-    assert!(!window.state().model.document.is_changed());
+    assert!(!window.state().model.desk.shown.is_changed());
     window.enter("B", "76");
     window.command_key(Key::S);
     assert!(window.state().file_flow.dialog.is_none());
@@ -101,7 +101,7 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
         assert!(window.says(says));
         window.click(keep);
         assert!(!window.says(says));
-        assert_eq!(window.state().model.document.figure().camera.far, 50.0);
+        assert_eq!(window.state().model.desk.shown.figure().camera.far, 50.0);
         // The same content is not told twice; another one is.
         window.harness.event(Event::WindowFocused(true));
         for _ in 0..10 {
@@ -112,8 +112,8 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
         fs::write(&path, THEIRS.replace("61", "62")).expect("written");
         window.focus(|window| window.state().file_flow.theirs.is_some());
         window.click(reload);
-        assert_eq!(window.state().model.document.figure().camera.far, 62.0);
-        assert!(!window.says(says) && !window.state().model.document.is_changed());
+        assert_eq!(window.state().model.desk.shown.figure().camera.far, 62.0);
+        assert!(!window.says(says) && !window.state().model.desk.shown.is_changed());
         // As it was read: nothing is said.
         let touched = fs::File::options().write(true).open(&path).expect("there");
         touched.set_modified(std::time::SystemTime::UNIX_EPOCH).expect("possible");
@@ -163,7 +163,7 @@ fn two_windows_on_one_file_do_not_write_over_each_other() {
     assert!(read(&path).contains("near = 0.5"));
     one.focus(|one| one.state().file_flow.theirs.is_some());
     one.click(en::WINDOW.reload);
-    assert_eq!(one.state().model.document.figure().camera.near, 0.5);
+    assert_eq!(one.state().model.desk.shown.figure().camera.near, 0.5);
 }
 
 #[test]
@@ -201,10 +201,10 @@ fn paths_are_whole_from_the_moment_they_are_taken() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::O);
     window.choose(Path::new("tests/figures/documented.toml"));
-    let path = window.state().model.document.path().expect("a file").clone();
+    let path = window.state().model.desk.shown.path().expect("a file").clone();
     assert_eq!(path, Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/figures/documented.toml"));
     let (_, file) = files::open_figure(&path).expect("a figure").at(Path::new("tests/figures/documented.toml"));
     assert_eq!(file.path, path);
-    let folder = window.state().model.document.folder().expect("a folder").to_owned();
+    let folder = window.state().model.desk.shown.folder().expect("a folder").to_owned();
     assert!(folder.is_absolute());
 }

@@ -17,11 +17,11 @@ use crate::words::{en, pt};
 fn a_number_is_typed_and_undone() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "7.25");
-    assert_eq!(window.state().model.document.figure().camera.position.x, 7.25);
+    assert_eq!(window.state().model.desk.shown.figure().camera.position.x, 7.25);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().camera.position.x, 3.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.position.x, 3.0);
     window.command_key(Key::Y);
-    assert_eq!(window.state().model.document.figure().camera.position.x, 7.25);
+    assert_eq!(window.state().model.desk.shown.figure().camera.position.x, 7.25);
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn tab_goes_from_field_to_field_and_commits() {
         window.run();
     }
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.draft().position.to_array(), [1.0, 2.0, 6.0]);
+    assert_eq!(window.state().model.desk.shown.draft().position.to_array(), [1.0, 2.0, 6.0]);
 }
 
 #[test]
@@ -46,23 +46,26 @@ fn a_complaint_does_not_take_the_focus_away() {
     window.harness.event(Event::Text("30".to_owned()));
     window.run();
     window.key(Key::Enter);
-    assert_eq!((window.state().model.document.draft().near, window.state().model.document.draft().far), (20.0, 30.0));
-    assert!(window.state().model.document.problem().is_none());
+    assert_eq!(
+        (window.state().model.desk.shown.draft().near, window.state().model.desk.shown.draft().far),
+        (20.0, 30.0)
+    );
+    assert!(window.state().model.desk.shown.problem().is_none());
 }
 
 #[test]
 fn expressions_are_evaluated_and_angles_are_degrees() {
     let mut window = Window::new(Lang::PtBr);
     window.enter("C y", "sqrt(2)/2");
-    assert_eq!(window.state().model.document.draft().position.y, 2.0_f64.sqrt() / 2.0);
+    assert_eq!(window.state().model.desk.shown.draft().position.y, 2.0_f64.sqrt() / 2.0);
     window.enter("PF x", "1/3");
-    assert_eq!(window.state().model.document.draft().focal_point.x, 1.0 / 3.0);
+    assert_eq!(window.state().model.desk.shown.draft().focal_point.x, 1.0 / 3.0);
     window.enter("C z", "12,5");
-    assert_eq!(window.state().model.document.draft().position.z, 12.5);
+    assert_eq!(window.state().model.desk.shown.draft().position.z, 12.5);
     window.enter("θ", "pi/3");
-    assert_eq!(window.state().model.document.draft().view_angle, 60.0);
+    assert_eq!(window.state().model.desk.shown.draft().view_angle, 60.0);
     window.enter("θ", "45°");
-    assert_eq!(window.state().model.document.draft().view_angle, 45.0);
+    assert_eq!(window.state().model.desk.shown.draft().view_angle, 45.0);
 }
 
 #[test]
@@ -72,11 +75,11 @@ fn escape_leaves_the_value_and_a_look_at_it_does_not_round_it() {
     window.enter("C x", "0.1+0.2");
     window.type_into("C x", "99");
     window.key(Key::Escape);
-    assert_eq!(window.state().model.document.draft().position.x, exact);
+    assert_eq!(window.state().model.desk.shown.draft().position.x, exact);
     window.field("C x").click();
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.draft().position.x, exact);
+    assert_eq!(window.state().model.desk.shown.draft().position.x, exact);
 }
 
 #[test]
@@ -87,7 +90,7 @@ fn a_faulty_text_that_stands_with_its_reason_goes_with_escape() {
     window.key(Key::Escape);
     window.run();
     assert!(!window.says("the expression is not finished"));
-    assert_eq!(window.state().model.document.draft().near, 3.0);
+    assert_eq!(window.state().model.desk.shown.draft().near, 3.0);
 }
 
 #[test]
@@ -95,7 +98,7 @@ fn a_faulty_text_stays_with_its_reason_until_it_is_mended() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "1/0");
     assert!(window.says("the result is not a finite number"));
-    assert_eq!(window.state().model.document.draft().near, 3.0);
+    assert_eq!(window.state().model.desk.shown.draft().near, 3.0);
     // The text is still there to be mended.
     window.field("F").click();
     window.run();
@@ -103,7 +106,7 @@ fn a_faulty_text_stays_with_its_reason_until_it_is_mended() {
     window.harness.event(Event::Text(".5".to_owned()));
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.draft().near, 2.0);
+    assert_eq!(window.state().model.desk.shown.draft().near, 2.0);
     assert!(!window.says("the result is not a finite number"));
 }
 
@@ -127,14 +130,14 @@ fn arrow_keys_step_and_a_screen_reader_can_set() {
     window.key(Key::ArrowUp);
     window.key(Key::ArrowUp);
     window.key(Key::ArrowDown);
-    assert_eq!(window.state().model.document.draft().view_angle, 47.0);
+    assert_eq!(window.state().model.desk.shown.draft().view_angle, 47.0);
     window.key(Key::Enter);
     window.field("B").set_value_accesskit(33.0);
     window.run();
-    assert_eq!(window.state().model.document.draft().far, 33.0);
+    assert_eq!(window.state().model.desk.shown.draft().far, 33.0);
     window.field("B").increment_accesskit();
     window.run();
-    assert!(window.state().model.document.draft().far > 33.0);
+    assert!(window.state().model.desk.shown.draft().far > 33.0);
 }
 
 #[test]
@@ -142,32 +145,32 @@ fn a_drag_changes_a_number_in_one_undo_step() {
     let mut window = Window::new(Lang::En);
     let center = window.field("C x").rect().center();
     window.drag(center, vec2(80.0, 0.0), |window| {
-        assert!(window.state().model.document.draft().position.x > 3.0);
+        assert!(window.state().model.desk.shown.draft().position.x > 3.0);
     });
-    let after = window.state().model.document.draft().position.x;
+    let after = window.state().model.desk.shown.draft().position.x;
     assert!(after > 3.0);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.draft().position.x, 3.0);
-    assert!(!window.state().model.document.can_undo(true));
+    assert_eq!(window.state().model.desk.shown.draft().position.x, 3.0);
+    assert!(!window.state().model.desk.can_undo(true));
     window.command_key(Key::Y);
-    assert_eq!(window.state().model.document.draft().position.x, after);
+    assert_eq!(window.state().model.desk.shown.draft().position.x, after);
 }
 
 #[test]
 fn collinear_up_is_said_and_mended_by_one_click() {
     let mut window = Window::new(Lang::En);
-    let before = window.state().model.document.figure().clone();
+    let before = window.state().model.desk.shown.figure().clone();
     window.enter("VUP x", "3");
     window.enter("VUP y", "4");
     window.enter("VUP z", "5");
     assert!(window.says("VUP must not be collinear"));
     // The last good picture stays: VUP = (3, 4, 0).
-    assert_eq!(window.state().model.document.figure().camera.view_up.z, 0.0);
-    assert_ne!(window.state().model.document.figure(), &before);
+    assert_eq!(window.state().model.desk.shown.figure().camera.view_up.z, 0.0);
+    assert_ne!(window.state().model.desk.shown.figure(), &before);
     window.click("VUP = (0, 1, 0)");
-    assert!(window.state().model.document.problem().is_none());
+    assert!(window.state().model.desk.shown.problem().is_none());
     assert!(!window.says("VUP must not be collinear"));
-    assert_eq!(window.state().model.document.figure().camera.view_up.to_array(), [0.0, 1.0, 0.0]);
+    assert_eq!(window.state().model.desk.shown.figure().camera.view_up.to_array(), [0.0, 1.0, 0.0]);
 }
 
 #[test]
@@ -175,13 +178,16 @@ fn near_beyond_far_offers_to_swap_them() {
     let mut window = Window::new(Lang::PtBr);
     window.enter("F", "20");
     assert!(window.says("F tem de ser menor que B"));
-    assert_eq!(window.state().model.document.figure().camera.near, 3.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.near, 3.0);
     window.click(pt::WINDOW.repair_swap_near_far);
-    assert_eq!((window.state().model.document.draft().near, window.state().model.document.draft().far), (12.0, 20.0));
+    assert_eq!(
+        (window.state().model.desk.shown.draft().near, window.state().model.desk.shown.draft().far),
+        (12.0, 20.0)
+    );
     window.enter("θ", "200");
     assert!(window.says("θ tem de ser maior que 0° e menor que 180°"));
     window.click("θ = 45°");
-    assert_eq!(window.state().model.document.figure().camera.view_angle, 45.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.view_angle, 45.0);
 }
 
 #[test]
@@ -191,15 +197,15 @@ fn a_problem_in_a_closed_section_is_said_at_the_top() {
     window.click(en::WINDOW.projection);
     assert!(window.says("F must be less than B"));
     window.click(en::WINDOW.repair_swap_near_far);
-    assert!(window.state().model.document.problem().is_none());
+    assert!(window.state().model.desk.shown.problem().is_none());
 }
 
 #[test]
 fn projection_is_switched_both_ways_without_drift() {
     let mut window = Window::new(Lang::En);
-    let before = *window.state().model.document.draft();
+    let before = *window.state().model.desk.shown.draft();
     window.click(en::WINDOW.parallel);
-    let camera = window.state().model.document.camera().clone();
+    let camera = window.state().model.desk.shown.camera().clone();
     assert_eq!(camera.projection(), Projection::Parallel);
     // What spans 2 D tan(θ/2) at PF spans H.
     let height = 2.0 * camera.distance() * (before.view_angle.to_radians() / 2.0).tan();
@@ -210,29 +216,29 @@ fn projection_is_switched_both_ways_without_drift() {
         window.click(en::WINDOW.parallel);
     }
     window.click(en::WINDOW.perspective);
-    assert_eq!(window.state().model.document.draft().view_angle, before.view_angle);
+    assert_eq!(window.state().model.desk.shown.draft().view_angle, before.view_angle);
 }
 
 #[test]
 fn the_padlock_frees_the_window_and_closes_it_again() {
     let mut window = Window::new(Lang::En);
     window.click(en::WINDOW.aspect_follows);
-    let before = *window.state().model.document.draft();
-    let size = window.state().model.document.camera().window();
+    let before = *window.state().model.desk.shown.draft();
+    let size = window.state().model.desk.shown.camera().window();
     window.click(en::WINDOW.symmetric);
-    assert_eq!(window.state().model.document.draft().window, Some(size));
+    assert_eq!(window.state().model.desk.shown.draft().window, Some(size));
     window.click(en::WINDOW.symmetric);
-    assert_eq!(*window.state().model.document.draft(), before);
+    assert_eq!(*window.state().model.desk.shown.draft(), before);
     window.click(en::WINDOW.symmetric);
     window.enter("r, right", "5");
-    let free = window.state().model.document.draft().window.expect("free");
+    let free = window.state().model.desk.shown.draft().window.expect("free");
     assert_eq!(free, ViewWindow { right: 5.0, ..size });
     window.enter("l, left", "6");
     assert!(window.says("l must be less than r"));
     window.click(en::WINDOW.repair_sides);
-    assert_eq!(window.state().model.document.draft().window.map(|w| (w.left, w.right)), Some((5.0, 6.0)));
+    assert_eq!(window.state().model.desk.shown.draft().window.map(|w| (w.left, w.right)), Some((5.0, 6.0)));
     window.click(en::WINDOW.symmetric);
-    let after = window.state().model.document.camera().window();
+    let after = window.state().model.desk.shown.camera().window();
     assert!((after.width() - 1.0).abs() < 1e-12 && (after.left + after.right).abs() < 1e-12);
 }
 
@@ -240,8 +246,8 @@ fn the_padlock_frees_the_window_and_closes_it_again() {
 fn the_padlock_stays_under_the_pointer() {
     for projection in [Projection::Perspective, Projection::Parallel] {
         let mut window = Window::new(Lang::En);
-        let camera = window.state().model.document.camera().with_projection(projection).expect("a camera");
-        window.app_mut().state.model.document.set_camera(camera);
+        let camera = window.state().model.desk.shown.camera().with_projection(projection).expect("a camera");
+        window.app_mut().state.model.desk.shown.set_camera(camera);
         window.run();
         let place = |window: &Window| window.harness.get_by_label(en::WINDOW.symmetric).rect();
         let before = place(&window);
@@ -279,19 +285,19 @@ fn a_right_click_on_a_point_copies_and_follows_it() {
     choose("Seguir C");
     let state = window.state();
     assert_eq!(state.model.explained.shown(), Explanation::Point);
-    assert_eq!(state.model.document.figure().points[0].position.to_array(), [0.1, 4.0, 5.0]);
+    assert_eq!(state.model.desk.shown.figure().points[0].position.to_array(), [0.1, 4.0, 5.0]);
 }
 
 #[test]
 fn the_aspect_follows_the_image_until_it_is_told_not_to() {
     let mut window = Window::new(Lang::En);
     window.enter("m", "1536");
-    assert_eq!(window.state().model.document.draft().aspect, 2.0);
+    assert_eq!(window.state().model.desk.shown.draft().aspect, 2.0);
     window.click(en::WINDOW.aspect_follows);
     window.enter("m", "768");
-    assert_eq!(window.state().model.document.draft().aspect, 2.0);
+    assert_eq!(window.state().model.desk.shown.draft().aspect, 2.0);
     window.enter("A", "16/9");
-    assert_eq!(window.state().model.document.draft().aspect, 16.0 / 9.0);
+    assert_eq!(window.state().model.desk.shown.draft().aspect, 16.0 / 9.0);
 }
 
 #[test]
@@ -300,38 +306,38 @@ fn an_operation_turns_the_camera_by_its_step() {
     window.enter("Azimuth: step", "90");
     window.click("Azimuth +");
     // C = (3, 4, 5) looks at the origin; u = (5, 0, −3)/√34. Its distance stays.
-    let camera = window.state().model.document.camera().clone();
+    let camera = window.state().model.desk.shown.camera().clone();
     assert!((camera.distance() - 50.0_f64.sqrt()).abs() < 1e-12);
     assert!((camera.position().dot(glam::DVec3::new(3.0, 4.0, 5.0))).abs() < 1e-12, "{}", camera.position());
     for _ in 0..3 {
         window.click("Azimuth +");
     }
-    assert_eq!(window.state().model.document.draft().position.to_array(), [3.0, 4.0, 5.0]);
+    assert_eq!(window.state().model.desk.shown.draft().position.to_array(), [3.0, 4.0, 5.0]);
     for _ in 0..4 {
         window.command_key(Key::Z);
     }
-    assert!(!window.state().model.document.can_undo(true));
+    assert!(!window.state().model.desk.can_undo(true));
 }
 
 #[test]
 fn a_slider_scrubs_from_where_the_camera_is_and_springs_back() {
     let mut window = Window::new(Lang::En);
-    let before = *window.state().model.document.draft();
+    let before = *window.state().model.desk.shown.draft();
     let slider = window.harness.get_by_label("Elevation: slider").rect();
     window.drag(slider.center(), vec2(slider.width() / 8.0, 0.0), |window| {
         let ghost = window.state().model.hover.ghost.as_ref().expect("a ghost while it is held");
         assert_eq!(*ghost.before.parameters(), before);
-        assert_ne!(*window.state().model.document.draft(), before);
+        assert_ne!(*window.state().model.desk.shown.draft(), before);
     });
     assert!(window.state().model.hover.ghost.is_none());
-    let after = *window.state().model.document.draft();
+    let after = *window.state().model.desk.shown.draft();
     assert_eq!(after.focal_point, before.focal_point);
     assert_ne!(after.position, before.position);
     let slider = window.harness.get_by_label("Elevation: slider");
     assert_eq!(slider.accesskit_node().numeric_value(), Some(0.0));
     window.command_key(Key::Z);
-    assert_eq!(*window.state().model.document.draft(), before);
-    assert!(!window.state().model.document.can_undo(true));
+    assert_eq!(*window.state().model.desk.shown.draft(), before);
+    assert!(!window.state().model.desk.can_undo(true));
 }
 
 #[test]
@@ -405,13 +411,13 @@ fn the_signs_of_vtk_turn_elevation_the_other_way() {
     other.harness.get_by_label(en::WINDOW.vtk).click_accesskit();
     other.run();
     other.click("Elevation +");
-    assert_eq!(one.state().model.document.draft(), other.state().model.document.draft());
+    assert_eq!(one.state().model.desk.shown.draft(), other.state().model.desk.shown.draft());
 }
 
 #[test]
 fn numbers_are_those_of_the_report_with_as_many_digits_as_asked_for() {
     let mut window = Window::new(Lang::En);
-    let camera = window.state().model.document.camera().clone();
+    let camera = window.state().model.desk.shown.camera().clone();
     assert!(window.says("7.0711"));
     window.enter(en::WINDOW.digits, "17");
     assert!(window.says(&camera.distance().to_string()));
@@ -428,15 +434,15 @@ fn reset_brings_the_camera_of_the_file_back_and_can_be_undone() {
     window.enter("C x", "1");
     window.enter("θ", "20");
     window.menu(en::WINDOW.menu_edit, "Reset the camera");
-    assert_eq!(window.state().model.document.draft().position.x, 3.0);
+    assert_eq!(window.state().model.desk.shown.draft().position.x, 3.0);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.draft().view_angle, 20.0);
+    assert_eq!(window.state().model.desk.shown.draft().view_angle, 20.0);
 }
 
 #[test]
 fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
     let mut window = Window::new(Lang::En);
-    let image = window.state().model.document.figure().image;
+    let image = window.state().model.desk.shown.figure().image;
     for (text, reason) in [
         ("0", "must be between 1 and 16384"),
         ("20000", "must be between 1 and 16384"),
@@ -445,20 +451,20 @@ fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
     ] {
         window.enter("m", text);
         assert!(window.says(reason), "{text}");
-        assert_eq!(window.state().model.document.figure().image, image, "{text}");
+        assert_eq!(window.state().model.desk.shown.figure().image, image, "{text}");
         window.key(Key::Escape);
         assert!(!window.says(reason), "{text}");
     }
     window.enter("m", "16384");
-    assert_eq!(window.state().model.document.figure().image.width, 16_384);
+    assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
     // Steps end where the numbers do.
     window.field("m").increment_accesskit();
     window.run();
-    assert_eq!(window.state().model.document.figure().image.width, 16_384);
+    assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
     window.field("m").set_value_accesskit(99_999.0);
     window.run();
     assert!(window.says("must be between 1 and 16384"));
-    assert_eq!(window.state().model.document.figure().image.width, 16_384);
+    assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
 }
 
 #[test]
@@ -481,7 +487,7 @@ fn the_numbers_are_those_of_the_camera_and_not_of_its_rounded_parameters() {
     for _ in 0..5 {
         window.click("Azimuth +");
     }
-    let camera = window.state().model.document.camera().clone();
+    let camera = window.state().model.desk.shown.camera().clone();
     assert!(window.says(&camera.basis().u.x.to_string().replace("-", "−")));
     assert!(window.says(&camera.distance().to_string()));
 }
@@ -536,13 +542,13 @@ fn a_step_opens_the_row_of_its_operation() {
     window.run();
     assert!(window.harness.query_by_label(&format!("{}: {}", t.elevation, t.scrub)).is_none());
     window.click(t.keep_operation);
-    assert_eq!(window.state().model.document.figure().show.operations.len(), 1);
+    assert_eq!(window.state().model.desk.shown.figure().show.operations.len(), 1);
 }
 
 #[test]
 fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
     let mut window = Window::new(Lang::En);
-    let camera = |window: &Window| window.state().model.document.camera().clone();
+    let camera = |window: &Window| window.state().model.desk.shown.camera().clone();
     let start = camera(&window);
     let step = |camera: &Camera| {
         Operation::Azimuth(Angle::from_degrees(15.0)).apply(camera, Convention::RightHand).expect("a camera")
@@ -564,7 +570,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
         window.command_key(Key::Z);
         assert_eq!(camera(&window), expected);
     }
-    assert!(!window.state().model.document.can_undo(true));
+    assert!(!window.state().model.desk.can_undo(true));
     // Where motion is to be reduced it is there at once.
     window.app_mut().state.model.settings.reduce_motion = true;
     click(&mut window);
@@ -574,7 +580,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
 #[test]
 fn a_step_of_a_button_is_shown_in_the_world_for_two_seconds() {
     let mut window = Window::new(Lang::En);
-    let start = window.state().model.document.camera().clone();
+    let start = window.state().model.desk.shown.camera().clone();
     let now = |window: &Window| window.harness.ctx.input(|input| input.time);
     let ghost = |window: &Window| window.state().model.hover.ghost.as_ref().map(|ghost| ghost.before.clone());
     let begun = now(&window);
@@ -582,7 +588,7 @@ fn a_step_of_a_button_is_shown_in_the_world_for_two_seconds() {
     // Away from the row, which has a ghost of its own.
     window.harness.hover_at(pos2(640.0, 500.0));
     window.run();
-    assert_ne!(*window.state().model.document.camera(), start);
+    assert_ne!(*window.state().model.desk.shown.camera(), start);
     let done = now(&window);
     while now(&window) < begun + 1.7 {
         window.harness.step();
@@ -598,20 +604,20 @@ fn a_step_of_a_button_is_shown_in_the_world_for_two_seconds() {
 fn a_slider_of_angles_stops_at_five_degrees_and_is_free_with_ctrl() {
     for (free, modifiers) in [(false, Modifiers::NONE), (true, Modifiers::COMMAND)] {
         let mut window = Window::new(Lang::En);
-        let start = window.state().model.document.camera().clone();
+        let start = window.state().model.desk.shown.camera().clone();
         let slider = window.harness.get_by_label("Elevation: slider").rect();
         let mut between = 0;
         for share in [0.031, 0.047, 0.059, 0.083, 0.101, 0.117] {
             window.harness.event(Event::ModifiersChanged(modifiers));
             window.drag(slider.center(), vec2(share * slider.width(), 0.0), |window| {
                 let place = |camera: &Camera| (camera.position() - camera.parameters().focal_point).normalize();
-                let turned = place(&start).angle_between(place(window.state().model.document.camera())).to_degrees();
+                let turned = place(&start).angle_between(place(window.state().model.desk.shown.camera())).to_degrees();
                 assert!(turned > 4.9, "{turned}°");
                 between += i32::from((turned / 5.0 - (turned / 5.0).round()).abs() > 0.01);
             });
             window.harness.event(Event::ModifiersChanged(Modifiers::NONE));
             window.command_key(Key::Z);
-            assert_eq!(*window.state().model.document.camera(), start);
+            assert_eq!(*window.state().model.desk.shown.camera(), start);
         }
         assert_eq!(between > 2, free, "{between} of six between the stops");
         assert!(free || between == 0);

@@ -34,7 +34,7 @@ fn window(lang: Lang, text: &str) -> Window {
 }
 
 fn figure(window: &Window) -> &Figure {
-    window.state().model.document.figure()
+    window.state().model.desk.shown.figure()
 }
 
 /// Where the window shows a point of the world, if the right camera took the image.
@@ -84,7 +84,7 @@ fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
         window.app_mut().state.photograph.length = (WorldAxis::X, 4.0);
         window.app_mut().state.photograph.marks.length = Some((WorldAxis::X, DVec2::new(443.5, 360.5), 4.0));
         window.run();
-        let given = *window.state().model.document.camera().parameters();
+        let given = *window.state().model.desk.shown.camera().parameters();
         let found = window.state().photograph.camera(figure(&window).image, &given).expect("a camera");
         for step in steps::steps(lang, &found) {
             assert!(window.says(&step), "{step}");

@@ -29,9 +29,9 @@ fn followed(figure: &mut Figure, position: DVec3) {
 fn window(lang: Lang, p: DVec3) -> Window {
     let mut window = Window::new(lang);
     let state = &mut window.app_mut().state;
-    state.model.document.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
-    state.model.document.edit(|figure| followed(figure, p));
-    state.model.document.commit();
+    state.model.desk.shown.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
+    state.model.desk.shown.edit(|figure| followed(figure, p));
+    state.model.desk.commit();
     state.model.settings.panels.wanted = [false, false, true];
     state.model.explained.show(Explanation::Point);
     window.run();
@@ -39,7 +39,7 @@ fn window(lang: Lang, p: DVec3) -> Window {
 }
 
 fn position(window: &Window) -> DVec3 {
-    window.state().model.document.figure().points[0].position
+    window.state().model.desk.shown.figure().points[0].position
 }
 
 #[test]
@@ -52,8 +52,8 @@ fn typed_in_any_space_the_point_goes_where_it_has_these_coordinates() {
         ("pixel j", "300", 4),
     ] {
         let mut window = window(Lang::En, P);
-        let figure = window.state().model.document.figure().clone();
-        let camera = window.state().model.document.camera().clone();
+        let figure = window.state().model.desk.shown.figure().clone();
+        let camera = window.state().model.desk.shown.camera().clone();
         let space = camera.notes_clip_space();
         let viewport = figure.viewport.unwrap_or(camera_lab::camera::Viewport::whole(figure.image));
         let before = space.stations(P, figure.image, &viewport);
@@ -79,10 +79,10 @@ fn typed_in_any_space_the_point_goes_where_it_has_these_coordinates() {
 fn a_probe_pinned_on_a_point_goes_with_it_and_another_one_stays() {
     for (pinned, goes) in [(P, true), (P + DVec3::X, false)] {
         let mut window = window(Lang::En, P);
-        window.app_mut().state.model.document.show_mut().probe = Some(ShownProbe::World(pinned));
+        window.app_mut().state.model.desk.shown.show_mut().probe = Some(ShownProbe::World(pinned));
         window.run();
         window.enter("world x", "0.25");
-        let probe = window.state().model.document.figure().show.probe;
+        let probe = window.state().model.desk.shown.figure().show.probe;
         assert_eq!(probe, Some(ShownProbe::World(if goes { P.with_x(0.25) } else { pinned })));
     }
 }
@@ -95,7 +95,7 @@ fn what_no_point_has_is_refused_with_what_is_allowed() {
         let mut window = window(lang, P);
         // z_n reaches (B + F)/(B − F) = 2 at infinity.
         let parameters = Parameters { near: 2.0, far: 6.0, ..Parameters::default() };
-        window.app_mut().state.model.document.set_parameters(parameters);
+        window.app_mut().state.model.desk.shown.set_parameters(parameters);
         window.run();
         window.enter(field, "2");
         assert!(window.says(message));
@@ -119,7 +119,7 @@ fn ndc_beyond_infinity_are_those_of_a_point_behind_the_eye() {
         assert!(!window.says(behind));
         window.enter("NDC z_n", "5");
         let p = position(&window);
-        let camera = window.state().model.document.camera().clone();
+        let camera = window.state().model.desk.shown.camera().clone();
         // z_n = (B + F)/(B − F) − 2BF/((B − F) distance), with F = 2 and B = 12.
         assert!((1.4 - 4.8 / -camera.view_point(p).z - 5.0).abs() < 1e-12 && camera.view_point(p).z > 0.0);
         assert!(window.says(behind));
@@ -139,7 +139,7 @@ fn a_local_coordinate_is_typed_in_the_space_of_the_selected_object() {
     assert!(window.harness.query_by_label("local x_o").is_none(), "no object is selected");
     let object = ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 0.0, 90.0).scaled(2.0, 1.0, 1.0);
     let state = &mut window.app_mut().state;
-    state.model.document.edit(|figure| figure.scene.objects = vec![object]);
+    state.model.desk.shown.edit(|figure| figure.scene.objects = vec![object]);
     state.model.tree.select(Some(Selected::Object("box".to_owned())));
     window.run();
     // Scaled by 2 along x, turned from x to y, moved by 2: (x, y, z) is at (2 − y, 2 x, z).
@@ -156,8 +156,8 @@ fn a_local_coordinate_is_typed_in_the_space_of_the_selected_object() {
 fn the_arithmetic_that_is_shown_is_that_of_the_trace() {
     let window = window(Lang::En, P);
     let state = window.state();
-    let figure = state.model.document.figure();
-    let setting = Setting::new(state.model.document.camera().notes_clip_space(), figure.image, figure.viewport);
+    let figure = state.model.desk.shown.figure();
+    let setting = Setting::new(state.model.desk.shown.camera().notes_clip_space(), figure.image, figure.viewport);
     let setting = setting.with_point(P);
     let style = Style { notation: Notation::Text, mark: Lang::En.mark(), digits: state.model.settings.digits };
     for step in forward(&setting) {
@@ -172,7 +172,7 @@ fn the_arithmetic_that_is_shown_is_that_of_the_trace() {
 
 #[test]
 fn behind_the_eye_and_in_its_plane_the_point_is_explained() {
-    let camera = window(Lang::En, P).state().model.document.camera().clone();
+    let camera = window(Lang::En, P).state().model.desk.shown.camera().clone();
     let (c, basis) = (camera.position(), camera.basis());
     for (lang, behind, in_plane, back) in [
         (Lang::En, "w < 0, so the point is behind the eye", "w = 0, so the point is in the plane of the eye", "Back"),
@@ -191,10 +191,10 @@ fn points_are_added_renamed_and_deleted_and_each_is_a_step() {
     let mut window = window(Lang::En, P);
     window.click(en::EXPLAIN_POINT.add);
     let names = |window: &Window| -> Vec<String> {
-        window.state().model.document.figure().points.iter().map(|point| point.name.clone()).collect()
+        window.state().model.desk.shown.figure().points.iter().map(|point| point.name.clone()).collect()
     };
     assert_eq!(names(&window), ["P", "Q"]);
-    assert_eq!(window.state().model.document.figure().points[1].position, DVec3::ZERO, "at PF");
+    assert_eq!(window.state().model.desk.shown.figure().points[1].position, DVec3::ZERO, "at PF");
     let rename = |window: &mut Window, text: &str| {
         window.click(en::EXPLAIN_POINT.name);
         window.harness.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::A);
@@ -218,7 +218,7 @@ fn points_are_added_renamed_and_deleted_and_each_is_a_step() {
 /// Where a point is in the image of the stage.
 fn in_image(h: &Harness<'_, Stage>, p: DVec3) -> Pos2 {
     let rect = place(h, IMAGE);
-    let camera = h.state().state.model.document.camera();
+    let camera = h.state().state.model.desk.shown.camera();
     let frame = image_frame(world(h, rect).size, camera.window().aspect());
     let clip = camera.clip_point(p);
     let share = DVec2::new(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
@@ -228,11 +228,11 @@ fn in_image(h: &Harness<'_, Stage>, p: DVec3) -> Pos2 {
 
 #[test]
 fn a_point_is_dragged_in_the_image_at_its_distance_and_esc_puts_it_back() {
-    let mut h = stage(|state| state.model.document.edit(|figure| followed(figure, P)));
-    let camera = h.state().state.model.document.camera().clone();
+    let mut h = stage(|state| state.model.desk.shown.edit(|figure| followed(figure, P)));
+    let camera = h.state().state.model.desk.shown.camera().clone();
     let goal = P + camera.basis().u * 0.4 - camera.basis().v * 0.3;
     let (from, to) = (in_image(&h, P), in_image(&h, goal));
-    let now = |h: &Harness<'_, Stage>| h.state().state.model.document.figure().points[0].position;
+    let now = |h: &Harness<'_, Stage>| h.state().state.model.desk.shown.figure().points[0].position;
     for gives_up in [false, true] {
         let before = now(&h);
         let (from, to) = if gives_up { (to, from) } else { (from, to) };
@@ -259,13 +259,13 @@ fn a_point_is_dragged_in_the_image_at_its_distance_and_esc_puts_it_back() {
 
 #[test]
 fn a_point_is_dragged_in_the_world_at_its_distance_from_the_eye() {
-    let mut h = stage(|state| state.model.document.edit(|figure| followed(figure, P)));
+    let mut h = stage(|state| state.model.desk.shown.edit(|figure| followed(figure, P)));
     let in_world = |h: &Harness<'_, Stage>, p: DVec3| {
         let rect = place(h, WORLD);
         let at = pick::places(&world(h, rect)).unwrap()(p).unwrap();
         rect.min + vec2(at.x as f32, at.y as f32)
     };
-    let camera = h.state().state.model.document.camera().clone();
+    let camera = h.state().state.model.desk.shown.camera().clone();
     let goal = P + camera.basis().u * 0.8 + camera.basis().v * 0.5;
     let (from, to) = (in_world(&h, P), in_world(&h, goal));
     for at in [from, to] {
@@ -278,7 +278,7 @@ fn a_point_is_dragged_in_the_world_at_its_distance_from_the_eye() {
     }
     h.drop_at(to);
     h.run();
-    let moved = h.state().state.model.document.figure().points[0].position;
+    let moved = h.state().state.model.desk.shown.figure().points[0].position;
     assert!((camera.view_point(moved).z - camera.view_point(P).z).abs() < 1e-9, "its distance stays");
     assert!(moved.distance(goal) < 0.05, "{moved} is not {goal}");
 }
@@ -286,7 +286,7 @@ fn a_point_is_dragged_in_the_world_at_its_distance_from_the_eye() {
 #[test]
 fn a_pinned_vertex_is_followed_from_its_card() {
     let mut h = stage(|_| ());
-    let camera = h.state().state.model.document.camera().clone();
+    let camera = h.state().state.model.desk.shown.camera().clone();
     let scene = h.state().state.model.scene_cache.scene().clone();
     let object = &scene.objects[0];
     let corners = object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p));
@@ -305,6 +305,6 @@ fn a_pinned_vertex_is_followed_from_its_card() {
     h.get_by_label(en::EXPLAIN_POINT.follow).click();
     h.run();
     let state = &h.state().state;
-    assert_eq!(state.model.document.figure().points, [NamedPoint { name: "P".to_owned(), position: corner }]);
+    assert_eq!(state.model.desk.shown.figure().points, [NamedPoint { name: "P".to_owned(), position: corner }]);
     assert_eq!((state.model.explained.shown(), state.model.settings.panels.wanted[2]), (Explanation::Point, true));
 }

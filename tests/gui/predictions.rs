@@ -17,7 +17,7 @@ use crate::words::en;
 
 /// The place on the screen of a point of the image, in pixels of the image.
 fn on_screen(window: &mut Window, [i, j]: [f64; 2]) -> Pos2 {
-    let image = window.state().model.document.figure().image;
+    let image = window.state().model.desk.shown.figure().image;
     let (_, room) = window.app_mut().canvas.places().find(|(view, _)| *view == View::Image).unwrap();
     let aspect = image.width as f32 / image.height as f32;
     let width = room.width().min(room.height() * aspect);
@@ -49,9 +49,9 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         // Neither verdict nor reason; the picture is the one of the next step.
         let state = window.state();
         assert!(state.learn.exercises.checked.is_empty(), "no verdict before the picture");
-        assert_eq!(state.model.document.figure().camera, lesson.steps[3].figure.camera);
+        assert_eq!(state.model.desk.shown.figure().camera, lesson.steps[3].figure.camera);
         assert_eq!(state.learn.lesson.as_ref().unwrap().step, 2);
-        assert!(!state.learn.lesson.as_ref().unwrap().is_done() && !state.learn.has_unsaved(&state.model));
+        assert!(!state.learn.lesson.as_ref().unwrap().is_done() && !state.model.is_unsaved());
         let (id, guess) = state.learn.exercises.progress.guesses().next().unwrap();
         assert_eq!((id, guess.said.as_str(), guess.right), (&*entry.id, "smaller", false));
         assert!(window.says(t.what_seen));
@@ -113,13 +113,13 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
     let vup = axis.cross(right) * cos - right * sin;
     let wanted = projected(DVec3::new(-1.5325, 2.125, -0.25), [c, pf, vup], 38.0, [1024.0, 768.0]);
     let mut window = playing(0, 10, Lang::En);
-    let camera = window.state().model.document.figure().camera;
+    let camera = window.state().model.desk.shown.figure().camera;
     let at = on_screen(&mut window, [512.0, 100.0]);
     window.click_at(at);
     let mark = |window: &mut Window| placing_of(&mut window.app_mut().state).unwrap().mark.unwrap();
     let [x, y] = mark(&mut window);
     assert!((x - 512.0).abs() <= 2.0 && (y - 100.0).abs() <= 2.0, "{x} {y}");
-    assert_eq!(window.state().model.document.figure().camera, camera, "the camera isn't dragged");
+    assert_eq!(window.state().model.desk.shown.figure().camera, camera, "the camera isn't dragged");
     window.key(Key::ArrowLeft);
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
     window.run();
@@ -137,7 +137,7 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
     let placing = placing_of(&mut window.app_mut().state).unwrap();
     let shown = placing.right.unwrap();
     assert!((shown[0] - wanted[0]).abs() < 0.5 && (shown[1] - wanted[1]).abs() < 0.5, "{shown:?} {wanted:?}");
-    assert_ne!(window.state().model.document.figure().camera, camera, "the image has turned");
+    assert_ne!(window.state().model.desk.shown.figure().camera, camera, "the image has turned");
     assert!(window.state().learn.exercises.progress.guesses().all(|(_, guess)| guess.right));
 }
 
@@ -179,24 +179,24 @@ fn predicting() -> Window {
 fn an_operation_asks_first_where_a_point_goes_and_compares() {
     let mut window = predicting();
     let t = camera_lab::i18n::window::predict::texts(Lang::En);
-    let camera = window.state().model.document.figure().camera;
+    let camera = window.state().model.desk.shown.figure().camera;
     window.harness.get_by_label(&format!("{} +", en::WINDOW.azimuth)).click();
     window.run();
-    assert_eq!(window.state().model.document.figure().camera, camera, "nothing is done yet");
+    assert_eq!(window.state().model.desk.shown.figure().camera, camera, "nothing is done yet");
     let placing = placing_of(&mut window.app_mut().state).unwrap();
     assert!(placing.is_open && placing.right.is_none() && placing.from.is_some());
     let at = on_screen(&mut window, [300.0, 200.0]);
     window.click_at(at);
     window.harness.get_by_label(t.do_it).click();
     window.run();
-    let after = window.state().model.document.figure().camera;
+    let after = window.state().model.desk.shown.figure().camera;
     assert_ne!(after, camera);
     let placing = placing_of(&mut window.app_mut().state).unwrap();
     let ([x, y], right) = (placing.guess.unwrap(), placing.right.unwrap());
     assert!((x - 300.0).abs() <= 2.0 && (y - 200.0).abs() <= 2.0, "{x} {y}");
     // The highest vertex before; its place afterwards by the construction of the notes.
     let sides = [1024.0, 768.0];
-    let figure = window.state().model.document.figure().clone();
+    let figure = window.state().model.desk.shown.figure().clone();
     let built = camera_lab::views::scene_of(&figure, &mut camera_lab::scene::no_files, &Default::default()).unwrap();
     let at = |camera: &camera_lab::camera::Parameters, p: DVec3| {
         projected(p, [camera.position, camera.focal_point, camera.view_up], camera.view_angle, sides)
@@ -221,10 +221,10 @@ fn a_zoom_asks_for_sizes_and_says_by_how_much() {
     window.run();
     window.harness.get_by_label(t.smaller).click();
     window.run();
-    let before = window.state().model.document.camera().window_height();
+    let before = window.state().model.desk.shown.camera().window_height();
     window.harness.get_by_label(t.do_it).click();
     window.run();
-    let times = before / window.state().model.document.camera().window_height();
+    let times = before / window.state().model.desk.shown.camera().window_height();
     assert!(times > 1.0);
     let asked = window.state().model.operations.predict.asked.as_ref().unwrap();
     assert!(asked.is_done && !asked.about.is_right());

@@ -28,7 +28,7 @@ fn lecture(folder: &Folder) -> Window {
 }
 
 fn name(window: &Window) -> String {
-    window.state().model.document.name().unwrap_or_default()
+    window.state().model.desk.shown.name().unwrap_or_default()
 }
 
 #[test]
@@ -75,17 +75,17 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert_eq!(name(&window), "aula 10.toml");
     assert!(window.says(en::WINDOW.last_figure));
     window.key(Key::PageUp);
-    assert_eq!((name(&window).as_str(), window.state().model.document.figure().camera.far), ("aula 2.toml", 77.0));
-    assert!(window.state().model.document.is_changed() && window.state().model.document.can_undo(true));
+    assert_eq!((name(&window).as_str(), window.state().model.desk.shown.figure().camera.far), ("aula 2.toml", 77.0));
+    assert!(window.state().model.desk.shown.is_changed() && window.state().model.desk.can_undo(true));
     window.key(Key::PageUp);
-    assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("aula 1.toml", 1));
+    assert_eq!((name(&window).as_str(), window.state().model.desk.held().len()), ("aula 1.toml", 1));
     // What was gone through is among the files that were used last.
     let recent = ["aula 1.toml", "aula 2.toml", "aula 10.toml"].map(|name| folder.file(name));
     assert_eq!(window.state().recent.files[..3], recent);
     // Opened by its name, it is the one that was left.
     window.command_key(Key::O);
     window.choose(&folder.file("aula 2.toml"));
-    assert_eq!(window.state().model.document.figure().camera.far, 77.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.far, 77.0);
     window.key(Key::PageUp);
     // Whoever closes the window is asked about it.
     window.command_key(Key::Q);
@@ -135,7 +135,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
         window.enter("B", far);
         window.command_key(Key::PageDown);
     }
-    assert_eq!((name(&window).as_str(), window.state().model.kept.len()), ("3.toml", 2));
+    assert_eq!((name(&window).as_str(), window.state().model.desk.held().len()), ("3.toml", 2));
     // Esc and the button alike; also in the question that comes in between.
     for cancel in [true, false] {
         window.command_key(Key::Q);
@@ -149,8 +149,8 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
             window.key(Key::Escape);
         }
         window.run();
-        let mut left: Vec<f64> = window.state().model.kept.iter().map(|(_, kept)| kept.figure().camera.far).collect();
-        left.push(window.state().model.document.figure().camera.far);
+        let mut left: Vec<f64> = window.state().model.desk.held().iter().map(|held| held.figure().camera.far).collect();
+        left.push(window.state().model.desk.shown.figure().camera.far);
         left.sort_by(f64::total_cmp);
         assert_eq!(left, [61.0, 62.0, 63.0]);
     }
@@ -175,7 +175,10 @@ fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_
     assert_eq!(name(&window), "house.toml");
     window.command_key(Key::PageUp);
     window.command_key(Key::PageUp);
-    assert_eq!((window.state().model.document.name(), window.state().model.document.figure().camera.far), (None, 33.0));
+    assert_eq!(
+        (window.state().model.desk.shown.name(), window.state().model.desk.shown.figure().camera.far),
+        (None, 33.0)
+    );
 }
 
 #[test]
@@ -183,12 +186,12 @@ fn escape_clears_what_lies_over_the_pictures_and_then_leaves() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F11);
     window.key(Key::P);
-    let before = window.state().model.document.figure().clone();
+    let before = window.state().model.desk.shown.figure().clone();
     let picture = window.harness.get_by_label_contains("Image: what the camera sees").rect();
     window.drag(picture.center(), vec2(60.0, 20.0), |_| {});
     assert_eq!(window.state().annotations.strokes.len(), 1);
     assert!(window.state().annotations.strokes[0].len() > 2);
-    assert_eq!(window.state().model.document.figure(), &before, "the pen moves nothing");
+    assert_eq!(window.state().model.desk.shown.figure(), &before, "the pen moves nothing");
     window.key(Key::S);
     window.key(Key::Period);
     assert!(window.state().annotations.spot && window.state().annotations.blank);

@@ -63,11 +63,11 @@ fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
     let mut window = window(Lang::En, View::Image);
     window.explain(Explanation::HiddenSurfaces);
     window.click(en::STAGES.painter);
-    assert_eq!(window.state().model.document.figure().style.visibility, Visibility::Painter);
+    assert_eq!(window.state().model.desk.shown.figure().style.visibility, Visibility::Painter);
     window.click(en::STAGES.bsp);
-    assert_eq!(window.state().model.document.figure().style.visibility, Visibility::Bsp);
+    assert_eq!(window.state().model.desk.shown.figure().style.visibility, Visibility::Bsp);
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().style.visibility, Visibility::Painter);
+    assert_eq!(window.state().model.desk.shown.figure().style.visibility, Visibility::Painter);
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
     let color = pixel(&mut window, beside);
     assert!(color.r != color.g || color.g != color.b, "{color}");
     choose(&mut window, "image", "depths (Z)");
-    assert_eq!(window.state().model.document.figure().reveal.depth, Depth::Stored);
+    assert_eq!(window.state().model.desk.shown.figure().reveal.depth, Depth::Stored);
     // z = 1 is 4 units away: Z = (1/3 + 1)/2 = 2/3, and 2/3 of 255 is 170.
     assert_eq!(pixel(&mut window, beside), Rgba::rgb(170, 170, 170));
     window.harness.hover_at(at);
@@ -90,7 +90,7 @@ fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
     window.run();
     assert!(window.says("Depth nothing here"));
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().reveal.depth, Depth::Off);
+    assert_eq!(window.state().model.desk.shown.figure().reveal.depth, Depth::Off);
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn the_section_speaks_portuguese() {
     let mut window = window(Lang::PtBr, View::Image);
     window.explain(Explanation::Depth);
     choose(&mut window, "imagem", "distâncias");
-    assert_eq!(window.state().model.document.figure().reveal.depth, Depth::Linear);
+    assert_eq!(window.state().model.desk.shown.figure().reveal.depth, Depth::Linear);
     let at = middle(&window, "Imagem: o que");
     window.harness.hover_at(at);
     window.run();
@@ -116,13 +116,13 @@ fn each_switch_shows_something_and_is_undone() {
         window.explain(explanation);
         let drawn = window.app_mut().canvas.drawn()[0];
         window.click(switch);
-        assert_eq!(window.state().model.document.figure().reveal, reveal);
+        assert_eq!(window.state().model.desk.shown.figure().reveal, reveal);
         assert!(window.app_mut().canvas.drawn()[0] > drawn, "{switch}");
         window.command_key(Key::Z);
-        assert_eq!(window.state().model.document.figure().reveal, Reveal::default());
+        assert_eq!(window.state().model.desk.shown.figure().reveal, Reveal::default());
     }
     choose(&mut window, "outside", "tinted");
-    assert_eq!(window.state().model.document.figure().reveal.outside, Outside::Tinted);
+    assert_eq!(window.state().model.desk.shown.figure().reveal.outside, Outside::Tinted);
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn a_vertex_says_its_outcode_and_its_distances() {
         let corner = {
             let state = window.state();
             let rect = window.harness.get_by_label_contains(place).rect();
-            let observer = state.model.document.figure().observers.world.expect("it was given");
+            let observer = state.model.desk.shown.figure().observers.world.expect("it was given");
             let camera =
                 observer.camera(None, f64::from(rect.width()) / f64::from(rect.height())).expect("an observer");
             let clip = camera.clip_from_world() * DVec3::ONE.extend(1.0);

@@ -6,14 +6,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use camera_lab::camera::{Convention, Operation};
 use camera_lab::figure::{Measure, Measured, ShownProbe, ShownStep, ShownTriangle, TriangleStep};
-use camera_lab::files::open_figure;
 use camera_lab::geometry::Angle;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::app::file_flow::text_as_shown;
 use camera_lab::gui::export::Export;
 use camera_lab::gui::model::layout::Panels;
-use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::share;
 use camera_lab::views::{View, Views};
 use proptest::prelude::*;
@@ -173,7 +170,7 @@ fn they_agree_on_a_comparison() {
         let state = &mut window.app_mut().state;
         state.model.settings.conventions.ndc =
             camera_lab::camera::Ndc::ALL.into_iter().find(|ndc| ndc.name() == "direct3d").expect("a convention");
-        state.model.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
+        state.model.desk.shown.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
         window.run();
     };
     assert_same_after(View::Canonical, &format!("{FIGURE}{angle}"), convention);
@@ -187,7 +184,7 @@ fn turn(window: &mut Window) {
     for k in 0..100 {
         let turn = Angle::from_degrees(if k < 50 { 1.3 } else { -0.7 });
         let operation = if k % 2 == 0 { Operation::Azimuth(turn) } else { Operation::Elevation(turn) };
-        window.app_mut().state.model.document.operate(operation, Convention::default()).expect("a camera");
+        window.app_mut().state.model.desk.shown.operate(operation, Convention::default()).expect("a camera");
     }
     window.run();
 }
@@ -202,22 +199,22 @@ fn after_a_hundred_operations_they_agree_too_from_where_the_window_shows_it() {
 #[test]
 fn they_agree_on_every_kind_of_explanation() {
     let stage: Act = |window| {
-        window.app_mut().state.model.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
+        window.app_mut().state.model.desk.shown.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
         window.run();
     };
     let step: Act = |window| {
         let way = camera_lab::camera::Decomposition::Notes;
-        window.app_mut().state.model.document.show_mut().step = Some(ShownStep { way, at: Some(1.6) });
+        window.app_mut().state.model.desk.shown.show_mut().step = Some(ShownStep { way, at: Some(1.6) });
         window.run();
     };
     let triangle: Act = |window| {
         let object = "walls".to_owned();
         let triangle = ShownTriangle { object, index: 2, step: TriangleStep::Pixels, pixel: None };
-        window.app_mut().state.model.document.show_mut().triangle = Some(triangle);
+        window.app_mut().state.model.desk.shown.show_mut().triangle = Some(triangle);
         window.run();
     };
     let probe: Act = |window| {
-        let show = window.app_mut().state.model.document.show_mut();
+        let show = window.app_mut().state.model.desk.shown.show_mut();
         (show.probe, show.painted) = (Some(ShownProbe::Pixel([500, 300])), Some(0.5));
         window.run();
     };
@@ -227,12 +224,12 @@ fn they_agree_on_every_kind_of_explanation() {
         window.run();
     };
     let measures: Act = |window| {
-        window.app_mut().state.model.document.show_mut().measure =
+        window.app_mut().state.model.desk.shown.show_mut().measure =
             vec![Measured::Dimension(Measure::Near), Measured::Dimension(Measure::HalfAngle)];
         window.run();
     };
     let stage_over_depths: Act = |window| {
-        let document = &mut window.app_mut().state.model.document;
+        let document = &mut window.app_mut().state.model.desk.shown;
         document.edit(|figure| figure.reveal.depth = camera_lab::figure::Depth::Linear);
         document.show_mut().stage = Some(camera_lab::stage::Stage::Antialias);
         window.run();
@@ -261,13 +258,13 @@ proptest! {
     #[test]
     fn they_agree_on_every_shot(show in shows(), observers in observers(), operations in operations()) {
         let mut opened = Opened::new(View::World, 1.0, &FIGURE.replace("antialias = 4", "antialias = 1"));
-        let document = &mut opened.window.app_mut().state.model.document;
+        let document = &mut opened.window.app_mut().state.model.desk.shown;
         (*document.observers_mut(), *document.show_mut()) = (observers, show);
         let half = operations.len() / 2;
         for operations in [&operations[..half], &operations[half..]] {
             for operation in operations {
                 // One that has no result changes nothing.
-                let _ = opened.window.app_mut().state.model.document.operate(*operation, Convention::default());
+                let _ = opened.window.app_mut().state.model.desk.shown.operate(*operation, Convention::default());
             }
             opened.window.run();
         }

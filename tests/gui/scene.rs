@@ -24,7 +24,7 @@ impl Window {
     }
 
     fn objects(&self) -> &[ObjectSpec] {
-        &self.state().model.document.figure().scene.objects
+        &self.state().model.desk.shown.figure().scene.objects
     }
 
     fn names(&self) -> Vec<&str> {
@@ -75,7 +75,7 @@ impl Window {
 fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
     let mut window = Window::scene(Lang::En);
     let object = |i| ObjectSpec::group(format!("object {i}"));
-    window.app_mut().state.model.document.edit(|figure| figure.scene.objects = (0..1000).map(object).collect());
+    window.app_mut().state.model.desk.shown.edit(|figure| figure.scene.objects = (0..1000).map(object).collect());
     window.run();
     let rows = |window: &Window| window.harness.query_all_by_role(Role::TreeItem).count();
     assert!((20..400).contains(&rows(&window)), "{}", rows(&window));
@@ -91,7 +91,7 @@ fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
     window.harness.run_steps(60);
     assert!(window.row("object 999").rect().bottom() < 800.0);
     window.select("object 999");
-    let scene = &window.state().model.document.figure().scene;
+    let scene = &window.state().model.desk.shown.figure().scene;
     assert_eq!(window.state().model.tree.selected(scene), Some(&Selected::Object("object 999".to_owned())));
     // The keyboard continues from there.
     window.key(Key::ArrowUp);
@@ -152,7 +152,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     assert_eq!(window.names(), ["box", "sphere"]);
     window.command_key(Key::Z);
     window.command_key(Key::Z);
-    assert!(window.names().is_empty() && !window.state().model.document.can_undo(true));
+    assert!(window.names().is_empty() && !window.state().model.desk.can_undo(true));
     for _ in 0..8 {
         window.command_key(Key::Y);
     }
@@ -177,7 +177,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     let saved = std::fs::read_to_string(&path).expect("saved");
     assert!(saved.starts_with("# The arm.\n[scene]\npreset = \"empty\" # nothing else\n\n# It stands.\n"), "{saved}");
     let figure = parse(&saved).expect("a figure");
-    assert_eq!(&figure, window.state().model.document.figure());
+    assert_eq!(&figure, window.state().model.desk.shown.figure());
     assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
     assert_eq!(figure.scene.objects[1].translate.y, 1.5);
     assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector, .. }] if vector.y == 4.0));
@@ -187,7 +187,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
 fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "directional light");
-    let shadows = |window: &Window| window.state().model.document.figure().scene.lights[0].shadows;
+    let shadows = |window: &Window| window.state().model.desk.shown.figure().scene.lights[0].shadows;
     assert!(!shadows(&window).cast && !window.says(en::SCENES.shadow_map));
     window.click(en::SCENES.shadows);
     assert_eq!(shadows(&window), Shadows::CAST);
@@ -201,7 +201,7 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     window.key(Key::Escape);
     let t = camera_lab::i18n::window::scenes::texts(Lang::En);
     window.pick(t.shadow_reveal, t.shadow_of_light);
-    assert_eq!(window.state().model.document.figure().reveal.shadows, Some(ShadowReveal::Map));
+    assert_eq!(window.state().model.desk.shown.figure().reveal.shadows, Some(ShadowReveal::Map));
     window.click(en::SCENES.shadows);
     assert!(!shadows(&window).cast && shadows(&window).map == 256, "the numbers stay");
 }
@@ -246,7 +246,7 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
     assert!(window.says("the direction must not be 0"));
     window.enter("direction y", "-1");
     assert!(
-        matches!(window.state().model.document.figure().scene.lights[..], [light] if light == Light::directional(-DVec3::Y))
+        matches!(window.state().model.desk.shown.figure().scene.lights[..], [light] if light == Light::directional(-DVec3::Y))
     );
 }
 
@@ -360,7 +360,7 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
     window.command_key(Key::Z);
     window.run();
     assert_eq!(window.names().len(), before);
-    let scene = &window.state().model.document.figure().scene;
+    let scene = &window.state().model.desk.shown.figure().scene;
     assert_eq!(window.state().model.tree.names(scene), ["group".to_owned()].into(), "what came back is selected");
 }
 
@@ -407,7 +407,7 @@ fn a_new_object_is_in_sight_and_touches_nothing() {
     for other in &others {
         assert!((new.max.cmplt(other.min) | new.min.cmpgt(other.max)).any(), "{new:?} {other:?}");
     }
-    let camera = window.state().model.document.camera();
+    let camera = window.state().model.desk.shown.camera();
     for corner in new.corners() {
         let clip = camera.clip_point(corner);
         assert!(clip.truncate().abs().max_element() <= clip.w, "{corner}");
@@ -421,13 +421,13 @@ fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
     window.run();
     window.click(pt::SCENES.edit_copy);
     window.run();
-    let scene = window.state().model.document.figure().scene.clone();
+    let scene = window.state().model.desk.shown.figure().scene.clone();
     assert_eq!((scene.preset, scene.objects.len()), (Preset::Empty, 1));
     assert_eq!(scene.objects[0].name, "cubo", "the names are in the language of the window");
     let said = window.state().model.message.as_ref().expect("a message").text(Lang::PtBr);
     assert!(said.contains("os números nelas"), "{said}");
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().scene.preset, Preset::Cube);
+    assert_eq!(window.state().model.desk.shown.figure().scene.preset, Preset::Cube);
 }
 
 #[test]
@@ -554,7 +554,7 @@ fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
     let before = width(&window);
     let long = ["a", "b"].map(|letter| letter.repeat(5_000));
     let state = &mut window.app_mut().state;
-    state.model.document.edit(|figure| {
+    state.model.desk.shown.edit(|figure| {
         let of = |name: &str| ObjectSpec::new(name, Shape::Box);
         figure.scene.objects = vec![of(&long[0]), of(&long[1]).under(&long[0])];
     });
@@ -570,7 +570,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = camera_lab::i18n::window::scenes::texts(lang);
         let mut window = Window::scene(lang);
-        window.app_mut().state.model.document.edit(|figure| {
+        window.app_mut().state.model.desk.shown.edit(|figure| {
             figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];
         });
         window.run();
@@ -590,7 +590,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
         window.harness.get_by_role_and_label(Role::ComboBox, t.texture_reveal).scroll_to_me();
         window.run();
         window.pick(t.texture_reveal, t.texture_texels);
-        assert_eq!(window.state().model.document.figure().reveal.texture, Some(TextureReveal::Texels));
+        assert_eq!(window.state().model.desk.shown.figure().reveal.texture, Some(TextureReveal::Texels));
         // A file that is not there: the object's colour, and a notice with its name.
         window.harness.get_by_role_and_label(Role::ComboBox, t.texture).scroll_to_me();
         window.run();

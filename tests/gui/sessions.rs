@@ -64,9 +64,9 @@ fn a_crashed_session_is_back_at_the_next_start() {
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.0, true);
     window.run();
-    assert_eq!(window.state().model.document.draft().position.x, 1.25);
+    assert_eq!(window.state().model.desk.shown.draft().position.x, 1.25);
     assert!(window.says("The last session, which had not been saved"));
-    assert!(window.state().model.document.is_changed());
+    assert!(window.state().model.desk.shown.is_changed());
 }
 
 /// A window with a figure file, and the world in it.
@@ -84,14 +84,14 @@ fn what_was_explained_is_back_although_the_figure_has_not_changed() {
     let folder = Folder::new("explained");
     let mut window = world(&folder, false);
     let near = vec![Measured::Dimension(Measure::Near)];
-    window.app_mut().state.model.document.show_mut().measure = near.clone();
+    window.app_mut().state.model.desk.shown.show_mut().measure = near.clone();
     window.run();
-    assert!(!window.state().model.document.is_changed());
+    assert!(!window.state().model.desk.shown.is_changed());
     window.crash(&folder.file("sessions"), "measure");
     let window = world(&folder, true);
     assert!(window.says("The last session, which had not been saved"));
     assert_eq!(window.state().model.shown().measure, near);
-    assert!(!window.state().model.document.is_changed(), "nothing else is");
+    assert!(!window.state().model.desk.shown.is_changed(), "nothing else is");
 }
 
 #[test]
@@ -100,13 +100,13 @@ fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture(
     let mut window = world(&folder, false);
     // The picture stays where it is while the camera turns.
     let operation = Operation::Azimuth(Angle::from_degrees(6.0));
-    window.app_mut().state.model.document.operate(operation, Convention::default()).expect("a camera");
+    window.app_mut().state.model.desk.shown.operate(operation, Convention::default()).expect("a camera");
     window.run();
     let seen = window.state().model.seen.world.expect("it is shown");
-    assert_eq!(window.state().model.document.figure().observers.world, None);
+    assert_eq!(window.state().model.desk.shown.figure().observers.world, None);
     window.crash(&folder.file("sessions"), &seen.distance.to_string());
     let window = world(&folder, true);
-    assert_ne!(window.state().model.document.draft().position, Parameters::default().position);
+    assert_ne!(window.state().model.desk.shown.draft().position, Parameters::default().position);
     assert_eq!(window.state().model.seen.world, Some(seen));
 }
 
@@ -129,7 +129,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.wait(|window| window.state().file_flow.theirs.is_some());
-    assert_eq!(window.state().model.document.figure().camera.far, 75.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.far, 75.0);
     assert!(window.says("a.toml was changed by another program, and you have changes in this window too."));
     window.command_key(Key::S);
     assert!(window.says(en::WINDOW.changed_title));
@@ -168,9 +168,9 @@ fn a_start_with_a_file_lists_what_was_left() {
         press(&mut window, restore);
         assert!(window.says(unsaved));
         window.click(without);
-        window.wait(|window| window.state().model.document.figure().camera.far == 75.0);
-        assert_eq!(window.state().model.document.name().as_deref(), Some("a.toml"));
-        assert!(window.state().model.document.is_changed() && window.says(title));
+        window.wait(|window| window.state().model.desk.shown.figure().camera.far == 75.0);
+        assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("a.toml"));
+        assert!(window.state().model.desk.shown.is_changed() && window.says(title));
         press(&mut window, discard);
         assert!(!window.says(title));
         assert!(!written(&folder.file("sessions")).contains("76.0"));
@@ -183,16 +183,16 @@ fn a_figure_that_did_not_survive_is_offered_and_not_restored() {
     leave(&folder, "a.toml", "75.0");
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
-    assert_eq!(window.state().model.document.figure().camera.far, 75.0);
+    assert_eq!(window.state().model.desk.shown.figure().camera.far, 75.0);
     // The program ends at once.
     drop(window);
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
-    assert_ne!(window.state().model.document.figure().camera.far, 75.0);
+    assert_ne!(window.state().model.desk.shown.figure().camera.far, 75.0);
     assert!(window.says(en::WINDOW.did_not_survive));
     window.click(en::WINDOW.restore);
-    window.wait(|window| window.state().model.document.figure().camera.far == 75.0);
+    window.wait(|window| window.state().model.desk.shown.figure().camera.far == 75.0);
 }
 
 #[test]

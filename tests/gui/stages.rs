@@ -65,9 +65,9 @@ fn the_ways_to_hide_are_the_figures_and_say_their_order() {
         (t.depth_buffer, Visibility::DepthBuffer, t.depth_buffer_said),
     ] {
         window.click(name);
-        assert_eq!(window.state().model.document.figure().style.visibility, visibility);
+        assert_eq!(window.state().model.desk.shown.figure().style.visibility, visibility);
         assert!(window.says(said));
     }
     window.click(t.depth);
-    assert_eq!(window.state().model.document.figure().reveal.depth, camera_lab::figure::Depth::Stored);
+    assert_eq!(window.state().model.desk.shown.figure().reveal.depth, camera_lab::figure::Depth::Stored);
 }

@@ -134,7 +134,7 @@ fn with_house(lang: Lang) -> Window {
 #[test]
 fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes_it_away() {
     let mut window = with_house(Lang::En);
-    let figure = window.state().model.document.figure().clone();
+    let figure = window.state().model.desk.shown.figure().clone();
     let drawn = |window: &mut Window| window.app_mut().canvas.drawn()[View::Image.index()];
     for (name, stage) in [("back faces", Stage::CullFaces), ("divide by w", Stage::Divide), ("fill", Stage::Fill)] {
         let before = drawn(&mut window);
@@ -157,7 +157,7 @@ fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes
     assert!(window.says("texture: skipped – no object has a texture"));
     window.key(Key::F10);
     assert_eq!(window.state().model.shown_stage(), None, "hidden, it is not shown");
-    assert_eq!(*window.state().model.document.figure(), figure, "the figure stays as it is");
+    assert_eq!(*window.state().model.desk.shown.figure(), figure, "the figure stays as it is");
 }
 
 #[test]

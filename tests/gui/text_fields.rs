@@ -33,7 +33,7 @@ impl Window {
 #[test]
 fn a_long_text_in_a_number_field_is_cut_and_refused() {
     let mut window = Window::new(Lang::En);
-    let before = window.state().model.document.draft().position.x;
+    let before = window.state().model.desk.shown.draft().position.x;
     window.field("C x").click();
     window.run();
     window.harness.event(Event::Paste("1+".repeat(5 << 20)));
@@ -43,7 +43,7 @@ fn a_long_text_in_a_number_field_is_cut_and_refused() {
     assert!(longest <= Some(MAX_EXPRESSION.0 + 1), "{longest:?}");
     window.key(Key::Enter);
     assert!(window.says("the expression is too long"));
-    assert_eq!(window.state().model.document.draft().position.x, before);
+    assert_eq!(window.state().model.desk.shown.draft().position.x, before);
     window.key(Key::Escape);
     assert!(!window.says("the expression is too long"));
 }

@@ -34,11 +34,11 @@ fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
     window.harness.event(Event::Text("What it sees".to_owned()));
     window.run();
     window.click(t.title_action);
-    let figure = window.state().model.document.figure();
+    let figure = window.state().model.desk.shown.figure();
     let both = |text: &str| Some(Bilingual { en: text.to_owned(), pt_br: text.to_owned() });
     assert_eq!((figure.title.clone(), figure.caption.clone()), (both("My camera"), both("What it sees")));
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.document.figure().title, None);
+    assert_eq!(window.state().model.desk.shown.figure().title, None);
     window.command_key(Key::Y);
     // The other language of its own.
     window.command_key(Key::I);
@@ -49,7 +49,7 @@ fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
     window.harness.event(Event::Text("Minha câmera".to_owned()));
     window.run();
     window.key(Key::Enter);
-    let title = window.state().model.document.figure().title.clone();
+    let title = window.state().model.desk.shown.figure().title.clone();
     assert_eq!(title, Some(Bilingual { en: "My camera".to_owned(), pt_br: "Minha câmera".to_owned() }));
 }
 
@@ -65,8 +65,8 @@ fn a_figure_made_of_a_card_has_words_of_its_own() {
     window.run();
     window.key(Key::ArrowDown);
     window.key(Key::Enter);
-    assert_eq!(window.state().model.document.shipped_name(), Some("house"));
-    assert!(window.state().model.document.figure().title.is_some());
+    assert_eq!(window.state().model.desk.shown.shipped_name(), Some("house"));
+    assert!(window.state().model.desk.shown.figure().title.is_some());
     window.enter("C x", "7");
     assert_eq!(window.state().model.figure_as_shown().title, None, "the card speaks of another figure");
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
@@ -109,7 +109,7 @@ fn a_figure_and_a_family_need_four_actions() {
     let file = folder.file("azimuth-30.toml");
     window.wait(|_| file.exists());
     assert_eq!(
-        window.state().model.document.figure().title.as_ref().map(|title| title.en.as_str()),
+        window.state().model.desk.shown.figure().title.as_ref().map(|title| title.en.as_str()),
         Some("Azimuth 30")
     );
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
@@ -190,7 +190,7 @@ fn no_title_is_lost_on_the_way_into_a_lesson() {
     entitle(&mut window, "From below");
     alt(&mut window, Key::W);
     assert!(window.state().learn.lesson.is_none());
-    assert_eq!(window.state().model.document.figure().title, Some(both("From below")));
+    assert_eq!(window.state().model.desk.shown.figure().title, Some(both("From below")));
     window.command_key(Key::N);
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Unsaved(_))));
 }

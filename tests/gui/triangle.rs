@@ -34,7 +34,7 @@ fn overlay(window: &Window) -> TriangleOverlay {
     let state = window.state();
     let size = Size { width: 640, height: 480, scale: 1.0 };
     let labels = camera_lab::i18n::pictures::labels(Lang::En);
-    let (figure, camera) = (state.model.document.figure(), state.model.document.camera());
+    let (figure, camera) = (state.model.desk.shown.figure(), state.model.desk.shown.camera());
     let request = Request::of(figure, View::Image, camera, state.model.scene_cache.scene(), labels, size);
     at_once(FollowedTriangle::default().overlay(&request)).unwrap().as_ref().clone()
 }
@@ -63,7 +63,7 @@ fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
         let shown = overlay(&window);
         assert_eq!(shown.step, TriangleStep::View);
         // What is there can be seen: its middle faces the eye.
-        let camera = window.state().model.document.camera().clone();
+        let camera = window.state().model.desk.shown.camera().clone();
         let [a, b, c] = shown.corners;
         assert!((b - a).cross(c - a).dot(camera.position() - a) > 0.0);
         for one in &TriangleStep::ALL[1..] {

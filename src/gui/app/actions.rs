@@ -40,7 +40,7 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
             Action::PutMark(of, place) => state.learn.put_mark(&mut state.model, &of, place),
             Action::Coach => open(state, Dialog::Coach),
             Action::Compare => {
-                let form = CompareForm::of(state.model.document.figure());
+                let form = CompareForm::of(state.model.desk.shown.figure());
                 open(state, Dialog::Compare(form));
             }
         }

@@ -182,8 +182,8 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
-                    let beside = state.model.document.folder().map(Path::to_owned);
-                    let here = Source::of(&state.model.document);
+                    let beside = state.model.desk.shown.folder().map(Path::to_owned);
+                    let here = Source::of(&state.model.desk.shown);
                     state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
                 }
                 let style = (state.model.settings.theme, state.model.settings.lang);
@@ -309,7 +309,7 @@ fn ask_delete(
 
 /// Asks about a file changed by another program. The choice that loses nothing is the default.
 fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
-    let name = state.model.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
+    let name = state.model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
     text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
     if let Some(comparison) = &changed.comparison {
         compared(ui, t, comparison);
@@ -329,7 +329,7 @@ fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut chan
         }
         Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),
         Pressed::Action(_) => {
-            if let Some(path) = state.model.document.path().cloned() {
+            if let Some(path) = state.model.desk.shown.path().cloned() {
                 let agreed = Agreed { theirs: Some(theirs), ..Agreed::default() };
                 file_flow::confirmed(&ctx, state, Purpose::Save(then), &path, agreed);
             }

@@ -50,14 +50,14 @@ use crate::scene::import::MESH_ENDINGS;
 /// figure. Every action that replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.learn.end_move(&mut state.model);
-    state.model.settle_layout(state.learn.lesson.is_some());
-    state.model.document.commit();
+    state.model.settle_layout();
+    state.model.desk.commit();
     if !state.learn.save_text(&mut state.model) {
         // The dialog says why.
         state.file_flow.refused = state.model.message.take();
         state.file_flow.dialog = Some(Dialog::UnsavedText(next));
     } else if next.replaces_figure()
-        && state.learn.has_unsaved(&state.model)
+        && state.model.is_unsaved()
         && !(next == AfterSave::WriteRecorded && state.learn.is_recorded(&mut state.model))
     {
         state.file_flow.dialog = Some(Dialog::Unsaved(next));
@@ -95,12 +95,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
 
 /// Goes on to the next document that closing would lose. If there are none left, closes the window.
 fn quit(ctx: &egui::Context, state: &mut State) {
-    state.learn.gather_held(&mut state.model);
-    if let Some((_, document)) = state.model.kept.pop() {
-        // If the window isn't closed after all, the figure is still there.
-        if state.learn.has_unsaved(&state.model) {
-            state.model.given_up.push((Source::of(&state.model.document), state.model.document.clone()));
-        }
+    if let Some(document) = state.model.desk.next_to_close(state.model.is_unsaved()) {
         state.learn.take_over(&mut state.model, document);
         begin(ctx, state, AfterSave::Quit);
     } else if state.file_flow.exporting.is_empty() {
@@ -119,7 +114,7 @@ pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
 /// Saves to the figure's own file. If it has none, asks for one.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
-    match state.model.document.path().cloned().or_else(named) {
+    match state.model.desk.shown.path().cloned().or_else(named) {
         Some(path) => write(ctx, state, Save { path, then, agreed: Agreed::default(), with_files: false }),
         None => ask(ctx, state, Purpose::Save(then)),
     }
@@ -129,8 +124,8 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// to choose from, so it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     // A figure made from a card has words of its own.
-    let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.document.shipped_name().is_some();
-    if asks_title && state.file_flow.titled != Some(state.model.document.id()) {
+    let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.desk.shown.shipped_name().is_some();
+    if asks_title && state.file_flow.titled != Some(state.model.desk.shown.id()) {
         let form = TitleForm::of(&state.model, Some(purpose));
         state.file_flow.dialog = Some(Dialog::Title(form));
         return;
@@ -141,7 +136,7 @@ pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
         chosen(ctx, state, purpose, kind.proposal());
     } else if state.file_flow.native && !hands_out {
         // The shell opens the dialog, in front of its window.
-        let (document, question) = (state.model.document.id(), Some(kind.question()));
+        let (document, question) = (state.model.desk.shown.id(), Some(kind.question()));
         state.file_flow.asking = Some(Asking { purpose, document, question, dialog: None });
         ctx.request_repaint();
     } else {
@@ -175,7 +170,7 @@ fn take_answer(ctx: &egui::Context, state: &mut State) {
 /// Goes on with the answer. It belongs to the document that was shown when the question came up.
 fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     let Some(Asking { purpose, document, .. }) = state.file_flow.asking.take() else { return };
-    let is_same = document == state.model.document.id();
+    let is_same = document == state.model.desk.shown.id();
     match (answer, purpose) {
         (FileAnswer::Cancelled, _) => {}
         // The next question may have a dialog again.
@@ -200,7 +195,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
             return state.model.say(Message::NotExported(path, NotExported(error)));
         }
     }
-    let own = state.model.document.path() == Some(&path);
+    let own = state.model.desk.shown.path() == Some(&path);
     // A step is added to the file's content.
     let adds = purpose.adds_step();
     let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
@@ -301,7 +296,7 @@ fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf
 
 /// Opens a figure, a lesson, or a link in a file. A figure that was left with changes returns with them.
 fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
-    match state.model.take_kept(Some(&Source::File(files::whole(path)))) {
+    match state.model.desk.take_left(Some(&Source::File(files::whole(path)))) {
         Some(kept) => {
             state.learn.take_over(&mut state.model, kept);
             state.file_flow.look = true;
@@ -312,7 +307,7 @@ fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
 
 /// Moves on to the next figure, or back to the one before.
 pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
-    state.model.document.commit();
+    state.model.desk.commit();
     let search = Search::of(&state.model, forwards);
     read(ctx, state, ToRead::Next(search));
 }
@@ -328,7 +323,7 @@ fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
     let Some((content, is_changed)) = state.file_flow.reading.take(&state.model, patience) else { return };
     match content {
         // The user changed the figure after the question about changes.
-        Content::Lesson(path, _) | Content::Figure(path, _) if is_changed && state.learn.has_unsaved(&state.model) => {
+        Content::Lesson(path, _) | Content::Figure(path, _) if is_changed && state.model.is_unsaved() => {
             begin(ctx, state, AfterSave::OpenPath(path));
         }
         Content::Lesson(path, lesson) => opening::lesson(state, path, lesson),
@@ -340,7 +335,7 @@ fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
 
 /// Reads the figure's own file again, and continues with it.
 fn reload(ctx: &egui::Context, state: &mut State) {
-    if let Some(path) = state.model.document.path().cloned() {
+    if let Some(path) = state.model.desk.shown.path().cloned() {
         open(ctx, state, &path);
     }
 }
@@ -357,24 +352,24 @@ pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSav
 
 /// The text that saving would write into the figure's own file.
 pub fn text_to_save(model: &Model) -> String {
-    update(model.document.source(), &model.figure_to_save())
+    update(model.desk.shown.source(), &model.figure_to_save())
 }
 
 /// The text of the present screen, in the form for links.
 pub fn text_as_shown(model: &Model) -> String {
-    update(model.document.source(), &model.figure_as_shown())
+    update(model.desk.shown.source(), &model.figure_as_shown())
 }
 
 /// Writes the figure. If it takes long, the window stays usable, and [`poll`] takes the result.
 fn write(ctx: &egui::Context, state: &mut State, save: Save) {
-    if let Some(error) = state.model.document.problem().filter(|_| state.model.document.has_stand_in_camera()) {
+    if let Some(error) = state.model.desk.shown.problem().filter(|_| state.model.desk.shown.has_stand_in_camera()) {
         state.model.say(Message::NotSaved(error.clone()));
         return;
     }
     let path = save.path.clone();
     if state.file_flow.saving.writes(&path) {
         // It could overtake the first one, so it waits for it.
-        state.file_flow.saving.queue(save, state.model.document.id());
+        state.file_flow.saving.queue(save, state.model.desk.shown.id());
     } else {
         state.file_flow.saving.begin(ctx, &state.model, save);
         take_saved(ctx, state, state.file_flow.saving.patience);
@@ -387,14 +382,12 @@ fn write(ctx: &egui::Context, state: &mut State, save: Save) {
 /// Goes on with the result of writing the figure. It may be about a document that the window has left meanwhile.
 fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
     let Some((save, of, saved)) = state.file_flow.saving.take(patience) else { return };
-    let is_shown = of == Some(state.model.document.id());
+    let is_shown = of == Some(state.model.desk.shown.id());
     let Save { path, then, agreed, with_files } = save;
     match saved {
         Saved::Done(done) => {
             let (figure, renamed, text) = *done;
-            let others = state.model.kept.iter_mut().chain(&mut state.model.given_up).map(|(_, document)| document);
-            let mut documents = std::iter::once(&mut state.model.document).chain(others);
-            if let Some(document) = documents.find(|document| Some(document.id()) == of) {
+            if let Some(document) = of.and_then(|of| state.model.desk.by_id(of)) {
                 document.mark_saved(path.clone(), text, figure, &renamed);
                 if with_files {
                     document.forget_carried();
@@ -406,7 +399,7 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
                 (state.file_flow.theirs, state.file_flow.decided) = (None, None);
                 match then {
                     // What was changed meanwhile isn't in the file.
-                    Some(then) if state.model.document.is_changed() => begin(ctx, state, then),
+                    Some(then) if state.model.desk.shown.is_changed() => begin(ctx, state, then),
                     Some(then) => go_on(ctx, state, then),
                     None => {}
                 }
@@ -420,7 +413,7 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
         Saved::Changed(_) | Saved::ReadOnly => state.model.say(Message::OtherFigure(path)),
         Saved::Failed(error) => state.model.say(Message::File(path, error)),
     }
-    if let Some(next) = state.file_flow.saving.queued(state.model.document.id()) {
+    if let Some(next) = state.file_flow.saving.queued(state.model.desk.shown.id()) {
         write(ctx, state, next);
     }
 }
@@ -434,9 +427,9 @@ fn say_saved(model: &mut Model, path: PathBuf) {
 fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
     if std::mem::take(&mut file_flow.look) || focused {
-        file_flow.watch.begin(ctx, &model.document);
+        file_flow.watch.begin(ctx, &model.desk.shown);
     }
-    match file_flow.watch.take(&model.document) {
+    match file_flow.watch.take(&model.desk.shown) {
         Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {
             file_flow.theirs = Some(theirs);
         }
@@ -453,7 +446,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     take_saved(ctx, state, Duration::ZERO);
     take_exports(ctx, &mut state.model, &mut state.file_flow);
     if !state.file_flow.is_closing() {
-        state.model.kept.append(&mut state.model.given_up);
+        state.model.desk.keep_given_up();
     }
     watch(ctx, &state.model, &mut state.file_flow);
     take_given(ctx, state);
@@ -466,7 +459,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         }
     }
     if state.file_flow.dialog.is_none() && state.file_flow.asking.is_none() && !state.file_flow.may_close {
-        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.model.document.id());
+        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.model.desk.shown.id());
         state.file_flow.dialog = covered.map(|(_, dialog)| dialog);
     }
 }
@@ -479,7 +472,7 @@ fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
     }
     // We don't wait for the answer of a system dialog any more.
     state.file_flow.asking = None;
-    let document = state.model.document.id();
+    let document = state.model.desk.shown.id();
     state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
     begin(ctx, state, AfterSave::Quit);
 }
@@ -515,7 +508,7 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
         return begin(ctx, state, AfterSave::OpenPath(path));
     }
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
-    let mut shapes = state.model.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    let mut shapes = state.model.desk.shown.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
     if state.model.in_browser && shapes.any(is_this) {
         // The scene names it, but hasn't been able to read it so far.
         return state.model.scene_cache.read_again();

@@ -63,7 +63,7 @@ impl App {
         lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, self.state.file_flow.is_asking());
         self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
-            self.state.model.document.commit();
+            self.state.model.desk.commit();
         }
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
@@ -254,19 +254,19 @@ impl App {
         if moving || ctx.input(|input| input.pointer.any_down()) || self.held_key.is_held(ctx) {
             return;
         }
-        self.state.model.document.commit();
+        self.state.model.desk.commit();
         let now = ctx.input(|input| input.time);
-        if let Some(left) = self.state.model.views.follow(self.state.model.document.figure().observers, now) {
+        if let Some(left) = self.state.model.views.follow(self.state.model.desk.shown.figure().observers, now) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
         if let Some(sessions) = &mut self.sessions {
             let seen = self.state.model.as_seen();
             let state = &self.state;
-            let explains = state.learn.lesson.is_none() && state.model.document.explains_other(&seen.show);
-            let is_work = state.learn.has_unsaved(&state.model) || explains;
+            let explains = state.learn.lesson.is_none() && state.model.desk.shown.explains_other(&seen.show);
+            let is_work = state.model.is_unsaved() || explains;
             let shown =
-                Kept { document: &state.model.document, seen: &seen, is_work, text: state.learn.unsaved_text() };
-            sessions.keep(ctx, shown, &state.learn.held_documents(&state.model));
+                Kept { document: &state.model.desk.shown, seen: &seen, is_work, text: state.learn.unsaved_text() };
+            sessions.keep(ctx, shown, &state.model.desk.held());
         }
         if let Some(preferences) = &mut self.preferences {
             preferences.keep(ctx, &mut self.state);

@@ -155,9 +155,9 @@ const CAPTION_ROWS: usize = 2;
 
 /// The title and the caption of the figure, large, above the pictures. Shows nothing if it has none.
 pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let has_none = figure.title.is_none() && figure.caption.is_none();
-    if has_none || model.document.has_words_of_card() {
+    if has_none || model.desk.shown.has_words_of_card() {
         return;
     }
     let lang = model.settings.lang;

@@ -16,6 +16,7 @@ use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
+use crate::gui::model::desk::Desk;
 use crate::gui::model::document::Document;
 use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::annotations::Annotations;
@@ -69,16 +70,16 @@ pub struct State {
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
 }
 
-/// The document at the start. Operations of the command line are a change of the figure in the file, so they can be
+/// The documents at the start. Operations of the command line are a change of the figure in the file, so they can be
 /// undone, and closing the window asks about them.
-fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
+fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Desk, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
     let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
-        return Document::new(figure, file);
+        return Document::new(figure, file).map(Desk::new);
     };
-    let mut document = Document::new(in_file, file)?;
-    document.replace(figure)?;
-    Ok(document)
+    let mut desk = Desk::new(Document::new(in_file, file)?);
+    desk.replace(figure)?;
+    Ok(desk)
 }
 
 impl State {
@@ -89,13 +90,13 @@ impl State {
     pub fn new(start: Start) -> Result<Self, CameraError> {
         let image = start.figure.image;
         let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
-        let mut document = begin(start.figure, start.file)?;
+        let mut desk = begin(start.figure, start.file)?;
         if start.allow_files {
-            document.allow_files();
+            desk.shown.allow_files();
         }
-        let screen = document.figure().screen;
+        let screen = desk.shown.figure().screen;
         let mut state = Self {
-            model: Model::new(document, start.lang, square),
+            model: Model::new(desk, start.lang, square),
             own_address: None,
             page_address: String::new(),
             file_flow: FileFlow::new(true),
@@ -125,9 +126,9 @@ impl State {
 
     /// True if closing the window would lose something.
     pub fn would_lose_something(&self) -> bool {
-        self.learn.has_unsaved(&self.model)
+        self.model.is_unsaved()
             || self.learn.unsaved_text().is_some()
-            || !self.learn.held_documents(&self.model).is_empty()
+            || !self.model.desk.held().is_empty()
             || !self.file_flow.exporting.is_empty()
     }
 }

@@ -233,7 +233,7 @@ impl ExportSource {
     pub(super) fn of(model: &Model, family: &FamilyChoice, theme: Theme) -> Self {
         let mut figure = model.figure_as_shown();
         figure.style.theme = theme;
-        let (shot, files) = (Shot::of(&figure), model.document.files());
+        let (shot, files) = (Shot::of(&figure), model.desk.shown.files());
         let (lang, convention) = (model.settings.lang, model.operations.convention);
         Self { figure, shot, files, lang, family: family.clone(), convention }
     }
@@ -367,7 +367,7 @@ impl Task {
             ExportKind::Handout(_) => Theme::Light,
         };
         let subject = ExportSource::of(model, family, theme);
-        Self { subject, source: model.document.source().to_owned(), what, path, overwrite }
+        Self { subject, source: model.desk.shown.source().to_owned(), what, path, overwrite }
     }
 
     async fn run(self, progress: &Progress) -> Exported {

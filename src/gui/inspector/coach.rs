@@ -71,13 +71,13 @@ fn findings(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
     if diagnosis.findings.is_empty() {
-        let ImageSize { width, height } = model.document.figure().image;
+        let ImageSize { width, height } = model.desk.shown.figure().image;
         let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
         ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
     }
     for finding in &diagnosis.findings {
         let button = finding.repair.map(|repair| (t.show_it, model.changes_of(&repair)));
-        if line(ui, &words::finding(lang, finding, diagnosis, &model.document.figure().scene), button) {
+        if line(ui, &words::finding(lang, finding, diagnosis, &model.desk.shown.figure().scene), button) {
             *wish = finding.repair.map(Wish::Repair);
         }
     }
@@ -94,7 +94,7 @@ fn health(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>) 
         let sign = if health.level == Level::Good { "" } else { "⚠ " };
         let (name, level) = (words::quantity(lang, health.quantity), words::level(lang, health.level));
         ui.label(RichText::new(format!("{sign}{name}: {level}")).color(color));
-        let figure = model.document.figure();
+        let figure = model.desk.shown.figure();
         let change = |camera| words::changes_in_symbols(lang, &changes(&figure.camera, camera));
         let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
         if line(ui, &words::health(lang, health, &advice.camera, figure.style.depth_format), button) {

@@ -93,9 +93,9 @@ fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<A
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
             model.actions.push(Action::File(FileFor::CompareWith));
         }
-        let with_saved = ui.add_enabled(model.document.is_changed(), Button::new(words.with_saved));
+        let with_saved = ui.add_enabled(model.desk.shown.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {
-            chosen = Some(compared_with(model, &model.document.saved().clone()));
+            chosen = Some(compared_with(model, &model.desk.shown.saved().clone()));
         }
     });
     chosen
@@ -103,7 +103,7 @@ fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<A
 
 /// The ready pairs, and none.
 fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let compared = figure.compare.as_ref();
     let keys: Vec<&str> =
         compared.iter().flat_map(|comparison| &comparison.with).map(|(key, _)| key.as_str()).collect();
@@ -144,7 +144,7 @@ fn give_other_projection(model: &Model, figure: &mut Figure) {
         Projection::Perspective => Projection::Parallel,
         Projection::Parallel => Projection::Perspective,
     };
-    if let Ok(camera) = model.document.camera().with_projection(other) {
+    if let Ok(camera) = model.desk.shown.camera().with_projection(other) {
         let (height, view_angle) = (camera.parameters().height, camera.parameters().view_angle);
         (figure.camera.height, figure.camera.view_angle) = (height, view_angle);
     }
@@ -152,7 +152,7 @@ fn give_other_projection(model: &Model, figure: &mut Figure) {
 
 /// θ now and another one.
 fn angle(ui: &mut Ui, t: &Texts, words: &Words, model: &Model, form: &mut CompareForm) -> Option<Figure> {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let has_angle = figure.camera.projection == Projection::Perspective && figure.camera.window.is_none();
     let is_of_angle = |comparison: &Comparison| comparison.with.iter().any(|(key, _)| key == "camera.view_angle");
     let on = figure.compare.as_ref().is_some_and(|comparison| is_of_angle(comparison) && !comparison.is_of_camera());
@@ -176,7 +176,7 @@ fn angle(ui: &mut Ui, t: &Texts, words: &Words, model: &Model, form: &mut Compar
 
 /// Before and after an operation.
 fn operation(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Option<Figure> {
-    let compared = model.document.figure().compare.as_ref();
+    let compared = model.desk.shown.figure().compare.as_ref();
     let on = compared.is_some_and(|comparison| !comparison.ops.is_empty());
     let mut chosen = None;
     let (mut why, mut is_typed) = (None, false);
@@ -204,7 +204,7 @@ fn operation(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) 
 
 /// Any key and another value of it.
 fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Option<Figure> {
-    let compared = model.document.figure().compare.as_ref();
+    let compared = model.desk.shown.figure().compare.as_ref();
     let typed = read::typed_comparison(&form.key);
     let on = matches!((&typed, compared), (Ok(typed), Some(compared)) if typed.with == compared.with);
     let mut chosen = None;
@@ -228,7 +228,7 @@ fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Opt
 
 /// The way in which it's compared.
 fn options(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
-    let compared = model.document.figure().compare.clone();
+    let compared = model.desk.shown.figure().compare.clone();
     let old = compared.clone().unwrap_or_default();
     let mut new = old.clone();
     let mut swapped = None;

@@ -13,8 +13,8 @@ use crate::numbers::{self, DecimalMark, without_rests};
 
 /// The numbers of the figure in a convention of NDC.
 pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
-    let figure = model.document.figure();
-    let space = model.document.camera().possible_clip_space(ndc);
+    let figure = model.desk.shown.figure();
+    let space = model.desk.shown.camera().possible_clip_space(ndc);
     Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
 }
 
@@ -22,7 +22,7 @@ pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
 pub(in crate::gui) fn text(model: &Model) -> String {
     let (t, shown) = (window::texts(model.settings.lang), model.settings.conventions);
     let Some(report) = report(model, shown.ndc) else { return String::new() };
-    let tables = |inverse: bool| tables(t, (model.document.camera(), &report), inverse, shown);
+    let tables = |inverse: bool| tables(t, (model.desk.shown.camera(), &report), inverse, shown);
     let inverses = tables(true).into_iter().filter(|table| table.symbol.contains('⁻'));
     let mut text = String::new();
     for table in tables(false).into_iter().chain(inverses) {

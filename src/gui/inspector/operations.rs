@@ -61,7 +61,7 @@ pub(in crate::gui) fn step_name(freedom: Freedom, t: &Texts) -> String {
 /// Shows the operations.
 pub fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let possible = model.document.problem().is_none();
+    let possible = model.desk.shown.problem().is_none();
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
         ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, model, written));
@@ -101,7 +101,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: F
         && !model.operations.predict.on
         && !ui.input(|input| input.pointer.any_down())
     {
-        let before = model.document.camera().clone();
+        let before = model.desk.shown.camera().clone();
         let operation = stepped(freedom, model.operations.steps[freedom as usize], true);
         model.hover.ghost = Some(Ghost { before, operation, convention: model.operations.convention });
     }
@@ -120,21 +120,21 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: Free
     });
     ui.add_enabled_ui(!model.operations.predict.on, |ui| slider(ui, t, model, freedom));
     let is_last = model.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
-    let keeps = is_last && model.operations.led_to(model.document.camera()).is_some();
+    let keeps = is_last && model.operations.led_to(model.desk.shown.camera()).is_some();
     let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
     if is_last {
         number_field::answer_call(ui, &button, t.keep_operation);
     }
     if button.explained(t.keep_operation_hint).explained_disabled(t.keep_operation_disabled).clicked() {
-        let camera = model.document.camera().clone();
-        model.operations.keep(&camera, &mut model.document.show_mut().operations);
+        let camera = model.desk.shown.camera().clone();
+        model.operations.keep(&camera, &mut model.desk.shown.show_mut().operations);
     }
     ui.add_space(3.0);
 }
 
 /// The operations that the figure shows, and the button that removes them.
 fn kept(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
-    let shown = &model.document.figure().show.operations;
+    let shown = &model.desk.shown.figure().show.operations;
     if shown.is_empty() {
         return;
     }
@@ -143,7 +143,7 @@ fn kept(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
         let taken_out = ui.button("✕").explained(t.take_out).accessible_name(t.take_out).clicked();
         ui.add(egui::Label::new(format!("{} {}", t.kept_operations, names.join(" · "))).wrap());
         if taken_out {
-            model.document.show_mut().operations.clear();
+            model.desk.shown.show_mut().operations.clear();
         }
     });
 }
@@ -216,7 +216,7 @@ const STEP: f32 = 58.0;
 
 fn button(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
-    let arrow = arrow(model.document.camera(), freedom, forwards, model.operations.convention);
+    let arrow = arrow(model.desk.shown.camera(), freedom, forwards, model.operations.convention);
     let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
     let button = egui::Button::new(text).min_size(egui::vec2(BUTTON, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
@@ -277,7 +277,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     let (range, grain) = match freedom.descriptor().amount {
         Amount::Factor => (3.0, 0.05),
         Amount::Length => {
-            let start = model.operations.scrub.as_ref().map_or(model.document.camera(), |s| &s.start);
+            let start = model.operations.scrub.as_ref().map_or(model.desk.shown.camera(), |s| &s.start);
             (start.distance(), 0.0)
         }
         Amount::Angle if free => (180.0, 0.0),
@@ -295,7 +295,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
     springs(ui, response.rect, ((amount + range) / (2.0 * range)).clamp(0.0, 1.0) as f32);
     if response.drag_started() {
-        model.operations.scrub = Some(Scrub { freedom, start: model.document.camera().clone(), amount: 0.0 });
+        model.operations.scrub = Some(Scrub { freedom, start: model.desk.shown.camera().clone(), amount: 0.0 });
     }
     // The position at the release counts too, because the pointer may have moved since the last frame.
     if response.dragged() || response.drag_stopped() {
@@ -306,10 +306,10 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
             if scrub.amount != amount {
                 scrub.amount = amount;
                 let done = if amount == 0.0 {
-                    model.document.set_camera(scrub.start.clone());
+                    model.desk.shown.set_camera(scrub.start.clone());
                     Ok(())
                 } else {
-                    model.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
+                    model.desk.shown.operate_from(&scrub.start, pulled(freedom, amount), convention)
                 };
                 model.say_camera_error(done);
             }
@@ -318,7 +318,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
             model.operations.last = model.hover.ghost.clone();
         }
     } else if response.changed() {
-        let (before, operation) = (model.document.camera().clone(), pulled(freedom, amount));
+        let (before, operation) = (model.desk.shown.camera().clone(), pulled(freedom, amount));
         model.operations.last = Some(Ghost { before, operation, convention: model.operations.convention });
         model.operate(operation);
     }

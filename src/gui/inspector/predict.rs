@@ -25,7 +25,7 @@ pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, model: &mut Mo
     if switch.changed() && !predict.on {
         predict.asked = None;
     }
-    let asked = predict.asked.take().filter(|asked| asked.document == model.document.id());
+    let asked = predict.asked.take().filter(|asked| asked.document == model.desk.shown.id());
     let Some(mut asked) = asked else { return };
     let mut goes_on = true;
     ui.group(|ui| {

@@ -52,7 +52,7 @@ pub(in crate::gui) fn list(
     let t = window::texts(model.settings.lang);
     let shown = model.settings.conventions;
     let Some(report) = report(model, shown.ndc) else { return };
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let other = compared.and_then(|ndc| number_tables::report(model, ndc));
     let other = other.map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
     let mut asked = None;

@@ -13,9 +13,7 @@ use eframe::egui;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::document::Document;
-use crate::gui::model::follow::Follow;
 use crate::gui::model::operations::placing::{Mark, Placing};
-use crate::gui::model::scene_tree::SceneTree;
 use crate::i18n::learn::{exercise_window, lessons};
 use crate::lessons::Lesson;
 use exercises::state::Exercises;
@@ -59,40 +57,24 @@ impl Learn {
         (self.welcome, self.goes_on, model.settings.welcomed) = (false, false, true);
     }
 
-    /// Goes on with another document. The one before is lost, unless the caller has it, so ask first. Work behind it is
-    /// kept.
+    /// Goes on with another document, out of a lesson. See [`Model::take_over`].
     pub(in crate::gui) fn take_over(&mut self, model: &mut Model, document: Document) {
-        self.keep_behind(model);
-        let image = document.figure().image;
-        model.settings.aspect_follows_image =
-            document.draft().aspect == f64::from(image.width) / f64::from(image.height);
-        model.motion = None;
+        model.desk.keep_behind();
         self.close_lesson(model);
-        model.document = document;
-        model.scene_cache.expect_another();
-        model.tree = SceneTree::default();
-        model.follow = Follow::default();
-        model.views.reset(model.document.figure().observers);
-        let screen = model.document.figure().screen;
-        model.show_screen(screen);
-        model.probe = None;
-        model.message = None;
-        model.actions.push(Action::ForgetFigure);
+        model.take_over(document);
     }
 
-    /// Undoes a step, or redoes it. Selects restored objects. The figure on the screen comes first, then the lesson.
+    /// Undoes a step, or redoes it. The figure on the screen comes first, then the lesson.
     pub fn undo(&mut self, model: &mut Model, back: bool) {
-        if !model.document.can_undo(back) && self.can_undo_lesson(model, back) {
+        if !model.desk.can_undo(back) && self.can_undo_lesson(model, back) {
             return self.undo_lesson(model, back);
         }
-        let before = model.document.figure().scene.clone();
-        model.document.undo(back);
-        model.tree.follow(&before, &model.document.figure().scene);
+        model.undo(back);
     }
 
     /// True if there is a step to undo (`back`), or to redo.
     pub(in crate::gui) fn can_undo(&self, model: &Model, back: bool) -> bool {
-        model.document.can_undo(back) || self.can_undo_lesson(model, back)
+        model.desk.can_undo(back) || self.can_undo_lesson(model, back)
     }
 
     /// The present question for a place in the image.

@@ -94,15 +94,15 @@ impl Model {
         }
         // Until then the scene isn't whole.
         if self.scene_cache.loading().is_empty() {
-            let Figure { style, reveal, image, .. } = *self.document.figure();
-            let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
+            let Figure { style, reveal, image, .. } = *self.desk.shown.figure();
+            let impossible = self.desk.shown.problem().cloned().map(|error| ImpossibleCamera {
                 error,
-                parameters: *self.document.draft(),
+                parameters: *self.desk.shown.draft(),
                 style,
                 reveal,
                 image,
             });
-            let (camera, scene) = (self.document.camera().clone(), self.scene_cache.scene().clone());
+            let (camera, scene) = (self.desk.shown.camera().clone(), self.scene_cache.scene().clone());
             let request = HealthRequest { camera, scene, style, reveal, image, impossible };
             self.coach.advice.ask(ctx, request);
         }
@@ -119,20 +119,20 @@ impl Model {
     /// The changes of a repair, in symbols.
     pub(in crate::gui) fn changes_of(&self, repair: &Repair) -> String {
         // The numbers in the fields, which may not be a camera.
-        let camera = *self.document.draft();
-        let figure = Figure { camera, ..self.document.figure().without_scene() };
+        let camera = *self.desk.shown.draft();
+        let figure = Figure { camera, ..self.desk.shown.figure().without_scene() };
         coach::changes_in_symbols(self.settings.lang, &repair.changes(&figure))
     }
 
     /// Applies a repair to the figure, as one step that can be undone.
     pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
         self.apply_camera(repair.camera);
-        self.document.edit(|figure| repair.apply(figure));
+        self.desk.shown.edit(|figure| repair.apply(figure));
     }
 
     /// Applies a repair of the camera alone.
     pub(in crate::gui) fn apply_camera(&mut self, camera: Parameters) {
-        self.document.commit();
-        self.document.set_parameters(camera);
+        self.desk.commit();
+        self.desk.shown.set_parameters(camera);
     }
 }

@@ -38,10 +38,6 @@ pub struct Document {
     is_changed: bool,
     opened: Parameters,
     history: History,
-    /// The document behind this one. Undoing past the first step leads back to it.
-    behind: Option<Box<Self>>,
-    /// The document that was in front of this one until undoing led back. Redoing leads to it again.
-    in_front: Option<Box<Self>>,
     /// See [`Self::has_stand_in_camera`].
     stands_in: bool,
 }
@@ -100,8 +96,6 @@ impl Document {
             saved: figure.clone(),
             opened: figure.camera,
             figure,
-            behind: None,
-            in_front: None,
             stands_in: false,
         })
     }
@@ -284,38 +278,25 @@ impl Document {
         self.problem = Camera::new(&self.draft).err();
     }
 
-    /// Makes an undo step of the changes since the last one. Call it when no pointer or key is held, so that a drag is
-    /// one step.
-    pub fn commit(&mut self) {
+    /// Makes an undo step of the changes since the last one. True if there are any.
+    pub(super) fn commit(&mut self) -> bool {
         let is_another = self.committed.replace(self.version) != Some(self.version);
         if is_another && self.history.leads_elsewhere(&self.figure.show, &self.camera) {
             // They'd explain a move that the camera hasn't made.
             self.figure.show.operations.clear();
         }
-        if is_another || self.history.shows_other(&self.figure.show) {
-            let is_step = self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
-            if is_step {
-                // Like the steps to redo.
-                self.in_front = None;
-            }
-        }
+        (is_another || self.history.shows_other(&self.figure.show))
+            && self.history.commit((&self.figure, self.revision), &self.camera, &self.draft)
     }
 
     /// True if there is a step to undo (`back`), or to redo.
     pub fn can_undo(&self, back: bool) -> bool {
-        self.history.can_undo(back) || if back { &self.behind } else { &self.in_front }.is_some()
+        self.history.can_undo(back)
     }
 
     /// Goes one step `back`, or forward.
-    pub fn undo(&mut self, back: bool) {
+    pub(super) fn undo(&mut self, back: bool) {
         self.commit();
-        if !self.history.can_undo(back)
-            && let Some(other) = if back { &mut self.behind } else { &mut self.in_front }.take()
-        {
-            let left = Some(Box::new(std::mem::replace(self, *other)));
-            *if back { &mut self.in_front } else { &mut self.behind } = left;
-            return;
-        }
         let moment = self.history.undo(&self.figure, back);
         self.restore(moment);
     }
@@ -324,7 +305,7 @@ impl Document {
     ///
     /// # Errors
     /// [`CameraError`] if the figure's camera is impossible. Nothing has changed then.
-    pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
+    pub(in crate::gui) fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
         let camera = Camera::new(&figure.camera)?;
         self.commit();
         self.draft = figure.camera;
@@ -333,46 +314,20 @@ impl Document {
         self.problem = None;
         self.has_scene(Revision::new());
         self.history.replace(before.show, (&self.figure, self.revision), &self.camera);
-        self.in_front = None;
         Ok(())
     }
 
-    /// Shows another figure in front of this one, as one undo step. It's a document without a file, so saving asks for
-    /// one. This document waits behind it with its file and its changes. See [`Self::behind`].
+    /// A document without a file, which finds its files in the folder of this one.
     ///
     /// # Errors
-    /// As for [`Self::new`]. Nothing has changed then.
-    pub fn show_in_front(&mut self, figure: Figure) -> Result<(), CameraError> {
-        let shown = Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? };
-        self.commit();
-        // A new step drops the steps to redo, as always.
+    /// As for [`Self::new`].
+    pub(super) fn beside(&self, figure: Figure) -> Result<Self, CameraError> {
+        Ok(Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? })
+    }
+
+    /// Drops the steps to redo.
+    pub(super) fn forget_future(&mut self) {
         self.history.forget_future();
-        self.in_front = None;
-        let left = std::mem::replace(self, shown);
-        // A displayed figure without changes doesn't need a way back, so there is no chain of them.
-        self.behind = if left.is_changed || left.behind.is_none() { Some(Box::new(left)) } else { left.behind };
-        Ok(())
-    }
-
-    /// The documents behind this one, the nearest first.
-    pub fn behind(&self) -> impl Iterator<Item = &Self> {
-        std::iter::successors(self.behind.as_deref(), |document| document.behind.as_deref())
-    }
-
-    /// The document behind this one, once this one is left.
-    pub(in crate::gui) fn into_behind(self) -> Option<Self> {
-        self.behind.map(|behind| *behind)
-    }
-
-    /// Takes the documents from behind this one.
-    pub(in crate::gui) fn take_behind(&mut self) -> Vec<Self> {
-        let mut taken = Vec::new();
-        let mut next = self.behind.take();
-        while let Some(mut document) = next {
-            next = document.behind.take();
-            taken.push(*document);
-        }
-        taken
     }
 
     /// The figure as opened or last saved.

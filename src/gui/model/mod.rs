@@ -4,6 +4,7 @@
 pub mod action;
 pub mod coach;
 pub mod command;
+pub mod desk;
 pub mod document;
 pub mod explained;
 pub mod export_error;
@@ -30,7 +31,6 @@ use crate::figure::Figure;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, NamedPoint, Observers, ShownProbe};
 use crate::gui::background::memo::Memo;
-use crate::gui::model::document::source::Source;
 use crate::gui::model::layout::asked_layout::AskedLayout;
 use crate::gui::model::layout::view_history::ViewHistory;
 use crate::gui::model::operations::motion::Motion;
@@ -40,6 +40,7 @@ use crate::limits::MAX_NAMED_POINTS;
 use crate::views::{Probe, View};
 use action::Action;
 use coach::Coach;
+use desk::Desk;
 use document::Document;
 use explained::Explained;
 use follow::Follow;
@@ -57,8 +58,8 @@ const NEWS_SECONDS: f64 = 10.0;
 /// The document, the layout and all other state of the window for every feature.
 #[derive(Debug)]
 pub struct Model {
-    /// The figure.
-    pub document: Document,
+    /// The documents. The shown one has the figure.
+    pub desk: Desk,
     /// The scene of the figure.
     pub scene_cache: SceneCache,
     /// The window.
@@ -109,19 +110,15 @@ pub struct Model {
     pub answered: Option<Camera>,
     /// A running step.
     pub(in crate::gui) motion: Option<Motion>,
-    /// Figures that were left with changes, by their source.
-    pub kept: Vec<(Option<Source>, Document)>,
-    /// The kept figures that the user has decided not to save when closing the window. Kept again if it isn't closed.
-    pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,
 }
 
 impl Model {
-    /// A model of this document. `square` is true if its pixels are.
-    pub(in crate::gui) fn new(document: Document, lang: Lang, square: bool) -> Self {
+    /// A model of these documents. `square` is true if the pixels of the shown one are.
+    pub(in crate::gui) fn new(desk: Desk, lang: Lang, square: bool) -> Self {
         Self {
-            document,
+            desk,
             scene_cache: SceneCache::default(),
             settings: Settings {
                 lang,
@@ -153,8 +150,6 @@ impl Model {
             explained: Explained::default(),
             answered: None,
             motion: None,
-            kept: Vec::new(),
-            given_up: Vec::new(),
             actions: Vec::new(),
         }
     }
@@ -162,7 +157,7 @@ impl Model {
     /// Selects a clicked object, or, with `beside`, adds it to the selection. Only objects of the figure can be
     /// selected together. Otherwise a message says so.
     pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
-        let scene = &self.document.figure().scene;
+        let scene = &self.desk.shown.figure().scene;
         let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
         let now = self.tree.selected(scene);
         let parts = |what: &Selected| now.is_some_and(|now| now != what && (is_alone(now) || is_alone(what)));
@@ -178,7 +173,7 @@ impl Model {
 
     /// The style of the pictures in the window: that of the figure, in the theme of the window.
     pub fn style(&self) -> Style {
-        Style { theme: self.settings.theme, ..self.document.figure().style }
+        Style { theme: self.settings.theme, ..self.desk.shown.figure().style }
     }
 
     /// Shows an explanation at the side.
@@ -189,14 +184,14 @@ impl Model {
 
     /// Adds a point of the world to the figure and follows it. If the point exists already, only follows it.
     pub(in crate::gui) fn follow_point(&mut self, position: DVec3) {
-        let points = &self.document.figure().points;
+        let points = &self.desk.shown.figure().points;
         let name = match points.iter().find(|point| point.position == position) {
             Some(point) => point.name.clone(),
             None if points.len() >= MAX_NAMED_POINTS => return self.say(Message::TooManyPoints),
             None => {
                 let name = free_name(points);
                 let point = NamedPoint { name: name.clone(), position };
-                self.document.edit(|figure| figure.points.push(point));
+                self.desk.shown.edit(|figure| figure.points.push(point));
                 name
             }
         };
@@ -205,7 +200,7 @@ impl Model {
 
     /// Moves a point of the figure. A probe that's pinned on it goes with it.
     pub(in crate::gui) fn move_point(&mut self, index: usize, position: DVec3) {
-        self.document.edit(|figure| {
+        self.desk.shown.edit(|figure| {
             let Some(point) = figure.points.get_mut(index) else { return };
             if figure.show.probe == Some(ShownProbe::World(point.position)) {
                 figure.show.probe = Some(ShownProbe::World(position));
@@ -216,8 +211,8 @@ impl Model {
 
     /// The name of the figure in the window: that of its file, else its title.
     pub(in crate::gui) fn figure_name(&self) -> String {
-        let title = || self.document.figure().title.as_ref().map(|title| told(self.settings.lang, title).to_owned());
-        let name = self.document.name().or_else(title);
+        let title = || self.desk.shown.figure().title.as_ref().map(|title| told(self.settings.lang, title).to_owned());
+        let name = self.desk.shown.name().or_else(title);
         name.unwrap_or_else(|| window::texts(self.settings.lang).untitled.to_owned())
     }
 
@@ -264,17 +259,42 @@ impl Model {
 
     /// Warnings about the camera, in the language of the window.
     pub fn warnings(&self) -> Vec<String> {
-        let camera = self.document.camera();
-        let warnings = camera.warnings().into_iter().chain(camera.aspect_warning(self.document.figure().image));
+        let camera = self.desk.shown.camera();
+        let warnings = camera.warnings().into_iter().chain(camera.aspect_warning(self.desk.shown.figure().image));
         warnings.map(|warning| faults::warning(self.settings.lang, &warning)).collect()
     }
 }
 
 impl Model {
-    /// A figure that was left with changes.
-    pub(in crate::gui) fn take_kept(&mut self, source: Option<&Source>) -> Option<Document> {
-        let index = self.kept.iter().position(|(of, _)| of.as_ref() == source)?;
-        Some(self.kept.remove(index).1)
+    /// Goes on with another document. The one before is lost, unless it was put away, so ask first. Work behind it is
+    /// kept.
+    pub(in crate::gui) fn take_over(&mut self, document: Document) {
+        let image = document.figure().image;
+        self.settings.aspect_follows_image =
+            document.draft().aspect == f64::from(image.width) / f64::from(image.height);
+        self.motion = None;
+        self.desk.take_over(document);
+        self.scene_cache.expect_another();
+        self.tree = SceneTree::default();
+        self.follow = Follow::default();
+        let Figure { observers, screen, .. } = *self.desk.shown.figure();
+        self.views.reset(observers);
+        self.show_screen(screen);
+        self.probe = None;
+        self.message = None;
+        self.actions.push(Action::ForgetFigure);
+    }
+
+    /// True if the figure has changes that mustn't be lost.
+    pub fn is_unsaved(&self) -> bool {
+        self.desk.shows_work() || self.is_rearranged()
+    }
+
+    /// Undoes a step of the figure, or redoes it. Selects restored objects.
+    pub(in crate::gui) fn undo(&mut self, back: bool) {
+        let before = self.desk.shown.figure().scene.clone();
+        self.desk.undo(back);
+        self.tree.follow(&before, &self.desk.shown.figure().scene);
     }
 
     /// Puts the figure of an exercise into the pictures, in front of the user's own. Undoing leads back to that.
@@ -282,7 +302,7 @@ impl Model {
         self.motion = None;
         let image = figure.image;
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
-        let shown = self.document.show_in_front(figure);
+        let shown = self.desk.show_in_front(figure);
         self.say_camera_error(shown);
         // Its objects are shown without frames and handles.
         self.tree = SceneTree::default();

@@ -120,13 +120,13 @@ impl Default for Operations {
 impl Model {
     /// Applies an operation to the camera, by the chosen signs. If that's impossible, a message says why.
     pub fn operate(&mut self, operation: Operation) {
-        let done = self.document.operate(operation, self.operations.convention);
+        let done = self.desk.shown.operate(operation, self.operations.convention);
         self.say_camera_error(done);
     }
 
     /// The question of an operation, where a point will go.
     pub(in crate::gui) fn placing_of_operation(&self) -> Option<Placing> {
-        let asked = self.operations.predict.asked.as_ref().filter(|asked| asked.document == self.document.id())?;
+        let asked = self.operations.predict.asked.as_ref().filter(|asked| asked.document == self.desk.shown.id())?;
         let About::Place { from, to, mark, .. } = asked.about else { return None };
         let done = |place| Some(place).filter(|_| asked.is_done);
         Some(Placing {
@@ -147,10 +147,10 @@ impl Model {
         if !predict.on {
             return false;
         }
-        let (camera, image) = (self.document.camera(), self.document.figure().image);
+        let (camera, image) = (self.desk.shown.camera(), self.desk.shown.figure().image);
         let subject = (camera, image, &**self.scene_cache.scene());
         let about = About::of(subject, (freedom, amount), self.operations.convention);
-        let document = self.document.id();
+        let document = self.desk.shown.id();
         let asked = about.map(|about| Prediction { freedom, amount, about, document, is_done: false });
         let asks = asked.is_some();
         self.layout.shown[View::Image.index()] |= asks;

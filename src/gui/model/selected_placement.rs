@@ -22,7 +22,7 @@ impl Model {
 
     /// The placement of the selected object in the world. `None` if none is selected, or the scene is impossible.
     pub(in crate::gui) fn selected_placement(&self) -> Option<(String, Placement)> {
-        let scene = &self.document.figure().scene;
+        let scene = &self.desk.shown.figure().scene;
         let (name, spec) = match self.tree.selected(scene)? {
             Selected::Object(name) => (name, scene.objects.iter().find(|o| o.name == *name)?.clone()),
             Selected::OfPreset(name) => (name, preset_objects(scene.preset).into_iter().find(|o| o.name == *name)?),

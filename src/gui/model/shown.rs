@@ -45,7 +45,7 @@ pub(in crate::gui) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT]
 impl Model {
     /// The content of `pictures` in this frame.
     pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
-        let figure = self.document.figure();
+        let figure = self.desk.shown.figure();
         let shot = Shot::of_one(figure, &figure.scene);
         let look = Look { style: self.style(), ..shot.look };
         let mut show = shot.show;
@@ -64,7 +64,7 @@ impl Model {
 
     /// The other side of the pictures of this frame. `None` if there is no comparison, or it's impossible.
     pub fn compared(&self) -> Option<Compared> {
-        let figure = self.document.figure();
+        let figure = self.desk.shown.figure();
         figure.compare.as_ref()?;
         let shown = Figure { style: self.style(), show: self.show_as_saved(), ..figure.without_scene() };
         Compared::of(&shown, &figure.scene)
@@ -73,7 +73,7 @@ impl Model {
     /// The reason why the other side of the comparison is impossible. `None` if it's possible, or there is no
     /// comparison.
     pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
-        let figure = self.document.figure();
+        let figure = self.desk.shown.figure();
         let error = figure.compare.as_ref()?.other_side(figure).err()?;
         Some(crate::i18n::window::compare::impossible(self.settings.lang, &error))
     }
@@ -81,19 +81,19 @@ impl Model {
     /// The figure that shows the present screen in any program, with explanations, and with the observers.
     pub fn figure_as_shown(&self) -> Figure {
         let figure = Figure { observers: self.observers_as_shown(), ..self.figure_to_save() };
-        if self.document.has_words_of_card() { Figure { title: None, caption: None, ..figure } } else { figure }
+        if self.desk.shown.has_words_of_card() { Figure { title: None, caption: None, ..figure } } else { figure }
     }
 
     /// The figure as *Save* writes it, with its layout and its explanations. If you haven't turned a view, its observer
     /// isn't written, so the file opens with one that fits.
     pub fn figure_to_save(&self) -> Figure {
-        Figure { show: self.show_as_saved(), screen: self.screen(), ..self.document.figure().clone() }
+        Figure { show: self.show_as_saved(), screen: self.screen(), ..self.desk.shown.figure().clone() }
     }
 
     /// The parts of the window's layout that differ from that of a new window. In a presentation it's the layout that
     /// the figure had before, because a lecture hides and opens things for its audience.
     pub(in crate::gui) fn screen(&self) -> Screen {
-        let saved = self.document.figure().screen;
+        let saved = self.desk.shown.figure().screen;
         if self.settings.presentation {
             return saved;
         }
@@ -113,20 +113,20 @@ impl Model {
     }
 
     /// True if the views of a figure with a file, or their arrangement, differ from the file.
-    pub(in crate::gui) fn is_rearranged(&self, in_lesson: bool) -> bool {
-        let saved = self.document.figure().screen;
+    pub(in crate::gui) fn is_rearranged(&self) -> bool {
+        let saved = self.desk.shown.figure().screen;
         let is_other = self.layout.shown != saved.pictures.unwrap_or([true; View::COUNT])
             || saved.arrangement.is_some_and(|saved| saved != self.layout.arrangement);
         // Changes by a presentation or a lesson are temporary.
-        let is_lasting = self.document.path().is_some() && !in_lesson && !self.settings.presentation;
+        let is_lasting = self.desk.shown.path().is_some() && !self.desk.plays_lesson() && !self.settings.presentation;
         is_lasting && is_other
     }
 
     /// Stores the layout in the figure before another one takes its place.
-    pub(in crate::gui) fn settle_layout(&mut self, in_lesson: bool) {
-        if self.is_rearranged(in_lesson) {
+    pub(in crate::gui) fn settle_layout(&mut self) {
+        if self.is_rearranged() {
             let screen = self.screen();
-            self.document.edit(|figure| figure.screen = screen);
+            self.desk.shown.edit(|figure| figure.screen = screen);
         }
     }
 
@@ -145,8 +145,8 @@ impl Model {
     /// The observers of the pictures that aren't the default ones. An observer that the user hasn't turned stays in
     /// place while the camera moves.
     fn observers_as_shown(&self) -> Observers {
-        let mut observers = self.document.figure().observers;
-        let figure = self.document.figure();
+        let mut observers = self.desk.shown.figure().observers;
+        let figure = self.desk.shown.figure();
         let shot = Shot {
             ndc: self.settings.conventions.ndc,
             compared: self.compared().map(Arc::new),
@@ -162,7 +162,7 @@ impl Model {
             let [width, height] = self.picture_sizes[view.index()];
             let size = Size { width, height, scale: self.screen_scale };
             let labels = labels(self.settings.lang);
-            let (camera, scene) = (self.document.camera(), self.scene_cache.scene());
+            let (camera, scene) = (self.desk.shown.camera(), self.scene_cache.scene());
             let own = Request::new(&shot, view, camera, scene, labels, size).observer_from(Viewpoint::default());
             *observer = seen.filter(|seen| Some(*seen) != own);
         }
@@ -171,7 +171,7 @@ impl Model {
 
     /// As [`figure_as_shown`](Self::figure_as_shown), without the figure.
     pub(in crate::gui) fn as_seen(&mut self) -> Seen {
-        let (document, figure) = (&self.document, self.document.figure());
+        let (document, figure) = (&self.desk.shown, self.desk.shown.figure());
         let shown = View::ALL.map(|view| self.layout.is_shown(view));
         let key = (document.version(), [figure.observers, self.seen], shown, self.picture_sizes);
         // Framing a picture takes too long for each frame.
@@ -189,7 +189,7 @@ impl Model {
     }
 
     fn show_as_saved(&self) -> Show {
-        let show = &self.document.figure().show;
+        let show = &self.desk.shown.figure().show;
         let answered = self.answered_camera().map(|camera| *camera.parameters());
         let ndc = Some(self.settings.conventions.ndc).filter(|ndc| *ndc != Ndc::default());
         let moved = show.moved.iter().chain(&self.explained.placed).cloned().collect();
@@ -198,7 +198,7 @@ impl Model {
 
     /// Forgets a triangle that has gone from the scene, but not one of an object whose file can't be read now.
     pub(in crate::gui) fn forget_missing(&mut self) {
-        let (scene, spec) = (self.scene_cache.scene(), &self.document.figure().scene);
+        let (scene, spec) = (self.scene_cache.scene(), &self.desk.shown.figure().scene);
         let is_of = |name: &str, owner: &str| {
             name.strip_prefix(owner).is_some_and(|part| part.is_empty() || part.starts_with('/'))
         };
@@ -208,24 +208,24 @@ impl Model {
         };
         let triangle = self.shown().triangle.as_ref();
         if triangle.is_some_and(|triangle| !is_there(&triangle.object, triangle.index)) {
-            self.document.show_mut().triangle = None;
+            self.desk.shown.show_mut().triangle = None;
         }
     }
 
     /// The explanations in the pictures.
     pub fn shown(&self) -> &Show {
-        &self.document.figure().show
+        &self.desk.shown.figure().show
     }
 
     /// The progress of the canonical picture on its way. `None` if no way is shown, or the camera has none.
     pub fn normalizing(&self) -> Option<Normalizing> {
-        self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
+        self.shown().step.and_then(|step| Normalizing::of(step, self.desk.shown.camera()))
     }
 
     /// True while the canonical picture is on its way. Then points aren't in their places in the canonical volume, and
     /// can't be picked.
     pub fn is_on_the_way(&self) -> bool {
-        let camera = self.document.camera();
+        let camera = self.desk.shown.camera();
         self.shown().step.is_some_and(|step| steps::time_of(step, camera) < steps::end_of(step.way, camera))
     }
 
@@ -236,7 +236,7 @@ impl Model {
 
     /// Paints this share of the image.
     pub(in crate::gui) fn paint_share(&mut self, share: f64) {
-        let show = self.document.show_mut();
+        let show = self.desk.shown.show_mut();
         show.painted = Some(share.clamp(0.0, 1.0)).filter(|share| *share < 1.0);
         // A partly painted picture hasn't been through any stage.
         show.stage = None;
@@ -250,7 +250,7 @@ impl Model {
     /// Shows or hides the input and output of a stage, for the picture whose stages are listed.
     pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
         let of = StagePicture(self.layout.strip_of);
-        let show = self.document.show_mut();
+        let show = self.desk.shown.show_mut();
         (show.stage, show.stage_of) = match show.stage {
             Some(shown) if shown == stage => (None, StagePicture::default()),
             _ => (Some(stage), of),
@@ -261,7 +261,7 @@ impl Model {
     /// Lists the stages of a picture. The selected stage appears there.
     pub(in crate::gui) fn list_stages_of(&mut self, view: View) {
         self.layout.strip_of = view;
-        let show = self.document.show_mut();
+        let show = self.desk.shown.show_mut();
         if show.stage.is_some() {
             show.stage_of = StagePicture(view);
         }
@@ -269,7 +269,7 @@ impl Model {
 
     /// Removes the displayed stage.
     pub(in crate::gui) fn release_stage(&mut self) {
-        let show = self.document.show_mut();
+        let show = self.desk.shown.show_mut();
         (show.stage, show.stage_of) = (None, StagePicture::default());
     }
 
@@ -307,19 +307,19 @@ impl Model {
     /// Releases an explanation, as Esc does. Returns false if there is none.
     pub(in crate::gui) fn release_shown(&mut self) -> bool {
         let Some(rest) = self.without_shown() else { return false };
-        *self.document.show_mut() = rest;
+        *self.desk.shown.show_mut() = rest;
         true
     }
 
     /// The pinned probe.
     pub fn pinned(&self) -> Option<Probe> {
-        let image = self.document.figure().image;
-        self.shown().probe.map(|probe| Probe::of(probe, self.document.camera(), image))
+        let image = self.desk.shown.figure().image;
+        self.shown().probe.map(|probe| Probe::of(probe, self.desk.shown.camera(), image))
     }
 
     /// Pins a probe, or none.
     pub(in crate::gui) fn pin(&mut self, probe: Option<Probe>) {
-        self.document.show_mut().probe = probe.map(|probe| match probe {
+        self.desk.shown.show_mut().probe = probe.map(|probe| match probe {
             Probe::Point(p) => ShownProbe::World(p),
             Probe::Window(p) => ShownProbe::Window(p),
         });
@@ -369,7 +369,7 @@ impl Model {
     /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
-        if let Some(ndc) = self.document.show_mut().ndc.take() {
+        if let Some(ndc) = self.desk.shown.show_mut().ndc.take() {
             // A file's convention becomes that of the window.
             self.settings.conventions.ndc = ndc;
         }
@@ -379,7 +379,7 @@ impl Model {
             self.release_stage();
         }
         let way = self.explained.steps.way;
-        let show = self.document.show_mut();
+        let show = self.desk.shown.show_mut();
         if before.painting && !now.painting {
             show.painted = None;
         }
@@ -413,7 +413,7 @@ mod tests {
         let mut model = State::new(Start::default()).unwrap().model;
         let step = ShownStep { way: Decomposition::Notes, at: Some(1.6) };
         let step = model.explained.steps.play_or_hold(step, 0.0);
-        model.document.show_mut().step = Some(step);
+        model.desk.shown.show_mut().step = Some(step);
         for (reduce_motion, at) in [(false, 1.6), (true, 1.0)] {
             model.settings.reduce_motion = reduce_motion;
             let shown = Some(ShownStep { at: Some(at), ..step });

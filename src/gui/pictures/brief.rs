@@ -97,7 +97,7 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, model: &mut Model) {
     let t = words::texts(lang);
     let Some(diagnosis) = model.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
     let Some(finding) = diagnosis.findings.first().filter(|_| model.is_image_empty(diagnosis)) else { return };
-    let (text, repair) = (words::finding(lang, finding, diagnosis, &model.document.figure().scene), finding.repair);
+    let (text, repair) = (words::finding(lang, finding, diagnosis, &model.desk.shown.figure().scene), finding.repair);
     let change = repair.map(|repair| model.changes_of(&repair));
     let room = picture.shrink2(vec2(16.0, 8.0));
     let width = room.width().min(420.0);

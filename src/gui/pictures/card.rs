@@ -111,7 +111,7 @@ impl Canvas {
         let place = self.card.place(ctx, panes, point);
         let (mark, scene) = (texts.lang.mark(), model.scene_cache.scene());
         let vertex = match probe {
-            Probe::Point(p) => self.vertex_names.at(ctx, p, scene, &model.document.figure().scene),
+            Probe::Point(p) => self.vertex_names.at(ctx, p, scene, &model.desk.shown.figure().scene),
             Probe::Window(_) => None,
         };
         let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();

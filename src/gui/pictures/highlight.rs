@@ -25,7 +25,7 @@ const MOST_EDGES: usize = 400;
 impl Highlight {
     /// The scene that the pictures show.
     pub(in crate::gui) fn scene(&mut self, model: &Model) -> SharedScene {
-        let (scene, figure) = (model.scene_cache.scene(), model.document.figure());
+        let (scene, figure) = (model.scene_cache.scene(), model.desk.shown.figure());
         let Some(selected) = model.tree.selected(&figure.scene) else {
             self.marked.forget();
             return scene.clone();

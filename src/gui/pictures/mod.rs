@@ -192,7 +192,7 @@ impl Canvas {
 
     /// A picture of the shot with the additions for the pointer.
     fn request(&self, model: &Model, picture: &Picture, size: Size) -> Request {
-        let (camera, scene) = (model.document.camera(), model.scene_cache.scene());
+        let (camera, scene) = (model.desk.shown.camera(), model.scene_cache.scene());
         let request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
@@ -233,7 +233,7 @@ impl Canvas {
         if model.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) = model.scene_cache.update(&ctx, &model.document, model.settings.theme, patience) {
+        if let Err(error) = model.scene_cache.update(&ctx, &model.desk.shown, model.settings.theme, patience) {
             model.say(Message::Scene(error));
         } else if model.scene_cache.loading().is_empty() {
             model.forget_missing();
@@ -355,7 +355,7 @@ impl Canvas {
         let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| is_visible(shown.kind));
         let framed = |(picture, shown): (usize, &Picture)| Framed {
             picture,
-            aspect: aspect_shown(shown.kind, model.document.figure().image),
+            aspect: aspect_shown(shown.kind, model.desk.shown.figure().image),
         };
         let mut framed: Vec<Framed> = visible.map(framed).collect();
         if model.shows_explanation(Explanation::Steps) {
@@ -397,13 +397,13 @@ impl Canvas {
                 quiet: presenting,
                 can_hide: model.layout.maximized.is_none() && framed.len() > 1,
                 undistorted: undistorted(model).filter(|_| view == View::Image),
-                section: (view == View::World).then_some(model.document.figure().world.section),
+                section: (view == View::World).then_some(model.desk.shown.figure().world.section),
             };
             let mut action = heading.show(ui, title);
             let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), model.settings.stroke_scale());
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description =
-                words::describe(model.settings.lang, view, model.document.camera(), model.document.figure().image);
+                words::describe(model.settings.lang, view, model.desk.shown.camera(), model.desk.shown.figure().image);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
             let t = window::texts(model.settings.lang);
             response.context_menu(|ui| action = heading.context_menu(ui, t).or(action.take()));
@@ -423,7 +423,7 @@ impl Canvas {
             Some(TitleAction::Hide) => model.layout.shown[view.index()] = false,
             Some(TitleAction::Do(command)) => self.wanted = Some(command),
             Some(TitleAction::ToggleUndistorted) => {
-                model.document.edit(|figure| figure.undistorted = !figure.undistorted);
+                model.desk.shown.edit(|figure| figure.undistorted = !figure.undistorted);
             }
         }
         ui.request_repaint();
@@ -439,7 +439,7 @@ impl Canvas {
             let Pane { picture, view, ref mut request, .. } = *pane;
             // The changes by pointer and keys in this frame.
             let shown = &self.shot.pictures[picture];
-            request.camera = shown.camera.as_ref().unwrap_or(model.document.camera()).rounded();
+            request.camera = shown.camera.as_ref().unwrap_or(model.desk.shown.camera()).rounded();
             (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;
@@ -524,8 +524,8 @@ impl Canvas {
 
 /// True if the image is shown as the eye would see it. `None` if its pixels are square, so that it makes no difference.
 fn undistorted(model: &Model) -> Option<bool> {
-    let figure = model.document.figure();
-    let differs = model.document.camera().aspect_warning(figure.image).is_some();
+    let figure = model.desk.shown.figure();
+    let differs = model.desk.shown.camera().aspect_warning(figure.image).is_some();
     (differs || figure.undistorted).then_some(figure.undistorted)
 }
 

@@ -30,7 +30,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model) {
         return;
     }
     // The end is a camera. Impossible ones on the way are skipped.
-    let _ = model.document.operate_from(&motion.start, motion.at(share), motion.convention);
+    let _ = model.desk.shown.operate_from(&motion.start, motion.at(share), motion.convention);
     model.motion = Some(motion);
     ctx.request_repaint();
 }

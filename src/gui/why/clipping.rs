@@ -18,7 +18,7 @@ use crate::pipeline::divide_before_clip::divided_first;
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = window::texts(model.settings.lang);
-    let mut reveal = model.document.figure().reveal;
+    let mut reveal = model.desk.shown.figure().reveal;
     let outsides = [
         (Outside::Usual, t.outside_usual),
         (Outside::Cut, t.outside_cut),
@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
         ui.checkbox(on, name).explained(hint);
         ui.label(eframe::egui::RichText::new(hint).small().weak());
     }
-    model.document.set(|figure| &mut figure.reveal, reveal);
+    model.desk.shown.set(|figure| &mut figure.reveal, reveal);
     dead_end(ui, model, explain);
     let words = explain::texts(model.settings.lang);
     if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {
@@ -46,10 +46,10 @@ const SHOWS_IT: &str = "divide-first";
 
 /// If dividing before clipping does no harm to the scene, offers a figure in which it does.
 fn dead_end(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
-    if !model.document.figure().reveal.divide_first {
+    if !model.desk.shown.figure().reveal.divide_first {
         return;
     }
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let key = (model.scene_cache.scene().clone(), *camera.parameters());
     let is_right = *explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
     let Some(figure) = ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };

@@ -39,7 +39,7 @@ const WIDE_RANGE: f64 = 50.0;
 /// Shows it for the camera of the figure.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     depth_view(ui, model);
-    let camera = model.document.camera().clone();
+    let camera = model.desk.shown.camera().clone();
     if let Some(wanted) = of_camera(ui, model, explain, &camera) {
         model.apply_camera(wanted);
         ui.request_repaint();
@@ -49,18 +49,18 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
 /// The image in colours, or the depth buffer in its place.
 fn depth_view(ui: &mut Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let mut depth = model.document.figure().reveal.depth;
+    let mut depth = model.desk.shown.figure().reveal.depth;
     let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
     choice_row(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths);
-    model.document.set(|figure| &mut figure.reveal.depth, depth);
+    model.desk.shown.set(|figure| &mut figure.reveal.depth, depth);
     let t = compare::texts(model.settings.lang);
-    let mut format = model.document.figure().style.depth_format;
+    let mut format = model.desk.shown.figure().style.depth_format;
     let formats =
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
     let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(model.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     choice_row(ui, t.format, t.format_hint, &mut format, &choices);
-    model.document.set(|figure| &mut figure.style.depth_format, format);
+    model.desk.shown.set(|figure| &mut figure.style.depth_format, format);
     compare_button(ui, model);
 }
 

@@ -22,7 +22,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     if !model.layout.is_shown(View::Image) {
         ui.label(t.hidden);
     }
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let (mut style, mut reveal) = (figure.style, figure.reveal);
     ui.horizontal_wrapped(|ui| {
         let all = [
@@ -45,8 +45,8 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     compare_button(ui, model);
     let words = window::texts(model.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
-    model.document.set(|figure| &mut figure.style, style);
-    model.document.set(|figure| &mut figure.reveal, reveal);
+    model.desk.shown.set(|figure| &mut figure.style, style);
+    model.desk.shown.set(|figure| &mut figure.reveal, reveal);
 }
 
 /// From nothing to the whole image. The arrow keys move the slider.

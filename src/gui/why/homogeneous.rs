@@ -31,11 +31,11 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {
     part(ui, t.plane_title, ("w plane", "w"), |ui| plane(ui, t, model));
     part(ui, t.middle_title, ("w middle", "5.6"), |ui| middle(ui, t, model, explain));
     part(ui, t.floor_title, ("w floor", "stage-interpolate"), |ui| floor(ui, t, model));
-    let mut reveal = model.document.figure().reveal;
+    let mut reveal = model.desk.shown.figure().reveal;
     let hint = window::texts(model.settings.lang).vanishing_hint;
     let vanishing = ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint);
     help_topic(&vanishing, "ideal-point");
-    model.document.set(|figure| &mut figure.reveal, reveal);
+    model.desk.shown.set(|figure| &mut figure.reveal, reveal);
 }
 
 /// A section, with the note on its subject.
@@ -51,12 +51,12 @@ fn colored(rgba: crate::appearance::Rgba) -> Color32 {
 /// The points to show: those of the figure and the probe's, or without any, corners of the volume. Then the directions
 /// x, y, z.
 fn shown(model: &Model, palette: Palette) -> (Vec<Shown>, bool) {
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let probe = match model.probe {
         Some(Probe::Point(p)) => Some(("P".to_owned(), p)),
         Some(Probe::Window(_)) | None => None,
     };
-    let named = model.document.figure().points.iter().map(|point| (sanitize::escaped(&point.name), point.position));
+    let named = model.desk.shown.figure().points.iter().map(|point| (sanitize::escaped(&point.name), point.position));
     let mut points: Vec<(String, DVec3)> = named.chain(probe).collect();
     let own = !points.is_empty();
     if !own {
@@ -94,7 +94,7 @@ fn plane(ui: &mut egui::Ui, t: &Texts, model: &Model) {
     let palette = Palette::of(model.style().theme);
     let (points, own) = shown(model, palette);
     ui.label(RichText::new(t.plane_hint).weak());
-    if model.document.camera().projection() == Projection::Parallel {
+    if model.desk.shown.camera().projection() == Projection::Parallel {
         ui.label(t.plane_parallel);
     }
     let (rect, painter) = canvas(ui, 230.0, t.plane_title);
@@ -174,17 +174,17 @@ fn ray(
 
 /// The ends of the segment: the first two points of the figure, or an edge of the floor that runs away from the eye.
 fn ends(model: &Model) -> [(String, DVec3); 2] {
-    if let [a, b, ..] = model.document.figure().points.as_slice() {
+    if let [a, b, ..] = model.desk.shown.figure().points.as_slice() {
         return [(sanitize::escaped(&a.name), a.position), (sanitize::escaped(&b.name), b.position)];
     }
-    let [far, _, _, near] = Floor::new(model.document.camera()).corners;
+    let [far, _, _, near] = Floor::new(model.desk.shown.camera()).corners;
     [("A".to_owned(), near), ("B".to_owned(), far)]
 }
 
 fn middle(ui: &mut egui::Ui, t: &Texts, model: &Model, explain: &mut Explain) {
     ui.label(RichText::new(t.middle_hint).weak());
     let [(a, from), (b, to)] = ends(model);
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let [w_a, w_b] = [from, to].map(|p| camera.clip_point(p).w);
     let share = &mut explain.share;
     let lang = model.settings.lang;
@@ -231,7 +231,7 @@ const PIXELS: u32 = 150;
 
 fn floor(ui: &mut egui::Ui, t: &Texts, model: &Model) {
     ui.label(RichText::new(t.floor_hint).weak());
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     if camera.projection() == Projection::Parallel {
         ui.label(t.same);
     }

@@ -224,7 +224,7 @@ fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
 
 /// Shows an object in the world in the place given by a part of the list. Without an object, a cube.
 fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
-    let scene = &model.document.figure().scene;
+    let scene = &model.desk.shown.figure().scene;
     let (parent, now, objects) = match selected {
         None => (DMat4::IDENTITY, DMat4::IDENTITY, BTreeSet::new()),
         Some((name, placement)) => {
@@ -289,7 +289,7 @@ fn other(
 /// The button, and the object that is to get the list. Greyed with the reason if there is none, or if the list isn't
 /// one of transforms.
 fn take(ui: &mut Ui, model: &Model, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
-    let (name, why) = match model.tree.selected(&model.document.figure().scene) {
+    let (name, why) = match model.tree.selected(&model.desk.shown.figure().scene) {
         Some(Selected::Object(name)) => (Some(name.clone()), String::new()),
         Some(Selected::OfPreset(_)) => (None, t.take_preset.to_owned()),
         Some(Selected::Light(_)) | None => (None, t.take_nothing.to_owned()),
@@ -303,9 +303,9 @@ fn take(ui: &mut Ui, model: &Model, t: &'static Texts, unbalanced: Option<Unbala
 /// Gives the object of the figure the whole list, with groups above it if it needs them.
 fn take_over(model: &mut Model, t: &'static Texts, name: &str, links: &[Link]) {
     let trs: Vec<Trs> = links.iter().map(|link| link.trs).collect();
-    let mut changed = model.document.figure().scene.clone();
+    let mut changed = model.desk.shown.figure().scene.clone();
     match put_on_chain(&mut changed, name, &trs, t.group) {
-        Ok(()) => model.document.edit(|figure| figure.scene = changed),
+        Ok(()) => model.desk.shown.edit(|figure| figure.scene = changed),
         Err(error) => model.say(Message::Scene(error)),
     }
 }

@@ -28,12 +28,12 @@ use crate::views::{Probe, shadows_at, texel_at};
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
     let t = explain_point::texts(model.settings.lang);
     choose(ui, model, t);
-    let Some(index) = model.follow.index(&model.document.figure().points) else {
+    let Some(index) = model.follow.index(&model.desk.shown.figure().points) else {
         ui.add(egui::Label::new(t.no_points).wrap());
         return;
     };
     name(ui, model, t, index);
-    let position = model.document.figure().points[index].position;
+    let position = model.desk.shown.figure().points[index].position;
     let subject = ExplainedSetting::of(model);
     let setting = subject.setting(model).with_point_seen_from_object(position);
     let moved = places(ui, model, t, &setting);
@@ -42,7 +42,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
         ui.ctx().request_repaint();
     }
     ui.separator();
-    let name = model.document.figure().points[index].name.clone();
+    let name = model.desk.shown.figure().points[index].name.clone();
     arithmetic::ui(ui, &setting, &name, (t, model.settings.digits));
     texture(ui, model, position);
     shadows(ui, model, position);
@@ -60,14 +60,14 @@ fn shadows(ui: &mut egui::Ui, model: &Model, position: DVec3) {
 /// The place of the point in a texture, if it's on a surface that has one.
 fn texture(ui: &mut egui::Ui, model: &Model, position: DVec3) {
     let (lang, digits) = (model.settings.lang, model.settings.digits);
-    let Some(at) = texel_at(model.scene_cache.scene(), model.document.camera(), position) else { return };
+    let Some(at) = texel_at(model.scene_cache.scene(), model.desk.shown.camera(), position) else { return };
     let label = ui.add(egui::Label::new(explain_point::on_texture(lang, &at, digits)).wrap());
     help_topic_row(ui, label.rect, "stage-texture");
 }
 
 /// The points, one of them chosen, and the buttons that add and delete them.
 fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
-    let points = model.document.figure().points.clone();
+    let points = model.desk.shown.figure().points.clone();
     let chosen = model.follow.index(&points);
     ui.horizontal_wrapped(|ui| {
         for (i, point) in points.iter().enumerate() {
@@ -80,17 +80,17 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         if add.explained(t.add_hint).explained_disabled(t.too_many).clicked() {
             let at = match model.probe {
                 Some(Probe::Point(p)) => p,
-                Some(Probe::Window(_)) | None => model.document.camera().focal_point(),
+                Some(Probe::Window(_)) | None => model.desk.shown.camera().focal_point(),
             };
             // A new one at the same place, rather than the existing one.
             let taken = points.iter().any(|point| point.position == at);
-            let step = DVec3::X * (0.1 * model.document.camera().distance());
+            let step = DVec3::X * (0.1 * model.desk.shown.camera().distance());
             model.follow_point(if taken { at + step } else { at });
         }
         if let Some(index) = chosen
             && ui.button(t.delete).explained(t.delete_hint).clicked()
         {
-            model.document.edit(|figure| drop(figure.points.remove(index)));
+            model.desk.shown.edit(|figure| drop(figure.points.remove(index)));
             model.follow = Default::default();
         }
     });
@@ -99,9 +99,9 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
 /// The field of the name. It takes effect with Enter, or when the user leaves it. A wrong one stays with its reason
 /// until it's mended.
 fn name(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
-    let points = &model.document.figure().points;
+    let points = &model.desk.shown.figure().points;
     let old = points[index].name.clone();
-    let id = egui::Id::unique(("point name", model.document.id(), &old));
+    let id = egui::Id::unique(("point name", model.desk.shown.id(), &old));
     let line = KeptLine { id, old: &old, most: MAX_TYPED_NAME, width: 150.0 };
     let (response, typed) = line.show(ui, model.settings.lang, |wanted| {
         let others = points.iter().filter(|point| point.name != old);
@@ -113,7 +113,7 @@ fn name(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
     response.explained(t.name_hint).accessible_name(t.name);
     match typed {
         Some(Ok(wanted)) => {
-            model.document.edit(|figure| figure.points[index].name.clone_from(&wanted));
+            model.desk.shown.edit(|figure| figure.points[index].name.clone_from(&wanted));
             model.follow.choose(&wanted);
         }
         Some(Err(problem)) => complaint(ui, problem),
@@ -163,7 +163,7 @@ fn rows(t: &Texts, setting: &Setting<'_>) -> Vec<TraceRow> {
 /// The point in each of its spaces, as fields. Returns the new place if the user typed one.
 fn places(ui: &mut egui::Ui, model: &mut Model, t: &Texts, setting: &Setting<'_>) -> Option<DVec3> {
     let words = window::texts(model.settings.lang);
-    let step = crate::numbers::power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0);
+    let step = crate::numbers::power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0);
     let mut moved = None;
     for row in rows(t, setting) {
         let caption = if row.more.is_empty() { row.name.to_owned() } else { format!("{} {}", row.name, row.more) };

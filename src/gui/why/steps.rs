@@ -33,7 +33,7 @@ use crate::views::View;
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     let lang = model.settings.lang;
     let t = words::texts(lang);
-    let camera = model.document.camera().clone();
+    let camera = model.desk.shown.camera().clone();
     let now = ui.input(|input| input.time);
     let now_shown = model.shown().step.map_or(model.explained.steps.way, |step| step.way);
     let way = sources(ui, lang, &camera, now_shown);
@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     model.explained.steps.way = way;
     let Some(factors) = camera.decomposed(way) else {
         ui.label(command_line::no_steps(lang, way));
-        model.document.show_mut().step = Some(shown);
+        model.desk.shown.show_mut().step = Some(shown);
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
@@ -59,7 +59,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
         ui.label(t.steps_hidden);
     }
     list(ui, lang, &camera, &factors, (&mut model.explained.steps, &mut shown));
-    model.document.show_mut().step = Some(shown);
+    model.desk.shown.show_mut().step = Some(shown);
     let time = time_of(shown, &camera);
     ui.separator();
     match running(time).checked_sub(1) {
@@ -89,7 +89,7 @@ fn matrices_of(
     time: f64,
 ) {
     let lang = model.settings.lang;
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let setting = Setting::new(camera.possible_clip_space(way.ndc()), figure.image, figure.viewport);
     let writing = Writing { setting: &setting, lang, digits: model.settings.digits.min(5) };
     let done = factors.iter().take(last + usize::from((last + 1) as f64 <= time + 1e-9)).copied().collect::<Vec<_>>();

@@ -14,12 +14,12 @@ pub(super) struct ExplainedSetting {
 impl ExplainedSetting {
     /// The camera of the figure, and the selected object, if there is one.
     pub(super) fn of(model: &Model) -> Self {
-        Self { camera: model.document.camera().clone(), object: model.selected_placement() }
+        Self { camera: model.desk.shown.camera().clone(), object: model.selected_placement() }
     }
 
     /// The setting in the convention, image and viewport of the window.
     pub(super) fn setting(&self, model: &Model) -> Setting<'_> {
-        let figure = model.document.figure();
+        let figure = model.desk.shown.figure();
         let space = self.camera.possible_clip_space(model.settings.conventions.ndc);
         let setting = Setting::new(space, figure.image, figure.viewport);
         match &self.object {

@@ -69,7 +69,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
         TriangleStep::Divide => page.divide(ui, &steps),
         TriangleStep::Viewport => page.viewport(ui, &steps),
         TriangleStep::Pixels => page.pixels(ui, pixels.as_deref()),
-        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), model.document.figure().image, &mut shown.pixel),
+        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), model.desk.shown.figure().image, &mut shown.pixel),
     }
     let row = egui::Rect::from_min_max(top, egui::pos2(ui.max_rect().right(), ui.cursor().min.y));
     help_topic_row(ui, row, notes::of_stage(stage_of(step)));
@@ -79,7 +79,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
 /// Goes on with the chosen step, or pixel.
 fn follow(ui: &Ui, model: &mut Model, shown: ShownTriangle) {
     if model.shown().triangle.as_ref() != Some(&shown) {
-        model.document.show_mut().triangle = Some(shown);
+        model.desk.shown.show_mut().triangle = Some(shown);
         ui.ctx().request_repaint();
     }
 }
@@ -88,7 +88,7 @@ fn follow(ui: &Ui, model: &mut Model, shown: ShownTriangle) {
 fn found(ctx: &egui::Context, model: &Model, explain: &mut Explain) -> Option<(TriangleSteps, Covered)> {
     // They don't depend on the size.
     let size = Size { width: 1, height: 1, scale: 1.0 };
-    let (document, scene, labels) = (&model.document, model.scene_cache.scene(), labels(model.settings.lang));
+    let (document, scene, labels) = (&model.desk.shown, model.scene_cache.scene(), labels(model.settings.lang));
     let request = Request::of(document.figure(), View::Image, document.camera(), scene, labels, size);
     explain.triangle.found(ctx, &request)
 }
@@ -151,7 +151,7 @@ fn chooser(ui: &mut Ui, t: &Texts, model: &mut Model) {
 fn choose(model: &mut Model, chosen: Option<(String, u32)>) {
     let step = model.shown().triangle.as_ref().map(|shown| shown.step).unwrap_or_default();
     let triangle = chosen.map(|(object, index)| ShownTriangle { object, index, step, pixel: None });
-    model.document.show_mut().triangle = triangle;
+    model.desk.shown.show_mut().triangle = triangle;
 }
 
 fn choose_step(ui: &mut Ui, t: &Texts, step: &mut TriangleStep) {
@@ -349,7 +349,7 @@ pub(in crate::gui) fn clicked(
         Covered::Found(_) | Covered::Searched => None,
     });
     if let Some(shown) = covered {
-        model.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
+        model.desk.shown.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
     } else if let Some((object, index)) = triangle {
         let name = &request.scene.objects[object].name;
         if request.scene.place_of(name) != Some(object) {

@@ -33,8 +33,8 @@ macro_rules! row {
         row!($command, $keys, $label, $hint, |s, _| s.$($flag)+ ^= true).on(|s| s.$($flag)+)
     };
     (world $flag:ident, $command:expr, $keys:expr, $label:ident, $hint:ident) => {
-        row!($command, $keys, $label, $hint, |s, _| s.model.document.edit(|figure| figure.world.$flag ^= true))
-            .on(|s| s.model.document.figure().world.$flag)
+        row!($command, $keys, $label, $hint, |s, _| s.model.desk.shown.edit(|figure| figure.world.$flag ^= true))
+            .on(|s| s.model.desk.shown.figure().world.$flag)
     };
     (tab $tab:ident, $keys:expr, $label:ident, $hint:ident) => {
         row!(Tab(layout::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(s, layout::Tab::$tab))
@@ -93,7 +93,7 @@ pub const MENUS: &[Menu] = &[
                     file_flow::ask(ctx, s, Purpose::SaveWithFiles);
                 })
                 .not_in_browser()
-                .listed_if(|s| !files::own_files(s.model.document.figure()).is_empty()),
+                .listed_if(|s| !files::own_files(s.model.desk.shown.figure()).is_empty()),
                 row!(Title, ctrl(Key::I), title_command, title_hint, |s, _| {
                     show_dialog(s, Dialog::Title(TitleForm::of(&s.model, None)));
                 }),
@@ -135,8 +135,8 @@ pub const MENUS: &[Menu] = &[
                     .or(ctrl(Key::Y))
                     .enabled(|s| s.learn.can_undo(&s.model, false)),
             ],
-            &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.document.reset())
-                .enabled(|s| s.model.document.can_reset())
+            &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.desk.shown.reset())
+                .enabled(|s| s.model.desk.shown.can_reset())
                 .browsers_keys()],
             &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, copy_numbers)],
         ],
@@ -159,15 +159,15 @@ pub const MENUS: &[Menu] = &[
             ],
             &[
                 row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, true))
-                    .enabled(|s| s.model.views.can_go(s.model.document.figure().observers, true)),
+                    .enabled(|s| s.model.views.can_go(s.model.desk.shown.figure().observers, true)),
                 row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(s, false))
-                    .enabled(|s| s.model.views.can_go(s.model.document.figure().observers, false)),
+                    .enabled(|s| s.model.views.can_go(s.model.desk.shown.figure().observers, false)),
                 row!(world section, Section, alt(Key::Num8), section_view, section_view_hint),
                 row!(world dimensions, Dimensions, alt(Key::Num9), dimensions, dimensions_hint)
-                    .enabled(|s| !s.model.document.figure().world.section)
+                    .enabled(|s| !s.model.desk.shown.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
                 row!(Compare, ctrl_shift(Key::D), compare::command, command_hint, |s, _| {
-                    show_dialog(s, Dialog::Compare(CompareForm::of(s.model.document.figure())));
+                    show_dialog(s, Dialog::Compare(CompareForm::of(s.model.desk.shown.figure())));
                 }),
                 row!(KeepCamera, shift(Key::F4), compare::keep, keep_hint, |s, _| {
                     kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
@@ -479,8 +479,8 @@ fn copy_numbers(state: &mut State, ctx: &Context) {
 
 /// Shows the 3D pictures from an earlier or later viewpoint, if there is one.
 fn see_as(state: &mut State, back: bool) {
-    if let Some(observers) = state.model.views.go(state.model.document.figure().observers, back) {
-        *state.model.document.observers_mut() = observers;
+    if let Some(observers) = state.model.views.go(state.model.desk.shown.figure().observers, back) {
+        *state.model.desk.shown.observers_mut() = observers;
     }
 }
 
@@ -531,7 +531,7 @@ fn zoom_by(state: &mut State, more: f32) {
 fn toggle_presentation(state: &mut State, ctx: &Context) {
     // An explanation that the figure requests is open in the presentation too, if it's open now.
     let explained =
-        state.model.document.figure().screen.panel.flatten().filter(|panel| state.model.shows_explanation(*panel));
+        state.model.desk.shown.figure().screen.panel.flatten().filter(|panel| state.model.shows_explanation(*panel));
     state.model.layout.turn_presentation(!state.model.settings.presentation);
     state.model.settings.presentation ^= true;
     // A panel opened before one class doesn't belong to the next one.

@@ -13,8 +13,8 @@ use crate::sanitize;
 /// Shows the bar, if there is something to report.
 pub(crate) fn bar(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.model.settings.lang);
-    let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.model.document.name()) else { return };
-    let changed = state.model.document.is_changed();
+    let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.model.desk.shown.name()) else { return };
+    let changed = state.model.desk.shown.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
         let text = if changed { t.file_changed_unsaved } else { t.file_changed };
         let text = format!("⚠ {} {text}", sanitize::escaped(&name));

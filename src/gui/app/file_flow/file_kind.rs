@@ -36,10 +36,11 @@ impl FileKind {
     pub(in crate::gui) fn of(state: &State, purpose: &Purpose) -> Self {
         let lang = state.model.settings.lang;
         let (t, exercises, film) = (window::texts(lang), exercise_window::texts(lang), explain::texts(lang));
-        let title = state.model.document.figure().title.as_ref().filter(|_| !state.model.document.has_words_of_card());
+        let title =
+            state.model.desk.shown.figure().title.as_ref().filter(|_| !state.model.desk.shown.has_words_of_card());
         let title = title.and_then(|title| name_of_title(told(lang, title)));
-        let named = if state.model.document.path().is_some() { None } else { title };
-        let figure = named.or_else(|| state.model.document.name()).unwrap_or_else(|| t.untitled_file.to_owned());
+        let named = if state.model.desk.shown.path().is_some() { None } else { title };
+        let figure = named.or_else(|| state.model.desk.shown.name()).unwrap_or_else(|| t.untitled_file.to_owned());
         let figure = PathBuf::from(figure);
         let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let scene = scenes::texts(lang);
@@ -118,7 +119,7 @@ impl FileKind {
             Purpose::For(FileFor::Exercises) => folder(exercises.own_open),
         };
         let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
-        let folder = state.model.document.folder().or_else(|| last.and_then(|path| path.parent()));
+        let folder = state.model.desk.shown.folder().or_else(|| last.and_then(|path| path.parent()));
         let folder = folder.map(Path::to_owned).unwrap_or_default();
         Self { wanted, title, action, filters, name, folder }
     }

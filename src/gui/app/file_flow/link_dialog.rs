@@ -59,7 +59,7 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     let whole = state.learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
     let own = match whole {
         Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
-        None => own_files(state.model.document.figure()),
+        None => own_files(state.model.desk.shown.figure()),
     };
     let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
     if !own.is_empty() {

@@ -19,10 +19,10 @@ use crate::share;
 
 /// Puts a mesh file into the scene.
 pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
-    let named = files::named_in_figure(model.document.folder(), path);
+    let named = files::named_in_figure(model.desk.shown.folder(), path);
     match which {
         MeshFor::New => model.insert_mesh(named),
-        MeshFor::Object(name) => model.document.edit(|figure| {
+        MeshFor::Object(name) => model.desk.shown.edit(|figure| {
             if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
                 object.shape = Some(Shape::Mesh { path: named });
             }
@@ -32,8 +32,8 @@ pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
 
 /// Puts a picture on an object.
 pub(in crate::gui) fn texture(model: &mut Model, object: &str, path: &Path) {
-    let named = files::named_in_figure(model.document.folder(), path);
-    model.document.edit(|figure| {
+    let named = files::named_in_figure(model.desk.shown.folder(), path);
+    model.desk.shown.edit(|figure| {
         if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
             object.texture = Some(TextureSource::of(&named));
         }
@@ -42,8 +42,8 @@ pub(in crate::gui) fn texture(model: &mut Model, object: &str, path: &Path) {
 
 /// Puts a photograph under the image. If it replaces another, the opacity stays.
 pub(in crate::gui) fn photograph(model: &mut Model, path: &Path) {
-    let file = files::named_in_figure(model.document.folder(), path);
-    model.document.edit(|figure| {
+    let file = files::named_in_figure(model.desk.shown.folder(), path);
+    model.desk.shown.edit(|figure| {
         let opacity = figure.photograph.as_ref().map_or(Photograph::USUAL_OPACITY, |before| before.opacity);
         figure.photograph = Some(Photograph { file, opacity });
     });
@@ -92,7 +92,7 @@ pub(super) fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, Fi
 
 /// Goes on with a built-in figure.
 pub(in crate::gui) fn open_shipped(model: &mut Model, learn: &mut Learn, name: &'static str) {
-    let kept = model.take_kept(Some(&Source::Shipped(name)));
+    let kept = model.desk.take_left(Some(&Source::Shipped(name)));
     if let Some(document) = kept.or_else(|| Document::shipped(name)) {
         learn.take_over(model, document);
     }

@@ -82,7 +82,7 @@ impl Default for Reading {
 
 /// The displayed document, and its state.
 fn now(model: &Model) -> (Revision, Revision) {
-    (model.document.id(), model.document.revision())
+    (model.desk.shown.id(), model.desk.shown.revision())
 }
 
 impl Reading {
@@ -142,7 +142,7 @@ mod tests {
         state.file_flow.reading.patience = Duration::ZERO;
         let stall = Stall::of(&path);
         begin(&ctx, &mut state, AfterSave::OpenPath(path.clone()));
-        assert_eq!(state.model.document.path(), None, "the window goes on while it's read");
+        assert_eq!(state.model.desk.shown.path(), None, "the window goes on while it's read");
         meanwhile(&ctx, &mut state);
         drop(stall);
         let since = std::time::Instant::now();
@@ -158,15 +158,15 @@ mod tests {
     #[test]
     fn a_slow_file_is_shown_once_it_is_there() {
         let (path, state) = opened_slowly("shown", |_, _| {});
-        assert_eq!(state.model.document.path(), Some(&path));
+        assert_eq!(state.model.desk.shown.path(), Some(&path));
     }
 
     #[test]
     fn changes_made_while_a_file_is_read_are_asked_about() {
         let change =
-            |_: &egui::Context, state: &mut State| state.model.document.edit(|figure| figure.image.width = 300);
+            |_: &egui::Context, state: &mut State| state.model.desk.shown.edit(|figure| figure.image.width = 300);
         let (path, state) = opened_slowly("changed", change);
-        assert_eq!(state.model.document.figure().image.width, 300);
+        assert_eq!(state.model.desk.shown.figure().image.width, 300);
         assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved(AfterSave::OpenPath(path))));
     }
 
@@ -181,16 +181,16 @@ mod tests {
         let stall = Stall::of(&slow);
         state.file_flow.reading.patience = Duration::ZERO;
         begin(&ctx, &mut state, AfterSave::OpenPath(slow));
-        assert_eq!(state.model.document.path(), None);
+        assert_eq!(state.model.desk.shown.path(), None);
         state.file_flow.reading.patience = Duration::from_secs(60);
         begin(&ctx, &mut state, AfterSave::OpenPath(quick.clone()));
-        assert_eq!(state.model.document.path(), Some(&quick));
+        assert_eq!(state.model.desk.shown.path(), Some(&quick));
         drop(stall);
     }
 
     #[test]
     fn a_figure_opened_while_a_file_is_read_stays() {
         let (_, state) = opened_slowly("late", |ctx, state| begin(ctx, state, AfterSave::Shipped("house")));
-        assert_eq!(state.model.document.shipped_name(), Some("house"));
+        assert_eq!(state.model.desk.shown.shipped_name(), Some("house"));
     }
 }

@@ -133,7 +133,7 @@ impl Default for Saving {
 impl Saving {
     /// Starts writing the figure of the window. The caller has made sure that the file isn't being written already.
     pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, mut save: Save) {
-        let document = &model.document;
+        let document = &model.desk.shown;
         // Without its picture, the files that it carries would be lost. A browser has no folder for them, so there the
         // window keeps them.
         save.with_files |= !(document.carried().is_empty() || model.in_browser);

@@ -47,8 +47,8 @@ struct Next {
 impl Search {
     /// Looks for the figure after the open one, or for the one before.
     pub(super) fn of(model: &Model, forwards: bool) -> Self {
-        let kept = model.kept.iter().map(|(source, _)| source.clone()).collect();
-        Self { here: Source::of(&model.document), kept, forwards }
+        let kept = model.desk.left().collect();
+        Self { here: Source::of(&model.desk.shown), kept, forwards }
     }
 
     /// The folder of the figure.
@@ -119,23 +119,19 @@ pub(super) fn show(state: &mut State, found: Found) {
     let Found { search: Search { here, forwards, .. }, next, faults } = found;
     let State { model, learn, annotations, recent, file_flow, .. } = state;
     let shown = next.and_then(|next| {
-        let document = next.document.map(|document| *document).or_else(|| model.take_kept(next.source.as_ref()))?;
+        let document =
+            next.document.map(|document| *document).or_else(|| model.desk.take_left(next.source.as_ref()))?;
         Some((next.source, document, Message::Step { number: next.number, of: next.of }))
     });
     let Some((source, document, step)) = shown else {
         let end = if forwards { Message::LastFigure } else { Message::FirstFigure };
         return model.say(passed_over(faults).unwrap_or(end));
     };
-    model.document.commit();
-    model.settle_layout(learn.lesson.is_some());
-    let mut left = model.document.clone();
-    annotations.turn_page(here.clone(), source.as_ref());
+    model.desk.commit();
+    model.settle_layout();
+    annotations.turn_page(here, source.as_ref());
+    model.desk.keep_shown();
     learn.take_over(model, document);
-    // The document behind it is kept already.
-    left.take_behind();
-    if left.is_changed() {
-        model.kept.push((here, left));
-    }
     if let Some(Source::File(path)) = &source {
         recent.add(path);
     }
@@ -172,8 +168,8 @@ mod tests {
             figure_from(b"[camera]\nnear = 0.5\n").unwrap().at(Path::new("/no/such/folder/saved.toml"));
         state.learn.take_over(&mut state.model, Document::new(figure, Some(file)).unwrap());
         step(&egui::Context::default(), &mut state, true);
-        assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
+        assert_eq!(state.model.desk.shown.shipped_name(), Some(SHIPPED_FIGURES[0].name));
         step(&egui::Context::default(), &mut state, true);
-        assert_eq!(state.model.document.shipped_name(), Some(SHIPPED_FIGURES[1].name));
+        assert_eq!(state.model.desk.shown.shipped_name(), Some(SHIPPED_FIGURES[1].name));
     }
 }

@@ -60,7 +60,7 @@ fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
     let path = folder.join("copy.toml");
     for is_same in [false, true] {
         // The user has already been asked for the title of the figure.
-        state.file_flow.titled = Some(state.model.document.id());
+        state.file_flow.titled = Some(state.model.desk.shown.id());
         ask(&ctx, &mut state, Purpose::Save(None));
         assert!(state.file_flow.is_asking());
         if !is_same {
@@ -68,7 +68,7 @@ fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
         }
         answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
         assert!(!state.file_flow.is_asking());
-        assert_eq!((path.exists(), state.model.document.path().is_some()), (is_same, is_same));
+        assert_eq!((path.exists(), state.model.desk.shown.path().is_some()), (is_same, is_same));
         assert_eq!(matches!(state.model.message, Some(Message::OtherFigure(_))), !is_same);
     }
     // If the system has no dialogs now, the next question still tries them.
@@ -142,34 +142,34 @@ fn the_window_goes_on_while_a_disk_stalls_and_what_is_changed_then_is_not_taken_
     let [path, other] = ["slow.toml", "other.toml"].map(|name| directory.path().join(name));
     let stall = Stall::of(&path);
     let start = Instant::now();
-    state.model.document.edit(|figure| figure.image.width = 300);
+    state.model.desk.shown.edit(|figure| figure.image.width = 300);
     confirmed_save(&ctx, &mut state, &path);
     assert!(start.elapsed() < Duration::from_secs(5) && state.file_flow.saving.writes(&path));
-    state.model.document.edit(|figure| figure.image.width = 301);
+    state.model.desk.shown.edit(|figure| figure.image.width = 301);
     drop(stall);
     finish(&ctx, &mut state);
-    assert_eq!(state.model.document.path(), Some(&path));
+    assert_eq!(state.model.desk.shown.path(), Some(&path));
     assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 300);
-    assert!(state.model.document.is_changed() && state.model.document.figure().image.width == 301);
+    assert!(state.model.desk.shown.is_changed() && state.model.desk.shown.figure().image.width == 301);
     // A second one would overtake the first, so it waits.
     let stall = Stall::of(&path);
     confirmed_save(&ctx, &mut state, &path);
-    state.model.document.edit(|figure| figure.image.width = 302);
+    state.model.desk.shown.edit(|figure| figure.image.width = 302);
     confirmed_save(&ctx, &mut state, &path);
     assert_eq!(state.file_flow.saving.count(), 1);
     drop(stall);
     finish(&ctx, &mut state);
     assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 302);
-    assert!(!state.model.document.is_changed());
+    assert!(!state.model.desk.shown.is_changed());
     // While it stalls again, the figure is saved elsewhere, and that's its file from then on.
     let stall = Stall::of(&path);
     confirmed_save(&ctx, &mut state, &path);
     state.file_flow.saving.patience = Duration::from_secs(60);
     confirmed_save(&ctx, &mut state, &other);
-    assert_eq!(state.model.document.path(), Some(&other));
+    assert_eq!(state.model.desk.shown.path(), Some(&other));
     drop(stall);
     finish(&ctx, &mut state);
-    assert_eq!(state.model.document.path(), Some(&other));
+    assert_eq!(state.model.desk.shown.path(), Some(&other));
     assert_eq!(files::open_figure(&path).expect("a figure").figure.image.width, 302);
 }
 
@@ -184,12 +184,12 @@ fn changes_made_while_the_last_save_runs_are_asked_about_before_the_window_close
     let (ctx, mut state) = new_state();
     let path = directory.path().join("slow.toml");
     let stall = Stall::of(&path);
-    state.model.document.edit(|figure| figure.image.width = 300);
+    state.model.desk.shown.edit(|figure| figure.image.width = 300);
     begin(&ctx, &mut state, AfterSave::Quit);
     assert_eq!(state.file_flow.dialog.take(), Some(Dialog::Unsaved(AfterSave::Quit)));
     confirmed(&ctx, &mut state, Purpose::Save(Some(AfterSave::Quit)), &path, Agreed::default());
     assert!(state.file_flow.is_closing() && !state.file_flow.may_close);
-    state.model.document.edit(|figure| figure.image.width = 301);
+    state.model.desk.shown.edit(|figure| figure.image.width = 301);
     drop(stall);
     finish(&ctx, &mut state);
     assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved(AfterSave::Quit)));

@@ -28,8 +28,8 @@ impl TitleForm {
     /// The words of the figure. `None` if they belong to a card and the window shows another figure by now. `then` is
     /// the save that follows.
     pub(in crate::gui) fn of(model: &Model, then: Option<Purpose>) -> Self {
-        let Figure { title, caption, .. } = model.document.figure();
-        if model.document.has_words_of_card() {
+        let Figure { title, caption, .. } = model.desk.shown.figure();
+        if model.desk.shown.has_words_of_card() {
             return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
         }
         let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
@@ -131,13 +131,13 @@ fn proposal(state: &State, purpose: &Purpose, title: Bilingual) -> String {
 
 fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Option<Purpose> {
     let [title, caption] = [form.title, form.caption].map(written);
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     if (&figure.title, &figure.caption) != (&title, &caption) {
-        model.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
-        model.document.commit();
+        model.desk.shown.edit(|figure| (figure.title, figure.caption) = (title, caption));
+        model.desk.commit();
     }
     if form.then.is_some() {
-        file_flow.titled = Some(model.document.id());
+        file_flow.titled = Some(model.desk.shown.id());
     }
     form.then
 }

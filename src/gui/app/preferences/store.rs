@@ -98,7 +98,7 @@ impl Preferences {
             apply(document, state);
         }
         let kept_before = content.unwrap_or_default();
-        state.model.show_screen(state.model.document.figure().screen);
+        state.model.show_screen(state.model.desk.shown.figure().screen);
         asked.apply(&mut state.model);
         let progress = KeptProgress::begin(folder, &mut state.learn, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();

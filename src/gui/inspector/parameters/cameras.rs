@@ -21,7 +21,7 @@ use crate::views::{OtherCamera, Palette};
 /// Shows the list, and the buttons that add to it.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList) {
     let t = cameras::texts(model.settings.lang);
-    let count = model.document.figure().cameras.len();
+    let count = model.desk.shown.figure().cameras.len();
     // It opens when the first camera comes, or when the search leads to one of its buttons.
     let (id, opens) = match (count > 0, cameras.was_called) {
         (true, _) => ("cameras", true),
@@ -34,7 +34,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList)
         }
         for index in 0..count {
             // If a camera is removed, the list is shorter in the same frame.
-            if index < model.document.figure().cameras.len() {
+            if index < model.desk.shown.figure().cameras.len() {
                 other(ui, model, cameras, t, index);
             }
         }
@@ -46,7 +46,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList)
 fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: usize) {
     let mut asked = (false, false);
     let mut is_beside = is_beside(model, index);
-    let own = model.document.figure().cameras[index].name.clone();
+    let own = model.desk.shown.figure().cameras[index].name.clone();
     name_row(ui, model, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
         let look = ui.button(t.look).explained(t.look_hint).accessible_name(of(t.look));
@@ -55,13 +55,13 @@ fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Tex
     });
     let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
     if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
-        let compare = is_beside.then(|| Comparison::of_camera(&model.document.figure().cameras[index].name));
-        model.document.edit_cameras(|figure| figure.compare = compare);
+        let compare = is_beside.then(|| Comparison::of_camera(&model.desk.shown.figure().cameras[index].name));
+        model.desk.shown.edit_cameras(|figure| figure.compare = compare);
     }
     match asked {
         (true, _) => cameras.look_through(model, index),
         (_, true) => {
-            model.document.edit_cameras(|figure| figure.remove_camera(index));
+            model.desk.shown.edit_cameras(|figure| figure.remove_camera(index));
         }
         _ => {}
     }
@@ -69,7 +69,7 @@ fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Tex
 
 /// True if the image of this camera stands beside that of the current one.
 fn is_beside(model: &Model, index: usize) -> bool {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let name = figure.compare.as_ref().and_then(|comparison| comparison.camera.as_ref());
     name.is_some_and(|name| figure.cameras[index].name == *name)
 }
@@ -96,14 +96,14 @@ fn name_row(
 }
 
 fn is_free(model: &Model, name: &str, index: Option<usize>) -> bool {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let is_own = index.is_none() && figure.tag.name.as_deref() == Some(name);
     is_own || figure.may_name_camera(name, index)
 }
 
 fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) {
     let palette = Palette::of(model.settings.theme);
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let given = index.map_or(figure.tag.color, |i| figure.cameras[i].color);
     let now = match index {
         Some(i) => OtherCamera::color_at(given, i, palette),
@@ -116,7 +116,7 @@ fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) 
     if picker.changed() {
         let [r, g, b] = chosen;
         let chosen = Some(Rgba::rgb(r, g, b));
-        model.document.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
+        model.desk.shown.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
             Some(NamedCamera { color, .. }) => *color = chosen,
             None => figure.tag.color = chosen,
         });
@@ -125,10 +125,10 @@ fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) 
 
 /// The field of a name. Returns true if it's refused.
 fn name_field(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) -> bool {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let old = index.map_or_else(|| figure.tag.name.clone(), |i| Some(figure.cameras[i].name.clone()));
     let old = old.unwrap_or_default();
-    let id = egui::Id::unique(("camera name", model.document.id(), index));
+    let id = egui::Id::unique(("camera name", model.desk.shown.id(), index));
     let line = KeptLine { id, old: &old, most: MAX_CAMERA_NAME, width: 98.0 };
     let (response, typed) =
         line.show(
@@ -140,7 +140,7 @@ fn name_field(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usi
         );
     response.explained(t.name_hint).accessible_name(format!("{}: {}", t.name, escaped(&old)));
     if let Some(Ok(wanted)) = &typed {
-        model.document.edit_cameras(|figure| figure.rename_camera(index, wanted));
+        model.desk.shown.edit_cameras(|figure| figure.rename_camera(index, wanted));
     }
     typed.is_some_and(|typed| typed.is_err())
 }
@@ -155,13 +155,13 @@ fn add(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts
             button.explained(hint).explained_disabled(t.full)
         };
         if button(ui, t.add, t.add_hint).clicked() {
-            let name = model.document.figure().free_camera_name();
+            let name = model.desk.shown.figure().free_camera_name();
             model.keep_camera(&name);
         }
         if button(ui, t.before, t.before_hint).clicked() {
             model.keep_camera(t.before_name);
         }
-        let is_perspective = model.document.camera().projection() == Projection::Perspective;
+        let is_perspective = model.desk.shown.camera().projection() == Projection::Perspective;
         let pair = ui.add_enabled(has_room && is_perspective, egui::Button::new(format!("{} ▾", t.pair)));
         let pair = pair.explained(t.pair_hint).accessible_name(t.pair);
         number_field::answer_call(ui, &pair, t.pair);
@@ -176,7 +176,7 @@ fn add(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts
 /// The menu of the stereo pair: its baseline and its two kinds.
 fn stereo(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts) {
     let words = window::texts(model.settings.lang);
-    let mut baseline = cameras.baseline.unwrap_or(model.document.camera().distance() / 30.0);
+    let mut baseline = cameras.baseline.unwrap_or(model.desk.shown.camera().distance() / 30.0);
     row(ui, "", t.baseline, t.baseline_hint, |ui| {
         let field = NumberField::new(t.baseline, Step::Multiply(1.1)).positive().hint(t.baseline_hint).width(92.0);
         let before = baseline;

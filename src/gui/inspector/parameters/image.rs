@@ -24,7 +24,7 @@ const MAX_OFFSET: f64 = limits::MAX_OFFSET as f64;
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool) {
     let t = window::texts(model.settings.lang);
     section(ui, t.image, "image", true, |ui| {
-        let ImageSize { width, height } = model.document.figure().image;
+        let ImageSize { width, height } = model.desk.shown.figure().image;
         let [mut m, mut n] = [f64::from(width), f64::from(height)];
         let size = ui.scope(|ui| {
             row(ui, "m × n", t.image_size, t.image_size_hint, |ui| {
@@ -39,17 +39,17 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
             })
         });
         let mut symbols = vec![Symbol::ImageWidth, Symbol::ImageHeight];
-        if model.document.figure().viewport.is_none() {
+        if model.desk.shown.figure().viewport.is_none() {
             symbols.extend([Symbol::ViewportWidth, Symbol::ViewportHeight]);
         }
-        if model.settings.aspect_follows_image && model.document.draft().window.is_none() {
+        if model.settings.aspect_follows_image && model.desk.shown.draft().window.is_none() {
             symbols.push(Symbol::Aspect);
         }
         point_at(ui, &mut model.hover.pointed, size.response.rect, &symbols);
         complain(ui, t.lang, &size.inner);
         let size = ImageSize { width: whole(m), height: whole(n) };
-        model.document.set(|figure| &mut figure.image, size);
-        let symmetric = model.document.draft().window.is_none();
+        model.desk.shown.set(|figure| &mut figure.image, size);
+        let symmetric = model.desk.shown.draft().window.is_none();
         let mut follows = model.settings.aspect_follows_image && symmetric;
         let follow = ui.add_enabled(symmetric, egui::Checkbox::new(&mut follows, t.aspect_follows));
         let follow = follow.explained(t.aspect_follows_hint).explained_disabled(t.aspect_follows_not);
@@ -58,10 +58,10 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
         }
         if follows {
             let aspect = f64::from(size.width) / f64::from(size.height);
-            let mut parameters = *model.document.draft();
+            let mut parameters = *model.desk.shown.draft();
             if parameters.aspect != aspect {
                 parameters.aspect = aspect;
-                model.document.set_parameters(parameters);
+                model.desk.shown.set_parameters(parameters);
             }
         }
         photograph::ui(ui, model, photograph);
@@ -90,7 +90,7 @@ fn to_corner(value: f64) -> i32 {
 }
 
 fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let image = figure.image;
     let of_image = Viewport { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 };
     let old = figure.viewport;
@@ -135,5 +135,5 @@ fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         new = Viewport { x: to_corner(x), y: to_corner(y), width: whole(width), height: whole(height), ..new };
     }
     let new = (!is_whole).then_some(new);
-    model.document.set(|figure| &mut figure.viewport, new);
+    model.desk.shown.set(|figure| &mut figure.viewport, new);
 }

@@ -69,7 +69,7 @@ fn tabs(ui: &mut egui::Ui, model: &mut Model) {
             let command = Command::Tab(tab);
             let keys = written(column.ctx(), &command.shortcut(), model.settings.lang);
             let hint = format!("{} ({keys})", command.hint(t));
-            let impossible = tab == Tab::Camera && model.document.problem().is_some();
+            let impossible = tab == Tab::Camera && model.desk.shown.problem().is_some();
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
             column.vertical_centered_justified(|ui| {
                 let button = toggle(ui, model.settings.tab == tab, text).explained(hint);
@@ -95,11 +95,11 @@ fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographT
     model.hover.pointed = form.pointed;
     model.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
-        Some(camera) => model.document.set_camera(camera),
-        None => model.document.set_parameters(form.parameters),
+        Some(camera) => model.desk.shown.set_camera(camera),
+        None => model.desk.shown.set_parameters(form.parameters),
     }
     if let Some(lens) = form.new_lens {
-        model.document.set_lens(lens);
+        model.desk.shown.set_lens(lens);
     }
     if let Some(point) = form.follows {
         model.follow_point(point);
@@ -107,7 +107,7 @@ fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographT
     }
     if let Some(measure) = form.keeps {
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
-        model.document.edit_labels(|labels| labels.measure(measure, shown));
+        model.desk.shown.edit_labels(|labels| labels.measure(measure, shown));
     }
     cameras::ui(ui, model, cameras);
     image::ui(ui, model, photograph);
@@ -146,18 +146,18 @@ impl ParameterForm {
         Self {
             t: window::texts(model.settings.lang),
             lang: model.settings.lang,
-            preset: model.document.figure().scene.preset,
-            parameters: *model.document.draft(),
-            error: model.document.problem().cloned(),
-            good: model.document.camera().clone(),
-            lens: model.document.figure().lens_in_force(),
+            preset: model.desk.shown.figure().scene.preset,
+            parameters: *model.desk.shown.draft(),
+            error: model.desk.shown.problem().cloned(),
+            good: model.desk.shown.camera().clone(),
+            lens: model.desk.shown.figure().lens_in_force(),
             new_lens: None,
-            image: model.document.figure().image,
+            image: model.desk.shown.figure().image,
             replaced: None,
             said: false,
             measured: Vec::new(),
             pointed: Vec::new(),
-            kept: model.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
+            kept: model.desk.shown.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
             keeps: None,
             follows: None,
         }

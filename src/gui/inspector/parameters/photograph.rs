@@ -20,10 +20,10 @@ use crate::views::View;
 /// The rows of the photograph, in the section of the image.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut PhotographTool) {
     let t = words::texts(model.settings.lang);
-    let photograph = model.document.figure().photograph.clone();
+    let photograph = model.desk.shown.figure().photograph.clone();
     row(ui, "", t.photograph, t.hint, |ui| {
         if photograph.is_some() && ui.button("✖").explained(t.remove).accessible_name(t.remove).clicked() {
-            model.document.edit(|figure| figure.photograph = None);
+            model.desk.shown.edit(|figure| figure.photograph = None);
             photograph_state.on = false;
         }
         let name = photograph.as_ref().map_or_else(|| t.choose.to_owned(), |photograph| file_name(&photograph.file));
@@ -59,7 +59,7 @@ fn opacity(ui: &mut egui::Ui, model: &mut Model, t: &Texts, photograph: &Photogr
         field.show(ui, window::texts(model.settings.lang), &mut opacity)
     });
     if opacity != photograph.opacity {
-        model.document.edit(|figure| {
+        model.desk.shown.edit(|figure| {
             if let Some(photograph) = &mut figure.photograph {
                 photograph.opacity = opacity;
             }
@@ -87,13 +87,13 @@ fn size(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     else {
         return;
     };
-    let image = model.document.figure().image;
+    let image = model.desk.shown.figure().image;
     if u64::from(width) * u64::from(image.height) == u64::from(height) * u64::from(image.width) {
         return;
     }
     let text = words::size(model.settings.lang, [width, height]);
     ui.add(Label::new(RichText::new(format!("⚠ {text}")).weak()).wrap());
     if ui.button(t.size).explained(t.size_hint).clicked() {
-        model.document.edit(|figure| figure.image = ImageSize { width, height });
+        model.desk.shown.edit(|figure| figure.image = ImageSize { width, height });
     }
 }

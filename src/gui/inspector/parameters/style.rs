@@ -13,7 +13,7 @@ use crate::i18n::window;
 /// Shading, hidden surfaces and lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let mut style = model.document.figure().style;
+    let mut style = model.desk.shown.figure().style;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
         let shadings = [
@@ -44,7 +44,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
             choice_row(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes);
         });
     });
-    model.document.set(|figure| &mut figure.style, style);
+    model.desk.shown.set(|figure| &mut figure.style, style);
     if opens {
         model.show_explanation(Explanation::HiddenSurfaces);
     }

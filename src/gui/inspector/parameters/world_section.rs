@@ -35,7 +35,7 @@ fn parts(ui: &mut egui::Ui, lang: Lang, parts: &mut WorldParts) {
 /// One control for each key of `[world]`.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().world;
+    let old = model.desk.shown.figure().world;
     let mut world = old;
     section(ui, t.in_world, "world", true, |ui| {
         let mut steps: Vec<f64> = STEPS.map(|percent| f64::from(percent) / 100.0).to_vec();
@@ -58,5 +58,5 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
         ui.label(t.world_parts).explained(t.world_parts_hint);
         parts(ui, model.settings.lang, &mut world.parts);
     });
-    model.document.set(|figure| &mut figure.world, world);
+    model.desk.shown.set(|figure| &mut figure.world, world);
 }

@@ -72,7 +72,7 @@ fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
 
 /// Adds an object at PF, in a size that suits the view.
 fn add(model: &mut Model, object: ObjectSpec) {
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
     let place = match object.shape {
         // A grid lies at the bottom of the scene, and a group has no body.
@@ -84,7 +84,7 @@ fn add(model: &mut Model, object: ObjectSpec) {
 }
 
 fn add_light(model: &mut Model, light: Light) {
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let light = match light.kind {
         LightKind::Directional => light,
         // Above the focal point, as a lamp hangs.
@@ -93,8 +93,8 @@ fn add_light(model: &mut Model, light: Light) {
             Light::point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
         }
     };
-    let index = model.document.figure().scene.lights.len();
-    model.document.edit(|figure| figure.scene.lights.push(light));
+    let index = model.desk.shown.figure().scene.lights.len();
+    model.desk.shown.edit(|figure| figure.scene.lights.push(light));
     model.tree.select(Some(Selected::Light(index)));
 }
 

@@ -48,7 +48,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
 
 /// The inner work of shadows, in all pictures.
 fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
-    let mut chosen = model.document.figure().reveal.shadows;
+    let mut chosen = model.desk.shown.figure().reveal.shadows;
     let all = [
         (None, t.shadow_plain),
         (Some(ShadowReveal::Map), t.shadow_of_light),
@@ -56,7 +56,7 @@ fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         (Some(ShadowReveal::Truth), t.shadow_truth),
     ];
     choice_row(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
-    model.document.set(|figure| &mut figure.reveal.shadows, chosen);
+    model.desk.shown.set(|figure| &mut figure.reveal.shadows, chosen);
 }
 
 /// The switch, and the numbers if it's on.

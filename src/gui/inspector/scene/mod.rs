@@ -71,7 +71,7 @@ pub(in crate::gui) fn ui(ui: &mut egui::Ui, model: &mut Model) {
 
 fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
-    let old = model.document.figure().scene.preset;
+    let old = model.desk.shown.figure().scene.preset;
     let mut preset = old;
     let presets = [
         (Preset::Empty, t.scene_empty),
@@ -87,7 +87,7 @@ fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
     ];
     choice_row(ui, t.preset, t.preset_hint, &mut preset, &presets);
     if preset != old {
-        model.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
+        model.desk.shown.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
         // An empty scene has nothing to frame, so the viewpoint stays.
         if preset != Preset::Empty {
             show_from_its_best_side(model, preset);
@@ -100,22 +100,22 @@ fn named_scene(ui: &mut egui::Ui, model: &mut Model) {
 fn show_from_its_best_side(model: &mut Model, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
     if model.settings.aspect_follows_image {
-        let n = model.document.figure().image.height;
+        let n = model.desk.shown.figure().image.height;
         let m = (f64::from(n) * camera.aspect).round();
         // An image that would be too wide stays as it is, and A follows it.
         if (1.0..=f64::from(MAX_SIDE)).contains(&m) {
-            model.document.edit(|figure| figure.image.width = whole(m));
+            model.desk.shown.edit(|figure| figure.image.width = whole(m));
         }
-        camera.aspect = f64::from(model.document.figure().image.width) / f64::from(n);
+        camera.aspect = f64::from(model.desk.shown.figure().image.width) / f64::from(n);
     }
-    model.document.set_parameters(camera);
-    *model.document.observers_mut() = Default::default();
+    model.desk.shown.set_parameters(camera);
+    *model.desk.shown.observers_mut() = Default::default();
 }
 
 /// The button that expands the named scene into a list of objects. It lists beforehand and afterwards what the list
 /// can't express.
 fn edit_a_copy(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
-    let preset = model.document.figure().scene.preset;
+    let preset = model.desk.shown.figure().scene.preset;
     if preset == Preset::Empty {
         return;
     }
@@ -126,7 +126,7 @@ fn edit_a_copy(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let (theme, lang) = (model.settings.theme, model.settings.lang);
     let called = |name: &str| scenes::preset_object(lang, name);
     let mut names = BTreeMap::new();
-    model.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
+    model.desk.shown.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
     if let Some(Selected::OfPreset(name)) = model.tree.selected.clone() {
         model.tree.select(names.remove(&name).map(Selected::Object));
     }
@@ -135,7 +135,7 @@ fn edit_a_copy(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
 
 /// The selection, with its fields. Returns the request of its buttons.
 fn selected(ui: &mut egui::Ui, model: &mut Model, t: &Texts) -> Option<Edit> {
-    let scene = &model.document.figure().scene;
+    let scene = &model.desk.shown.figure().scene;
     let mut form = SceneForm::new(model);
     let asked = match model.tree.selected(scene).cloned() {
         None => {
@@ -181,7 +181,7 @@ struct SceneForm {
 impl SceneForm {
     fn new(model: &Model) -> Self {
         let lang = model.settings.lang;
-        let base = model.document.figure().scene.clone();
+        let base = model.desk.shown.figure().scene.clone();
         let draft = model.tree.draft.as_ref().filter(|draft| draft.base == base);
         Self {
             t: scenes::texts(lang),
@@ -190,7 +190,7 @@ impl SceneForm {
             scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
             error: draft.map(|draft| draft.error.clone()),
             base,
-            step: crate::numbers::power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0),
+            step: crate::numbers::power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0),
             measured: Vec::new(),
             pointed: Vec::new(),
         }
@@ -235,7 +235,7 @@ impl SceneForm {
         match check(&self.scene) {
             Ok(()) => {
                 model.tree.draft = None;
-                model.document.edit(|figure| figure.scene = self.scene);
+                model.desk.shown.edit(|figure| figure.scene = self.scene);
             }
             Err(error) => model.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
         }
@@ -257,7 +257,7 @@ const SCALE: TransformPart = TransformPart { key: "scale", symbol: Symbol::Scale
 
 /// Deletes an object, reports it, and selects its parent.
 pub(in crate::gui) fn remove(model: &mut Model, names: &BTreeSet<String>, children: Children) {
-    let mut scene = model.document.figure().scene.clone();
+    let mut scene = model.desk.shown.figure().scene.clone();
     let before = scene.objects.len();
     let tops = topmost(&scene, names);
     let Some(name) = tops.first() else { return };
@@ -271,7 +271,7 @@ pub(in crate::gui) fn remove(model: &mut Model, names: &BTreeSet<String>, childr
     }
     let others = before - scene.objects.len();
     let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
-    model.document.edit(|figure| figure.scene = scene);
+    model.desk.shown.edit(|figure| figure.scene = scene);
     model.tree.select(selected.map(Selected::Object));
     model.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
 }
@@ -279,11 +279,11 @@ pub(in crate::gui) fn remove(model: &mut Model, names: &BTreeSet<String>, childr
 fn perform(model: &mut Model, edit: Edit) {
     match edit {
         Edit::Hang { name, parent } => {
-            let mut scene = model.document.figure().scene.clone();
+            let mut scene = model.desk.shown.figure().scene.clone();
             let stay = !model.tree.moves_with_parent;
             // A parent that can't take the object isn't offered.
             let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
-            model.document.edit(|figure| figure.scene = scene);
+            model.desk.shown.edit(|figure| figure.scene = scene);
             if !stayed {
                 model.say(Message::Shear);
             }
@@ -293,7 +293,7 @@ fn perform(model: &mut Model, edit: Edit) {
         }
         Edit::Remove { names, children } => remove(model, &names, children),
         Edit::AskRemove(names) => {
-            let below = below(&model.document.figure().scene, &names);
+            let below = below(&model.desk.shown.figure().scene, &names);
             if below == 0 {
                 remove(model, &names, Children::Removed);
             } else {
@@ -301,7 +301,7 @@ fn perform(model: &mut Model, edit: Edit) {
             }
         }
         Edit::RemoveLight(index) => {
-            model.document.edit(|figure| {
+            model.desk.shown.edit(|figure| {
                 if index < figure.scene.lights.len() {
                     figure.scene.lights.remove(index);
                 }
@@ -322,7 +322,7 @@ fn file_row(
     browse: Action,
 ) {
     let t = scenes::texts(model.settings.lang);
-    let id = egui::Id::unique(("file of an object", model.document.id(), owner, key));
+    let id = egui::Id::unique(("file of an object", model.desk.shown.id(), owner, key));
     let line = KeptLine { id, old: path, most: MAX_TYPED, width: 110.0 };
     let typed = row(ui, "", t.path, hint, |ui| {
         let (response, typed) = line.show(ui, t.lang, |text| Ok::<_, ()>(text.to_owned()));

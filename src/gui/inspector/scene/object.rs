@@ -62,7 +62,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
 /// The properties of an object of the named scene, which can't be edited.
 pub(super) fn of_preset(ui: &mut egui::Ui, model: &Model, form: &mut SceneForm, name: &str) {
     let t = scenes::texts(model.settings.lang);
-    let preset = preset_objects(model.document.figure().scene.preset);
+    let preset = preset_objects(model.desk.shown.figure().scene.preset);
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
     ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
     row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
@@ -86,7 +86,7 @@ pub(super) fn of_preset(ui: &mut egui::Ui, model: &Model, form: &mut SceneForm, 
 /// A name takes effect with Enter, or when its field is left. A wrong one stays with its reason until it's mended.
 fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str) {
     let t = form.t;
-    let id = egui::Id::unique(("object name", model.document.id(), name));
+    let id = egui::Id::unique(("object name", model.desk.shown.id(), name));
     let line = KeptLine { id, old: name, most: MAX_TYPED_NAME, width: 150.0 };
     let typed = row(ui, "", t.name, t.name_hint, |ui| {
         let (response, typed) = line.show(ui, t.lang, |wanted| {
@@ -105,9 +105,9 @@ fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str
             // The draft of impossible numbers, if there is one, continues under the new name.
             let mut base = form.base.clone();
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
-                model.document.edit(|figure| figure.scene = base.clone());
-                model.document.show_mut().rename_object(name, &wanted);
-                model.document.edit_labels(|labels| labels.rename_object(name, &wanted));
+                model.desk.shown.edit(|figure| figure.scene = base.clone());
+                model.desk.shown.show_mut().rename_object(name, &wanted);
+                model.desk.shown.edit_labels(|labels| labels.rename_object(name, &wanted));
                 form.base = base;
                 model.tree.select(Some(Selected::Object(wanted)));
             }
@@ -224,7 +224,7 @@ fn color(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usiz
     let now = form.scene.objects[index].color.or(shown).unwrap_or(crate::scene::palette::BLUE);
     let mut chosen = form.scene.objects[index].color;
     let mut is_automatic = automatic;
-    let id = egui::Id::unique(("object colour", model.document.id(), &owner));
+    let id = egui::Id::unique(("object colour", model.desk.shown.id(), &owner));
     let line = KeptLine { id, old: &now.to_string(), most: MAX_TYPED_NAME, width: 66.0 };
     let typed = row(ui, "", t.color, t.color_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;

@@ -57,7 +57,7 @@ pub(super) fn notices(ui: &mut egui::Ui, model: &Model, owner: &str) -> [bool; 2
 pub(in crate::gui::inspector) fn mend(ui: &mut egui::Ui, model: &mut Model, [is_outside, is_lacking]: [bool; 2]) {
     let t = window::scenes::texts(model.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
-        model.document.allow_files();
+        model.desk.shown.allow_files();
         model.message = None;
     }
     if is_lacking && ui.button(window::texts(t.lang).reload).explained(t.read_again_hint).clicked() {
@@ -130,7 +130,7 @@ fn or_unsaid<T: Copy + PartialEq>(
 
 /// The inner work of texturing, in all pictures.
 fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &window::scenes::Texts) {
-    let mut chosen = model.document.figure().reveal.texture;
+    let mut chosen = model.desk.shown.figure().reveal.texture;
     let all = [
         (TextureReveal::Affine, t.texture_affine),
         (TextureReveal::Levels, t.texture_levels),
@@ -138,7 +138,7 @@ fn reveal(ui: &mut egui::Ui, model: &mut Model, t: &window::scenes::Texts) {
     ];
     let all = or_unsaid(t.texture_plain, all, chosen);
     choice_row(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
-    model.document.set(|figure| &mut figure.reveal.texture, chosen);
+    model.desk.shown.set(|figure| &mut figure.reveal.texture, chosen);
 }
 
 /// Repetitions along u and v.

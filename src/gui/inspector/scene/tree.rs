@@ -55,7 +55,7 @@ struct Dragged(String);
 /// Shows the tree, up to `height`, and returns the edits.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height: f32) -> Vec<Edit> {
     let mut edits = Vec::new();
-    let scene = model.document.figure().scene.clone();
+    let scene = model.desk.shown.figure().scene.clone();
     let rows = rows(&scene, model.scene_cache.scene(), &model.tree.folded, t);
     let selected = model.tree.selected(&scene).cloned();
     let dragged = egui::DragAndDrop::payload::<Dragged>(ui.ctx());
@@ -131,7 +131,7 @@ fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &R
     if pressed(Key::Delete) {
         match &row.what {
             Some(Selected::Object(name)) => {
-                let mut names = model.tree.names(&model.document.figure().scene);
+                let mut names = model.tree.names(&model.desk.shown.figure().scene);
                 if !names.contains(name) {
                     names = BTreeSet::from([name.clone()]);
                 }

@@ -17,11 +17,11 @@ pub struct CameraList {
 impl CameraList {
     /// Looks through one of the other cameras of the figure.
     pub(in crate::gui) fn look_through(&mut self, model: &mut Model, index: usize) {
-        model.document.commit();
-        model.document.look_through(index);
+        model.desk.commit();
+        model.desk.shown.look_through(index);
         // Its aspect is its own.
-        let camera = model.document.draft();
-        let image = model.document.figure().image;
+        let camera = model.desk.shown.draft();
+        let image = model.desk.shown.figure().image;
         let is_of_image = camera.aspect == f64::from(image.width) / f64::from(image.height);
         model.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
     }
@@ -30,29 +30,29 @@ impl CameraList {
 impl Model {
     /// Keeps the current camera in the list under a name, or one like it.
     pub(in crate::gui) fn keep_camera(&mut self, name: &str) {
-        let figure = self.document.figure();
+        let figure = self.desk.shown.figure();
         let camera = NamedCamera { name: free(figure, name), color: None, ..figure.current_camera() };
-        self.document.edit_cameras(|figure| figure.add_camera(camera));
+        self.desk.shown.edit_cameras(|figure| figure.add_camera(camera));
     }
 
     /// Makes the current camera and one more a stereo pair around it. The left one becomes the current one.
     pub(in crate::gui) fn make_stereo(&mut self, baseline: f64, convergence: Convergence) {
         let t = cameras::texts(self.settings.lang);
-        match self.document.camera().stereo(baseline, convergence) {
+        match self.desk.shown.camera().stereo(baseline, convergence) {
             Err(error) => self.say_camera_error(Err(error)),
             Ok([left, right]) => {
-                self.document.commit();
-                let name = free(self.document.figure(), t.right);
+                self.desk.commit();
+                let name = free(self.desk.shown.figure(), t.right);
                 let parameters = *right.parameters();
                 let right = NamedCamera { name, color: None, parameters, lens: None };
-                let figure = self.document.figure();
+                let figure = self.desk.shown.figure();
                 let has_it = figure.tag.name.as_deref() == Some(t.left);
                 let name = if has_it { t.left.to_owned() } else { free(figure, t.left) };
-                self.document.edit_cameras(|figure| {
+                self.desk.shown.edit_cameras(|figure| {
                     figure.tag.name = Some(name);
                     figure.add_camera(right);
                 });
-                self.document.set_camera(left);
+                self.desk.shown.set_camera(left);
             }
         }
     }

@@ -36,15 +36,15 @@ impl CompareForm {
 
 /// Ends the comparison. The views show the figure alone, framed as before.
 pub(in crate::gui) fn end(model: &mut Model) {
-    if model.document.figure().compare.is_some() {
-        model.document.edit(|figure| figure.compare = None);
-        model.document.commit();
+    if model.desk.shown.figure().compare.is_some() {
+        model.desk.shown.edit(|figure| figure.compare = None);
+        model.desk.commit();
     }
 }
 
 /// Keeps the camera of the figure as A.
 pub(in crate::gui) fn keep_as_a(model: &mut Model, camera_a: &mut Option<Arc<Figure>>) {
-    *camera_a = Some(Arc::new(model.document.figure().clone()));
+    *camera_a = Some(Arc::new(model.desk.shown.figure().clone()));
     model.say(Message::CameraKept);
 }
 
@@ -58,7 +58,7 @@ pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
     };
     if let Some(figure) = swapped {
         take(model, figure);
-        model.document.commit();
+        model.desk.commit();
     }
 }
 
@@ -68,10 +68,10 @@ pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<O
         Ok(opened) => opened.figure,
         Err(error) => return model.say(Message::File(path.to_owned(), error)),
     };
-    let is_same_scene = other.scene == model.document.figure().scene;
+    let is_same_scene = other.scene == model.desk.shown.figure().scene;
     let figure = compared_with(model, &other);
     take(model, figure);
-    model.document.commit();
+    model.desk.commit();
     model.actions.push(Action::Compare);
     if !is_same_scene {
         model.say(Message::OtherScene(path.to_owned()));
@@ -87,7 +87,7 @@ pub(in crate::gui) fn compared_with(model: &Model, other: &Figure) -> Figure {
 
 /// The figure with the convention of the window, which the figure itself lacks.
 pub(in crate::gui) fn in_window(model: &Model) -> Figure {
-    let mut figure = model.document.figure().clone();
+    let mut figure = model.desk.shown.figure().clone();
     figure.show.ndc = Some(model.settings.conventions.ndc);
     figure
 }
@@ -95,14 +95,14 @@ pub(in crate::gui) fn in_window(model: &Model) -> Figure {
 /// Takes over a figure that differs in its comparison and in the parts that belong to it.
 pub(in crate::gui) fn take(model: &mut Model, figure: Figure) {
     let Figure { camera, image, undistorted, photograph, viewport, style, reveal, world, show, compare, .. } = figure;
-    if camera != model.document.figure().camera {
+    if camera != model.desk.shown.figure().camera {
         // Only then, so that text being typed stays.
-        model.document.set_parameters(camera);
+        model.desk.shown.set_parameters(camera);
     }
-    model.document.edit(|figure| {
+    model.desk.shown.edit(|figure| {
         (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
         figure.photograph = photograph;
         (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
     });
-    *model.document.show_mut() = show;
+    *model.desk.shown.show_mut() = show;
 }

@@ -25,7 +25,7 @@ impl Model {
 
     /// Adds an object to the selected group, or to none, and selects it.
     pub(in crate::gui) fn insert(&mut self, object: ObjectSpec) {
-        let scene = &self.document.figure().scene;
+        let scene = &self.desk.shown.figure().scene;
         let parent = self.group_selected(scene);
         let name = free_name(scene, &object.name);
         let parent_from_world = parent
@@ -40,7 +40,7 @@ impl Model {
         let has_own = matches!(object.shape, None | Some(Shape::Mesh { .. } | Shape::Grid));
         let color = object.color.or_else(|| (!has_own).then(|| least_used(self.scene_cache.scene())));
         let object = ObjectSpec { name: name.clone(), parent, translate, color, ..object };
-        self.document.edit(|figure| figure.scene.objects.push(object));
+        self.desk.shown.edit(|figure| figure.scene.objects.push(object));
         self.tree.select(Some(Selected::Object(name)));
     }
 

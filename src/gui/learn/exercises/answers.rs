@@ -320,11 +320,11 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
 /// A camera as text, and the button that takes the window's camera.
 fn camera(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
     let t = sheet.t;
-    if model.document.figure().scene != sheet.exercise.subject.figure.scene {
+    if model.desk.shown.figure().scene != sheet.exercise.subject.figure.scene {
         ui.add(egui::Label::new(RichText::new(t.other_figure).weak()).wrap());
     }
     if ui.button(t.take_camera).explained(t.take_camera_hint).clicked() {
-        let set = Answer::Camera(Box::new(*model.document.camera().parameters()));
+        let set = Answer::Camera(Box::new(*model.desk.shown.camera().parameters()));
         *text = said::understood(t.lang, ask, &set);
     }
     let field = TextField::lines(text, MAX_ANSWER).refused_beyond().with(|edit| {

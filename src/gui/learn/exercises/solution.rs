@@ -89,7 +89,7 @@ pub(super) fn camera_button(ui: &mut Ui, model: &mut Model, learn: &mut Learn, s
     }
     let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
     let camera = camera.map(Box::new);
-    if camera.is_ok() && *model.document.figure() != figure::with_camera(exercise, right) {
+    if camera.is_ok() && *model.desk.shown.figure() != figure::with_camera(exercise, right) {
         model.show_figure_of_exercise(figure::with_camera(exercise, right));
     }
     learn.exercises.described = Some(Described { ask: ask.name.clone(), camera });

@@ -80,7 +80,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model, learn: &mu
 
 /// Offers the first lesson and the gallery, in one line, to first-time users. Returns a command to perform.
 pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -> Option<Command> {
-    let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
+    let is_fresh = model.desk.shown.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
     if !(learn.welcome && is_fresh) {
         return None;
     }
@@ -117,7 +117,7 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn)
 /// Offers to continue from the last time, in one line, with the lesson that was begun, an exercise, or the list of
 /// lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
-    let is_fresh = model.document.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
+    let is_fresh = model.desk.shown.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
     let next = learn.next_lesson().and_then(|place| lessons::shipped().get(place));
     let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| learn.goes_on && is_fresh) else {
         return;
@@ -306,7 +306,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
         playing.step,
         lesson.steps.len(),
         playing.may_go_on(),
-        model.document.is_changed() && playing.moving.is_none(),
+        model.desk.shown.is_changed() && playing.moving.is_none(),
     );
     let mut command = None;
     let mut go_to = None;
@@ -407,7 +407,7 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     // The preview is in the language of the fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers of the figure on the screen.
-    let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(model.desk.shown.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
         Some(report) => words::filled_from(lang, text, report),
         None => told(lang, text).to_owned(),

@@ -38,17 +38,17 @@ impl Learn {
         let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
         // Numbers that change with every frame are readable only with few digits.
         if let Ok(camera) = Camera::new(&few_digits(figure.camera)).or_else(|_| Camera::new(&figure.camera)) {
-            model.document.set_camera(camera);
+            model.desk.shown.set_camera(camera);
         }
-        *model.document.observers_mut() = figure.observers;
-        *model.document.show_mut() = figure.show;
+        *model.desk.shown.observers_mut() = figure.observers;
+        *model.desk.shown.show_mut() = figure.show;
         true
     }
 
     /// Ends the move to the step, if there is one. The step is there exactly.
     pub(in crate::gui) fn end_move(&mut self, model: &mut Model) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
-        let (now, target) = (model.document.figure(), moving.target.figure());
+        let (now, target) = (model.desk.shown.figure(), moving.target.figure());
         let is_changed = now.scene != target.scene
             || now.points != target.points
             || now.labels != target.labels
@@ -56,10 +56,10 @@ impl Learn {
         if is_changed {
             // If the figure was changed meanwhile, only the camera arrives.
             let target = moving.target.figure();
-            (*model.document.observers_mut(), *model.document.show_mut()) = (target.observers, target.show.clone());
-            model.document.set_camera(moving.target.camera().clone());
+            (*model.desk.shown.observers_mut(), *model.desk.shown.show_mut()) = (target.observers, target.show.clone());
+            model.desk.shown.set_camera(moving.target.camera().clone());
         } else {
-            model.document = *moving.target;
+            model.desk.shown = *moving.target;
         }
         true
     }

@@ -17,7 +17,7 @@ use crate::views::View;
 impl Learn {
     /// Reads the user's own lessons: those beside the one written last, the figure or the gallery's figures.
     pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>) {
-        let folders = [self.file.as_deref().and_then(Path::parent), model.document.folder(), gallery];
+        let folders = [self.file.as_deref().and_then(Path::parent), model.desk.shown.folder(), gallery];
         let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
         // A folder that can't be read has none.
         let found = folder.filter(|_| !model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
@@ -43,7 +43,7 @@ impl Learn {
 
     /// True if the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
     pub(in crate::gui) fn is_recorded(&self, model: &mut Model) -> bool {
-        let Some(path) = self.file.as_deref().filter(|_| model.document.path().is_none()) else {
+        let Some(path) = self.file.as_deref().filter(|_| model.desk.shown.path().is_none()) else {
             return false;
         };
         let Ok((lesson, _)) = files::read_lesson(path) else { return false };
@@ -57,10 +57,10 @@ impl Learn {
 
     /// The title that the user gave the figure, if no step of the lesson has it yet.
     pub(in crate::gui) fn title_to_record(&self, model: &Model, lesson: Option<&Lesson>) -> Option<Bilingual> {
-        let title = model.document.figure().title.as_ref()?;
+        let title = model.desk.shown.figure().title.as_ref()?;
         let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
-        let is_of_step = self.lesson.is_some() && model.document.saved().title.as_ref() == Some(title);
-        let is_new = !is_of_step && !model.document.has_words_of_card() && steps.all(|step| step.title != *title);
+        let is_of_step = self.lesson.is_some() && model.desk.shown.saved().title.as_ref() == Some(title);
+        let is_new = !is_of_step && !model.desk.shown.has_words_of_card() && steps.all(|step| step.title != *title);
         is_new.then(|| title.clone())
     }
 
@@ -113,7 +113,7 @@ fn added(
 /// The figure as on the screen, for a step of the lesson in a file: its files are the same from there. Those that
 /// lessons don't read are returned too.
 pub(in crate::gui) fn for_lesson(model: &mut Model, lesson: &Path) -> (Figure, Option<LeftOut>) {
-    let (figure, _) = files::for_folder(&as_shown(model), model.document.folder(), lesson.parent());
+    let (figure, _) = files::for_folder(&as_shown(model), model.desk.shown.folder(), lesson.parent());
     let folder = lesson.parent().unwrap_or(Path::new(""));
     let mut reads = FigureFiles::new(folder, FileAccess::Lesson);
     let is_lost = |name: &&str| reads.read(Wanted { path: name, named_by: None }).is_err();
@@ -127,7 +127,7 @@ pub(in crate::gui) fn as_shown(model: &mut Model) -> Figure {
     let seen = model.as_seen();
     let panel = model.settings.panels().is_shown(Side::Explain).then(|| model.explained.shown());
     let pictures = View::ALL.map(|view| model.layout.is_shown(view));
-    let figure = model.document.figure();
+    let figure = model.desk.shown.figure();
     let screen = Screen {
         pictures: Some(pictures),
         panel: Some(panel),

@@ -69,7 +69,7 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, model: &Model, learn: &Learn) -> O
     let playing = learn.lesson.as_ref()?;
     let step = playing.now()?;
     // The numbers of the figure on the screen.
-    let report = lessons::numbers_of(model.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let report = lessons::numbers_of(model.desk.shown.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let filled =
         |text| report.as_ref().map_or_else(|| told(lang, text).to_owned(), |r| words::filled_from(lang, text, r));
     let mut command = None;

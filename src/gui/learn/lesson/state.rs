@@ -1,6 +1,6 @@
 //! The lesson being played: its step, the move to it, and finished tasks.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -15,7 +15,6 @@ use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::lesson::writing::Writing;
 use crate::gui::model::Model;
 use crate::gui::model::document::Document;
-use crate::gui::model::document::source::Source;
 use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Panels;
 use crate::gui::model::message::Message;
@@ -46,8 +45,6 @@ pub struct Playing {
     pub shows_private_notes: bool,
     /// The writing of the step, in a lesson of the user's own.
     pub writing: Option<Writing>,
-    /// True if the lesson has been written since it was opened.
-    pub(in crate::gui) was_written: bool,
     /// True if a link holds the whole lesson, if it's the user's own, instead of the figure of the step.
     pub links_whole: bool,
     /// Counts the fadings of the pictures before a step.
@@ -58,8 +55,6 @@ pub struct Playing {
     pub is_cut: bool,
     /// The height of the panel, and the values that it depends on. Set by the panel.
     pub(in crate::gui) height: Option<(super::Fits, f32)>,
-    /// The documents of other steps that contain work. Each is shown again with its step.
-    pub(in crate::gui) worked_on: BTreeMap<usize, Document>,
     /// The steps whose task is done.
     done: BTreeSet<usize>,
     /// The steps whose task was skipped.
@@ -108,15 +103,6 @@ impl Playing {
         self.shows_question && self.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))))
     }
 
-    /// True if the document of a step has work in it. A step is there to be tried. Another camera, image or way of
-    /// drawing isn't marked, isn't stored, and ends with the step. The user's own objects, lights, points, labels and
-    /// titles are work, treated as in every other figure. They are marked (•), survive a crash, wait in their step
-    /// while other steps are shown, and every action that would end them asks first. Once the lesson has been written
-    /// here, every change is work, because it may become a step.
-    pub(in crate::gui) fn is_work(&self, document: &Document) -> bool {
-        if self.was_written { document.is_changed() } else { document.is_built_on() }
-    }
-
     /// Goes on with another text of the lesson, in which steps may have other places.
     pub(in crate::gui) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
         self.lesson = lesson;
@@ -158,54 +144,15 @@ impl Playing {
 }
 
 impl Learn {
-    /// True if the figure has changes that must not be lost. In a step of a lesson not all are, see `Playing::is_work`.
-    pub fn has_unsaved(&self, model: &Model) -> bool {
-        self.is_work(&model.document) || model.is_rearranged(self.lesson.is_some())
-    }
-
     /// True if "•" marks the figure in the title of the window and in its menu bar: closing the window asks about it.
     pub(in crate::gui) fn is_marked(&self, model: &Model) -> bool {
-        !self.moves_to_step() && self.has_unsaved(model) || self.unsaved_text().is_some()
-    }
-
-    fn is_work(&self, document: &Document) -> bool {
-        self.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
-    }
-
-    /// The hidden documents with changes that the window holds: figures and steps that were left, and those behind the
-    /// figure of an exercise.
-    pub fn held_documents<'a>(&'a self, model: &'a Model) -> Vec<&'a Document> {
-        let left = model.kept.iter().chain(&model.given_up).map(|(_, document)| document);
-        let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
-        let held = left.chain(of_lesson).flat_map(|document| std::iter::once(document).chain(document.behind()));
-        held.filter(|document| document.is_changed())
-            .chain(model.document.behind().filter(|document| self.is_work(document)))
-            .collect()
-    }
-
-    /// Adds the documents that wait in steps and behind figures to those that the window asks about when it's closed.
-    pub(in crate::gui) fn gather_held(&mut self, model: &mut Model) {
-        self.keep_behind(model);
-        let of_lesson = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
-        model.keep(of_lesson.into_iter().flat_map(BTreeMap::into_values).collect());
-    }
-
-    /// Keeps the work behind the figure.
-    pub(in crate::gui) fn keep_behind(&self, model: &mut Model) {
-        let mut behind = model.document.take_behind();
-        behind.retain(|document| self.is_work(document));
-        model.keep(behind);
+        !self.moves_to_step() && model.is_unsaved() || self.unsaved_text().is_some()
     }
 
     /// Keeps the work in the figure, or behind it, waiting in the step that is left.
-    pub(in crate::gui) fn leave_step(&mut self, model: &mut Model) {
-        let mut left = Some(model.document.clone());
-        while let Some(document) = left.take_if(|document| !self.is_work(document)) {
-            left = document.into_behind();
-        }
-        model.document.take_behind();
-        if let (Some(document), Some(playing)) = (left, &mut self.lesson) {
-            playing.worked_on.insert(playing.step, document);
+    pub(in crate::gui) fn leave_step(&self, model: &mut Model) {
+        if let Some(playing) = &self.lesson {
+            model.desk.leave_step(playing.step);
         }
     }
 
@@ -282,7 +229,7 @@ impl Learn {
     pub(in crate::gui) fn close_lesson(&mut self, model: &mut Model) {
         if let Some(playing) = self.lesson.take() {
             model.settings.panels.wanted = playing.panels_before.wanted;
-            model.keep(playing.worked_on.into_values().collect());
+            model.desk.leave_lesson();
         }
         self.exercises.of_lesson.clear();
         self.exercises.leave_unknown();
@@ -292,7 +239,7 @@ impl Learn {
     pub fn step_again(&mut self, model: &mut Model) {
         self.end_move(model);
         let Some(playing) = self.lesson.take() else { return };
-        let mut document = model.document.clone();
+        let mut document = model.desk.shown.clone();
         if let Some(step) = playing.now()
             && document.replace((*step.figure).clone()).is_ok()
         {
@@ -363,16 +310,16 @@ impl Learn {
         if let Some(playing) = &mut self.lesson {
             playing.shown.insert(playing.step);
         }
-        let seen = model.document.figure().observers;
-        let done = model.document.replace(Figure { observers: seen, ..after.figure });
+        let seen = model.desk.shown.figure().observers;
+        let done = model.desk.replace(Figure { observers: seen, ..after.figure });
         model.say_camera_error(done);
     }
 
     /// Shows a step and brings back the changes you tried in it, either at once or with a camera move.
-    pub(in crate::gui) fn show_step(&mut self, model: &mut Model, mut playing: Playing, step: usize, moves: bool) {
+    pub(in crate::gui) fn show_step(&mut self, model: &mut Model, playing: Playing, step: usize, moves: bool) {
         self.end_move(model);
-        let waiting = playing.worked_on.remove(&step);
         let Some(shown) = playing.lesson.steps.get(step) else { return };
+        let waiting = model.desk.take_from_step(step);
         let document = match waiting {
             Some(document) => Ok(document),
             None => Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()),
@@ -391,7 +338,7 @@ impl Learn {
         let Some(shown) = playing.lesson.steps.get(step) else { return };
         let seconds = if model.settings.reduce_motion { 0.0 } else { shown.seconds };
         let seen = model.as_seen();
-        let from = Figure { observers: seen.observers, show: seen.show, ..model.document.figure().clone() };
+        let from = Figure { observers: seen.observers, show: seen.show, ..model.desk.shown.figure().clone() };
         let from = Arc::new(from);
         let to = Arc::new(document.figure().clone());
         playing.step = step;
@@ -413,6 +360,7 @@ impl Learn {
             goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
         let tries = goal.is_some();
         self.take_over(model, document.clone());
+        model.desk.play_lesson();
         model.settings.panels.wanted = [tries && !operates, operates, model.settings.panels.wanted[2]];
         if let Some(entry) = question {
             self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
@@ -458,7 +406,7 @@ impl Learn {
         self.leave_step(model);
         let Some(mut playing) = self.lesson.take() else { return false };
         let shown = model.as_seen();
-        let from = Figure { observers: shown.observers, show: shown.show, ..model.document.figure().clone() };
+        let from = Figure { observers: shown.observers, show: shown.show, ..model.desk.shown.figure().clone() };
         let passage = Passage::new(Arc::new(from), seen);
         // The question stays open under the other figure.
         let (of_lesson, open) = (std::mem::take(&mut self.exercises.of_lesson), self.exercises.open.take());
@@ -479,19 +427,19 @@ impl Learn {
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {
             _ if playing.is_done() || playing.moving.is_some() => false,
             Some(Task::Question(_) | Task::Exercise { .. }) => self.is_answered(&playing),
-            Some(Task::Try(goal)) if !playing.has_looked_at(&model.document) => {
+            Some(Task::Try(goal)) if !playing.has_looked_at(&model.desk.shown) => {
                 // Once for each figure: pixels are counted.
                 let subject = Subject {
-                    figure: model.document.figure(),
-                    camera: model.document.camera(),
+                    figure: model.desk.shown.figure(),
+                    camera: model.desk.shown.camera(),
                     scene: model.scene_cache.scene(),
                 };
                 let goal = goal.clone();
                 // The scene of a step that has just begun is built after this.
-                let is_ready = model.scene_cache.is_of(&model.document, model.settings.theme);
+                let is_ready = model.scene_cache.is_of(&model.desk.shown, model.settings.theme);
                 if is_ready {
-                    let Figure { observers, show, .. } = model.document.figure();
-                    playing.looked_at = Some((model.document.version(), *observers, show.clone()));
+                    let Figure { observers, show, .. } = model.desk.shown.figure();
+                    playing.looked_at = Some((model.desk.shown.version(), *observers, show.clone()));
                 }
                 is_ready && goal.is_reached(subject, &mut playing.seen)
             }
@@ -517,20 +465,5 @@ impl Learn {
         let right = self.exercises.right();
         let asks = self.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
         is_open && asks.is_some_and(|asks| asks.iter().all(|ask| right.contains(ask.name.as_str())))
-    }
-}
-
-impl Model {
-    /// Keeps documents with changes until the user closes the window, which then asks about them.
-    pub(in crate::gui) fn keep(&mut self, documents: Vec<Document>) {
-        for mut document in documents {
-            let behind = document.take_behind();
-            self.kept.extend(
-                std::iter::once(document)
-                    .chain(behind)
-                    .filter(Document::is_changed)
-                    .map(|document| (Source::of(&document), document)),
-            );
-        }
     }
 }

@@ -1,7 +1,6 @@
 //! A lesson of the user's own, written in the window: its texts and those of its step as typed, the changes of its
 //! file, and undo.
 
-use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::Arc;
@@ -179,7 +178,8 @@ impl Learn {
             Ok((lesson, text)) => {
                 playing.lesson = Arc::new(lesson);
                 playing.step = playing.step.min(playing.lesson.steps.len().saturating_sub(1));
-                (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
+                playing.writing = Some(Writing::new(text, lang));
+                model.desk.write_lesson();
                 self.file = Some(path);
                 self.follow_writing();
             }
@@ -230,7 +230,8 @@ impl Learn {
         self.play(model, OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
         let lang = model.settings.lang;
         if let Some(playing) = &mut self.lesson {
-            (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
+            playing.writing = Some(Writing::new(text, lang));
+            model.desk.write_lesson();
         }
         self.follow_writing();
         if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
@@ -238,8 +239,8 @@ impl Learn {
         }
         self.file = Some(path);
         self.text_edited(0.0);
-        if model.document.figure() != &shown {
-            let done = model.document.replace(shown);
+        if model.desk.shown.figure() != &shown {
+            let done = model.desk.replace(shown);
             model.say_camera_error(done);
         }
     }
@@ -482,28 +483,21 @@ impl Learn {
     fn go_on_changed(&mut self, model: &mut Model, lesson: Lesson, change: StepChange, step: usize, then: usize) {
         self.end_move(model);
         // A step has no caption.
-        let has_caption = model.document.figure().caption != model.document.saved().caption;
+        let has_caption = model.desk.shown.figure().caption != model.desk.shown.saved().caption;
         if change == StepChange::Remove {
             self.leave_step(model);
         } else if has_caption && matches!(change, StepChange::Screen | StepChange::Another) {
-            model.keep(vec![model.document.clone()]);
+            model.desk.keep_shown();
         }
-        let Some(playing) = &mut self.lesson else { return };
-        let new_place = |place: usize| match change {
+        model.desk.move_steps(|place: usize| match change {
             StepChange::Earlier | StepChange::Later if place == step => Some(then),
             StepChange::Earlier | StepChange::Later if place == then => Some(step),
             StepChange::Another if place > step => Some(place + 1),
             StepChange::Remove if place > step => Some(place - 1),
             StepChange::Remove if place == step => None,
             _ => Some(place),
-        };
-        let mut without = Vec::new();
-        for (place, document) in std::mem::take(&mut playing.worked_on) {
-            match new_place(place) {
-                Some(place) => drop(playing.worked_on.insert(place, document)),
-                None => without.push(document),
-            }
-        }
+        });
+        let Some(playing) = &mut self.lesson else { return };
         if matches!(change, StepChange::Earlier | StepChange::Later) {
             // The step is the same, and so is the figure on the screen.
             playing.take_lesson(Arc::new(lesson));
@@ -515,7 +509,6 @@ impl Learn {
         } else {
             self.show_changed(model, lesson, then);
         }
-        model.keep(without);
     }
 
     /// Shows a step of the lesson from another text of the file. The work in steps is kept, because it's unknown to
@@ -523,8 +516,7 @@ impl Learn {
     fn play_changed(&mut self, model: &mut Model, lesson: Lesson, step: usize) {
         self.end_move(model);
         self.leave_step(model);
-        let worked_on = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
-        model.keep(worked_on.into_iter().flat_map(BTreeMap::into_values).collect());
+        model.desk.move_steps(|_| None);
         self.show_changed(model, lesson, step);
     }
 

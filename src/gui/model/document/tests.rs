@@ -87,8 +87,7 @@ fn a_scene_is_changed_until_it_is_the_saved_one_again_however_that_came() {
 fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
     let mut document = Document::new(Figure::default(), None).unwrap();
     let other = Figure::of_preset(crate::scene::Preset::Empty);
-    let shown = Figure { image: crate::camera::ImageSize { width: 9, height: 9 }, ..other.clone() };
-    let changes: [&dyn Fn(&mut Document); 10] = [
+    let changes: [&dyn Fn(&mut Document); 9] = [
         &|document| document.set_parameters(Parameters { aspect: 2.0, ..*document.draft() }),
         &|document| document.set_parameters(Parameters { near: 1e9, ..*document.draft() }),
         &|document| document.edit(|figure| figure.image.width = 7),
@@ -99,7 +98,6 @@ fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
             let saved = document.figure().clone();
             document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned(), saved, &Renamed::new());
         },
-        &|document| document.show_in_front(shown.clone()).unwrap(),
         &|document| document.operate(azimuth(1.0), Convention::RightHand).unwrap(),
         &|document| document.allow_files(),
     ];

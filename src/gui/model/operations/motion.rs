@@ -34,7 +34,7 @@ impl Model {
     /// Begins a step. It's at its end at once if motion is to be reduced, or if it leads to no camera.
     pub(in crate::gui) fn begin_motion(&mut self, freedom: Freedom, amount: f64) {
         self.finish_motion();
-        let (start, convention) = (self.document.camera().clone(), self.operations.convention);
+        let (start, convention) = (self.desk.shown.camera().clone(), self.operations.convention);
         let operation = freedom.by(amount);
         let ghost = Ghost { before: start.clone(), operation, convention };
         self.operations.last = Some(ghost.clone());
@@ -49,8 +49,8 @@ impl Model {
     /// Puts the camera at the end of the step, as one change.
     pub(in crate::gui) fn finish_motion(&mut self) {
         let Some(motion) = self.motion.take() else { return };
-        let done = self.document.operate_from(&motion.start, motion.at(1.0), motion.convention);
-        self.document.commit();
+        let done = self.desk.shown.operate_from(&motion.start, motion.at(1.0), motion.convention);
+        self.desk.commit();
         self.say_camera_error(done);
     }
 }

@@ -28,7 +28,7 @@ impl Canvas {
                 Some(change) => self.change_observer(model, pane, change),
                 None => self.fit_again(model, pane),
             }
-            let written = observer_in(&model.document.figure().observers, pane.view);
+            let written = observer_in(&model.desk.shown.figure().observers, pane.view);
             let subject = model.scene_cache.subject();
             let auto = &mut self.pictures[pane.picture].auto;
             let found = if written.is_none() { auto.observer(&pane.request, subject, moment) } else { None };
@@ -54,10 +54,10 @@ impl Canvas {
         picture.auto.forget();
         let observer = orbit::changed(request, change);
         picture.framed = observer.map(|observer| (observer, request.size));
-        orbit::set(model.document.observers_mut(), view, observer);
+        orbit::set(model.desk.shown.observers_mut(), view, observer);
         // A section has a side of its own. From another one, the world is shown in space.
         if view == View::World && matches!(change, ObserverChange::From(_)) && request.shot.look.world.section {
-            model.document.edit(|figure| figure.world.section = false);
+            model.desk.shown.edit(|figure| figure.world.section = false);
         }
     }
 
@@ -65,20 +65,20 @@ impl Canvas {
     fn fit_again(&mut self, model: &mut Model, pane: &Pane) {
         let (view, request, picture) = (pane.view, &pane.request, &mut self.pictures[pane.picture]);
         let Some((framed, _)) = picture.framed.filter(|(_, size)| *size != request.size) else { return };
-        let before = model.document.figure().observers;
+        let before = model.desk.shown.figure().observers;
         if observer_in(&before, view) != Some(framed) {
             return;
         }
         let fitted = request.fitted(&framed);
         picture.framed = fitted.map(|fitted| (fitted, request.size));
-        orbit::set(model.document.observers_mut(), view, fitted);
-        model.views.framed_again(before, model.document.figure().observers);
+        orbit::set(model.desk.shown.observers_mut(), view, fitted);
+        model.views.framed_again(before, model.desk.shown.figure().observers);
     }
 
     /// Looks at a picture from somewhere else.
     pub(in crate::gui::pictures) fn turn(&mut self, model: &mut Model, picture: usize, observer: Observer) {
         let Some(turned) = self.shot.pictures.get_mut(picture) else { return };
         turned.observer = Some(observer);
-        orbit::set(model.document.observers_mut(), turned.kind, Some(observer));
+        orbit::set(model.desk.shown.observers_mut(), turned.kind, Some(observer));
     }
 }

@@ -33,7 +33,7 @@ impl LabelDrag {
     ) -> Option<Self> {
         let label = label_at(labels, from)?.clone();
         let grip = label.center - from;
-        Some(Self { label, view, grip, before: model.document.figure().labels.clone() })
+        Some(Self { label, view, grip, before: model.desk.shown.figure().labels.clone() })
     }
 
     /// The label follows the pointer (pixels).
@@ -46,21 +46,21 @@ impl LabelDrag {
     ) {
         let by = self.label.moved_to(to + self.grip);
         label_mode.choose(Some((self.view, self.label.name.clone())));
-        if model.document.figure().labels.change(&self.label.name, self.view).by != Some(by) {
-            model.document.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
+        if model.desk.shown.figure().labels.change(&self.label.name, self.view).by != Some(by) {
+            model.desk.shown.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
             ctx.request_repaint();
         }
     }
 
     /// Puts it back in its former place.
     pub(in crate::gui::pictures) fn give_up(self, model: &mut Model) {
-        model.document.edit_labels(|labels| *labels = self.before);
+        model.desk.shown.edit_labels(|labels| *labels = self.before);
     }
 
     /// Its text, and its distance from its point.
     pub(in crate::gui::pictures) fn line(&self, model: &Model) -> String {
         let mark = model.settings.lang.mark();
-        let by = model.document.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
+        let by = model.desk.shown.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
         let [x, y] = by.to_array().map(|v| mark.number(v, 3));
         format!("{}: ({x}, {y}) em", crate::sanitize::escaped(&self.label.text))
     }
@@ -132,7 +132,7 @@ impl Canvas {
         let Some(label) = labels.iter().find(|label| label.name == name) else { return false };
         let step = if modifiers.shift { 1.0 } else { 0.25 } * label.em;
         let by = label.moved_to(label.center + DVec2::new(arrow.x, -arrow.y) * step);
-        model.document.edit_labels(|labels| labels.move_to(&name, pane.view, by));
+        model.desk.shown.edit_labels(|labels| labels.move_to(&name, pane.view, by));
         true
     }
 
@@ -166,7 +166,7 @@ impl Canvas {
 /// Puts a note at a place (pixels) of a picture, and chooses it.
 fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: DVec2) {
     label_mode.adding = false;
-    let count = model.document.figure().labels.notes.len();
+    let count = model.desk.shown.figure().labels.notes.len();
     if count >= MAX_LABELS {
         return;
     }
@@ -176,7 +176,7 @@ fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: D
     let view = matches!(at, NotePlace::Picture(_)).then_some(pane.view);
     let text = words::texts(model.settings.lang).note.to_owned();
     let note = Note { view, at, by: None, text, size: None, color: None };
-    model.document.edit_labels(|labels| labels.notes.push(note));
+    model.desk.shown.edit_labels(|labels| labels.notes.push(note));
     label_mode.choose(Some((pane.view, note_name(count))));
     label_mode.is_new = true;
 }

@@ -92,7 +92,7 @@ impl Canvas {
         (view, name): (View, &str),
         t: &Texts,
     ) {
-        let change = model.document.figure().labels.change(name, view);
+        let change = model.desk.shown.figure().labels.change(name, view);
         let (size, color) = (change.size, change.color);
         let place = self.pictures.iter().flat_map(|picture| &picture.labels).find(|label| label.name == name);
         let own = change.text.map(str::to_owned).or_else(|| place.map(|place| place.text.clone()));
@@ -106,7 +106,7 @@ impl Canvas {
                 if ui.button(text).explained(words).accessible_name(format!("{} {words}", t.size)).clicked() {
                     let next = ((now * factor).clamp(least, most) * 100.0).round() / 100.0;
                     let next = Some(next).filter(|next| (next - 1.0).abs() > 0.02);
-                    model.document.edit_labels(|labels| labels.style(name, next, color));
+                    model.desk.shown.edit_labels(|labels| labels.style(name, next, color));
                 }
             }
             ui.label(format!("{} %", model.settings.lang.mark().number(100.0 * now, 3)));
@@ -116,21 +116,21 @@ impl Canvas {
             let mut bytes = [r, g, b];
             if ui.color_edit_button_srgb(&mut bytes).accessible_name(t.color).changed() {
                 let [r, g, b] = bytes;
-                model.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
+                model.desk.shown.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
             }
         });
         ui.horizontal_wrapped(|ui| {
             let hide = if note_index(name).is_some() { t.delete } else { t.hide };
             if ui.button(hide).clicked() {
-                model.document.edit_labels(|labels| labels.hide(name));
+                model.desk.shown.edit_labels(|labels| labels.hide(name));
                 label_mode.choose(None);
             }
             if is_in_legend(name) && ui.button(t.hide_legend).explained(t.legend_hint).clicked() {
-                model.document.edit_labels(|labels| labels.hide(LEGEND));
+                model.desk.shown.edit_labels(|labels| labels.hide(LEGEND));
                 label_mode.choose(None);
             }
             if ui.button(t.automatic).explained(t.automatic_hint).clicked() {
-                model.document.edit_labels(|labels| labels.reset(name));
+                model.desk.shown.edit_labels(|labels| labels.reset(name));
                 label_mode.typed = None;
             }
         });
@@ -177,8 +177,8 @@ impl Canvas {
         label_mode.is_typing = response.has_focus() || response.lost_focus();
         if response.changed() {
             if set_text(&typed).is_ok() {
-                let view = self.renamed_in(&model.document.figure().labels, view, name);
-                model.document.edit_labels(|labels| labels.rename(name, view, &typed));
+                let view = self.renamed_in(&model.desk.shown.figure().labels, view, name);
+                model.desk.shown.edit_labels(|labels| labels.rename(name, view, &typed));
             }
             label_mode.typed = Some(typed);
         } else if let Err(error) = set_text(&typed) {
@@ -209,11 +209,11 @@ fn measures(ui: &mut Ui, model: &mut Model, t: &Texts) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(t.measures);
         for measure in Measure::ALL {
-            let is_shown = model.document.figure().labels.measures.iter().any(|shown| shown.measure == measure);
+            let is_shown = model.desk.shown.figure().labels.measures.iter().any(|shown| shown.measure == measure);
             let button = ui.add(egui::Button::new(measure.symbol()).selected(is_shown));
             if button.explained(t.measures_hint).clicked() {
                 let shown = (!is_shown).then(MeasureText::default);
-                model.document.edit_labels(|labels| labels.measure(measure, shown));
+                model.desk.shown.edit_labels(|labels| labels.measure(measure, shown));
             }
         }
     });
@@ -221,7 +221,7 @@ fn measures(ui: &mut Ui, model: &mut Model, t: &Texts) {
 
 /// The text of the chosen label, if that belongs to one of these.
 fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
-    let shown = &model.document.figure().labels.measures;
+    let shown = &model.desk.shown.figure().labels.measures;
     let measure = value(DIMENSIONS, name);
     let Some(labelled) = shown.iter().find(|labelled| Some(labelled.measure) == measure).copied() else { return };
     ui.horizontal(|ui| {
@@ -230,7 +230,7 @@ fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
             [(MeasureText::Symbol, t.symbol), (MeasureText::Value, t.value), (MeasureText::Both, t.both)]
         {
             if ui.selectable_label(labelled.shown == text, words).clicked() {
-                model.document.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
+                model.desk.shown.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
             }
         }
     });
@@ -238,7 +238,7 @@ fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
 
 /// The part for all labels.
 fn whole(ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, t: &Texts) {
-    let labels = &model.document.figure().labels;
+    let labels = &model.desk.shown.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
     if !hidden.is_empty() {
@@ -246,14 +246,14 @@ fn whole(ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, t: &Texts) 
             ui.label(t.hidden);
             for name in &hidden {
                 if ui.button(escaped(name)).explained(t.show_again).clicked() {
-                    model.document.edit_labels(|labels| labels.show(name));
+                    model.desk.shown.edit_labels(|labels| labels.show(name));
                 }
             }
         });
     }
     if ui.checkbox(&mut is_mathematics, t.mathematics).explained(t.mathematics_hint).changed() {
         let letters = if is_mathematics { Letters::Mathematics } else { Letters::Plain };
-        model.document.edit_labels(|labels| labels.letters = letters);
+        model.desk.shown.edit_labels(|labels| labels.letters = letters);
     }
     ui.horizontal_wrapped(|ui| {
         let has_room = notes < MAX_LABELS;
@@ -262,7 +262,7 @@ fn whole(ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, t: &Texts) 
             label_mode.adding ^= true;
         }
         if ui.button(t.all_automatic).explained(t.all_automatic_hint).clicked() {
-            model.document.edit_labels(|labels| labels.reset_all());
+            model.desk.shown.edit_labels(|labels| labels.reset_all());
             label_mode.typed = None;
         }
         if ui.button(t.leave).clicked() {

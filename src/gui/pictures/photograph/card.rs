@@ -36,8 +36,8 @@ impl Canvas {
             ui.set_width(WIDTH);
             drawn(ui, model, photograph, t);
             ui.separator();
-            let given = *model.document.camera().parameters();
-            let found = photograph.camera(model.document.figure().image, &given);
+            let given = *model.desk.shown.camera().parameters();
+            let found = photograph.camera(model.desk.shown.figure().image, &given);
             let scroll = ScrollArea::vertical().max_height((room.height() - 230.0).max(80.0));
             scroll.show(ui, |ui| match &found {
                 Ok(found) => account(ui, model, found),
@@ -69,7 +69,7 @@ impl Canvas {
 fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &Texts) {
     let lang = model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
-    if model.document.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
+    if model.desk.shown.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
         ui.colored_label(ui.visuals().warn_fg_color, t.beside);
     }
     ui.horizontal_wrapped(|ui| {
@@ -135,8 +135,8 @@ fn account(ui: &mut Ui, model: &Model, found: &PhotographCamera) {
 fn use_camera(model: &mut Model, found: &PhotographCamera) {
     match Camera::new(&found.parameters) {
         Ok(camera) => {
-            model.document.commit();
-            model.document.set_camera(camera);
+            model.desk.commit();
+            model.desk.shown.set_camera(camera);
         }
         Err(error) => model.say_camera_error(Err(error)),
     }

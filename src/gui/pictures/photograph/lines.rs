@@ -46,8 +46,8 @@ impl Canvas {
         if let Some(grip) = removed {
             photograph.remove(grip);
         }
-        let parameters = *model.document.camera().parameters();
-        let found = photograph.camera(model.document.figure().image, &parameters).ok();
+        let parameters = *model.desk.shown.camera().parameters();
+        let found = photograph.camera(model.desk.shown.figure().image, &parameters).ok();
         paint(ui, model, photograph, pane, &place, found.as_ref());
     }
 }

@@ -49,11 +49,11 @@ impl CameraDrag {
             return false;
         }
         match self.pans {
-            None => model.document.set_parameters(orbited(&self.start, points)),
+            None => model.desk.shown.set_parameters(orbited(&self.start, points)),
             Some(per_pixel) => {
                 let by = -pixels * per_pixel;
                 let pan = Operation::Pan { dx: by.x, dy: by.y };
-                let done = model.document.operate_from(&self.start, pan, Convention::RightHand);
+                let done = model.desk.shown.operate_from(&self.start, pan, Convention::RightHand);
                 model.say_camera_error(done);
             }
         }

@@ -30,12 +30,12 @@ impl PointDrag {
     /// The point follows the pointer (pixels).
     pub(in crate::gui::pictures) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
         let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
-        let Some(point) = model.document.figure().points.get(self.index) else { return };
+        let Some(point) = model.desk.shown.figure().points.get(self.index) else { return };
         if point.position == moved {
             return;
         }
         let name = point.name.clone();
-        if model.follow.index(&model.document.figure().points) != Some(self.index) {
+        if model.follow.index(&model.desk.shown.figure().points) != Some(self.index) {
             model.follow.choose(&name);
         }
         model.move_point(self.index, moved);
@@ -66,7 +66,7 @@ pub(in crate::gui::pictures) fn hovered(
 
 fn lines(index: usize, model: &Model) -> Vec<String> {
     let (lang, digits) = (model.settings.lang, model.settings.digits.min(6));
-    let Some(point) = model.document.figure().points.get(index) else { return Vec::new() };
+    let Some(point) = model.desk.shown.figure().points.get(index) else { return Vec::new() };
     let place = handle_drag::point(point.position, digits, lang.mark());
     vec![format!("{} = {place}", escaped(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
 }

@@ -107,7 +107,7 @@ impl Canvas {
                 return Some(Drag::Point(Box::new(held)));
             }
             let pans = !primary || modifiers.shift;
-            let held = is_own.then(|| CameraDrag::taken(request, model.document.camera(), from, pans));
+            let held = is_own.then(|| CameraDrag::taken(request, model.desk.shown.camera(), from, pans));
             return held.flatten().map(|held| Drag::Camera(Box::new(held)));
         }
         if *view == View::World && primary && is_own {
@@ -118,7 +118,7 @@ impl Canvas {
             if let Some(movable) = Movable::selected(model)
                 && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let (observer, before) = (request.observer, model.document.figure().scene.clone());
+                let (observer, before) = (request.observer, model.desk.shown.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
                 return Some(Drag::Gizmo(Box::new(held)));
             }
@@ -158,8 +158,8 @@ impl Canvas {
             Some((_, Drag::Handle(held))) => {
                 let modifiers = ui.input(|i| i.modifiers);
                 let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
-                if let Some(parameters) = moved.filter(|p| p != model.document.draft()) {
-                    model.document.set_parameters(parameters);
+                if let Some(parameters) = moved.filter(|p| p != model.desk.shown.draft()) {
+                    model.desk.shown.set_parameters(parameters);
                     ui.request_repaint();
                 }
             }
@@ -183,8 +183,8 @@ impl Canvas {
                 // If the scene can't be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
-                if model.document.figure().scene != scene {
-                    model.document.edit(|figure| figure.scene = scene);
+                if model.desk.shown.figure().scene != scene {
+                    model.desk.shown.edit(|figure| figure.scene = scene);
                     ui.request_repaint();
                 }
             }
@@ -219,11 +219,11 @@ impl Canvas {
             None => {}
             Some((picture, Drag::Orbit(pressed))) => self.turn_with(model, picture, &pressed, |pressed| pressed),
             Some((picture, Drag::Pan(pressed))) => self.turn(model, picture, pressed),
-            Some((_, Drag::Handle(held))) => model.document.set_camera(held.before),
-            Some((_, Drag::Gizmo(held))) => model.document.edit(|figure| figure.scene = held.before),
+            Some((_, Drag::Handle(held))) => model.desk.shown.set_camera(held.before),
+            Some((_, Drag::Gizmo(held))) => model.desk.shown.edit(|figure| figure.scene = held.before),
             Some((_, Drag::Point(held))) => held.give_up(model),
             Some((_, Drag::Label(held))) => held.give_up(model),
-            Some((_, Drag::Camera(held))) => model.document.set_camera(held.start),
+            Some((_, Drag::Camera(held))) => model.desk.shown.set_camera(held.start),
         }
     }
 
@@ -249,7 +249,7 @@ impl Canvas {
             }
             Some((_, Drag::Handle(held))) => {
                 self.hover.hovered = Some(held.handle);
-                let camera = model.document.camera();
+                let camera = model.desk.shown.camera();
                 let mut lines = vec![handle_drag::readout(held.handle, camera, digits, texts)];
                 status.message = match &held.stopped {
                     Some(error) => {
@@ -271,7 +271,7 @@ impl Canvas {
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
             Some((_, Drag::Camera(held))) => {
-                let camera = model.document.camera();
+                let camera = model.desk.shown.camera();
                 let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
                 status.message = handle_drag::readout(moved, camera, digits, texts);
                 ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
@@ -312,7 +312,7 @@ pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
 
 /// Length of one step of a move while the modifier is held: a tenth of D, rounded to a power of ten.
 fn snap_length(model: &Model) -> f64 {
-    power_of_ten(model.document.camera().distance() / 10.0).unwrap_or(1.0)
+    power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
 /// The transform of the selection that the gizmo changes, and the way to drag it.

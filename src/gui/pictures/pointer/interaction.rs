@@ -156,7 +156,7 @@ impl Canvas {
         if pane.view == View::Image {
             let is_own = pane.response.hover_pos().is_some_and(|place| pane.is_own(place));
             if factor != 1.0 && is_own {
-                let dolly = camera_drag::dollied(model.document.camera(), factor);
+                let dolly = camera_drag::dollied(model.desk.shown.camera(), factor);
                 model.operate(dolly);
             }
             return;
@@ -186,7 +186,7 @@ impl Canvas {
         let place = pane.response.hover_pos()?;
         let (ref request, pointer) = pane.under(place);
         let is_own = pane.is_own(place);
-        let (camera, digits) = (model.document.camera(), model.settings.digits.min(6));
+        let (camera, digits) = (model.desk.shown.camera(), model.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
         if label_mode.on {
             self.label_hover(ui, model, label_mode, pane, place, status);
@@ -363,7 +363,7 @@ impl Canvas {
 
 /// C and PF are points of the world, so the user can probe them.
 fn probed(handle: Handle, model: &Model) -> Option<Probe> {
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     match handle {
         Handle::FocalPoint => Some(Probe::Point(camera.focal_point())),
         Handle::Position | Handle::ViewUp | Handle::Near | Handle::Far => None,

@@ -18,7 +18,7 @@ pub(in crate::gui::pictures) fn hovered(request: &Request, pointer: DVec2, pane:
 
 /// Its name, and the effect of a click.
 pub(in crate::gui::pictures) fn lines(index: usize, model: &Model) -> [String; 2] {
-    let name = model.document.figure().cameras.get(index).map_or("", |other| &other.name);
+    let name = model.desk.shown.figure().cameras.get(index).map_or("", |other| &other.name);
     [escaped(name), cameras::texts(model.settings.lang).click.to_owned()]
 }
 

@@ -63,7 +63,7 @@ impl Canvas {
             return;
         };
         let Click { pick: PickRequest { request, .. }, pointer, beside } = click;
-        let scene = &model.document.figure().scene;
+        let scene = &model.desk.shown.figure().scene;
         let selected = found.object.filter(|_| selects(model)).and_then(|name| Selected::of_object(scene, &name));
         if selected.is_some() {
             model.select(selected, beside);

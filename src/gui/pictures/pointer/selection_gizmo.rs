@@ -45,7 +45,7 @@ enum MovedThing {
 impl Movable {
     /// The selection, if it can be changed.
     pub(in crate::gui) fn selected(model: &Model) -> Option<Self> {
-        let scene = &model.document.figure().scene;
+        let scene = &model.desk.shown.figure().scene;
         match model.tree.selected(scene)? {
             Selected::Object(name) => Self::objects(scene, name, model.tree.names(scene), model.tree.transforming),
             Selected::Light(index) => {

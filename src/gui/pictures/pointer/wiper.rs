@@ -50,7 +50,7 @@ impl Canvas {
             };
             let moved = wiper(ui, model, pane, compared.comparison.wiper);
             if let Some(share) = moved {
-                model.document.edit(|figure| {
+                model.desk.shown.edit(|figure| {
                     if let Some(comparison) = &mut figure.compare {
                         comparison.wiper = share;
                     }

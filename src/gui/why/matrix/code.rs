@@ -34,8 +34,8 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
 
 /// The code for the present camera, in the language of the window.
 fn written(model: &Model, explain: &Explain) -> String {
-    let camera = model.document.camera();
-    let figure = model.document.figure();
+    let camera = model.desk.shown.camera();
+    let figure = model.desk.shown.figure();
     let target = explain.code;
     if let Some(limitation) = target.limitation(camera) {
         return dialects::limitation(model.settings.lang, limitation);

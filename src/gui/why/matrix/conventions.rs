@@ -13,7 +13,7 @@ use crate::i18n::why::conventions::{Texts, finite_instead};
 /// Shows the choices. Below them come the numbers that depend on them.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
     let t = conventions::texts(model.settings.lang);
-    let camera = model.document.camera();
+    let camera = model.desk.shown.camera();
     let shown = &mut model.settings.conventions;
     let mut ndc = Some(shown.ndc);
     one(ui, t, (t.ndc, t.ndc_hint), &mut ndc, false);

@@ -67,7 +67,7 @@ const fn note_on(quantity: CameraNumber, vocabulary: Vocabulary) -> &'static str
 /// The lines of a vocabulary.
 fn words(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, vocabulary: Vocabulary) {
     let lang = model.settings.lang;
-    let (camera, image) = (model.document.camera().clone(), model.document.figure().image);
+    let (camera, image) = (model.desk.shown.camera().clone(), model.desk.shown.figure().image);
     let lines = match vocabulary.lines(&camera, image) {
         Ok(lines) => lines,
         Err(limitation) => {
@@ -110,7 +110,7 @@ fn to_perspective(ui: &mut egui::Ui, model: &mut Model, camera: &Camera) {
     let t = dialects::texts(model.settings.lang);
     if ui.button(t.to_perspective).explained(t.to_perspective_hint).clicked() {
         match camera.with_projection(Projection::Perspective) {
-            Ok(camera) => model.document.set_camera(camera),
+            Ok(camera) => model.desk.shown.set_camera(camera),
             // Impossible parameters stay in the draft, with the reason beside its fields.
             Err(_) => take(model, Parameters { projection: Projection::Perspective, ..*camera.parameters() }),
         }

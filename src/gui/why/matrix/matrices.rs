@@ -94,7 +94,7 @@ fn used_in(
     writing: Writing<'_>,
     (matrix, row, column): (Matrix, usize, usize),
 ) {
-    let points = &model.document.figure().points;
+    let points = &model.desk.shown.figure().points;
     let Some(point) = model.follow.index(points).and_then(|index| points.get(index)) else { return };
     let followed = setting.clone().with_point_seen_from_object(point.position);
     for step in forward(&followed).into_iter().filter(|step| step.by == Some(matrix)) {

@@ -36,9 +36,9 @@ pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'s
 
 /// Takes parameters over. If they have an aspect of their own, it no longer follows the image.
 pub(in crate::gui::why) fn take(model: &mut Model, parameters: Parameters) {
-    let own = parameters.window.is_none() && parameters.aspect.to_bits() != model.document.draft().aspect.to_bits();
+    let own = parameters.window.is_none() && parameters.aspect.to_bits() != model.desk.shown.draft().aspect.to_bits();
     model.settings.aspect_follows_image &= !own;
-    model.document.set_parameters(parameters);
+    model.desk.shown.set_parameters(parameters);
 }
 
 /// Shows a field for a matrix, and the camera that has it.
@@ -69,7 +69,7 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
     let Some(camera) = cameras.get(explain.pasted.camera).or(cameras.first()) else { return };
     let mut stated = stated(model, explain);
     stated.image = explain.pasted.image.or(camera.image).unwrap_or(stated.image);
-    match recognise(camera, &stated, model.document.draft()) {
+    match recognise(camera, &stated, model.desk.shown.draft()) {
         Err(error) => refused(ui, model, explain, camera, &stated, &error),
         Ok(found) => recognised(ui, model, explain, t, &found),
     }
@@ -83,12 +83,12 @@ fn take_all(model: &mut Model, explain: &Explain, cameras: &[Pasted], stated: &S
     let Some(first) = cameras.first() else { return };
     let image = explain.pasted.image.or(first.image).unwrap_or(stated.image);
     let stated = Stated { image, ..*stated };
-    let Ok(found) = recognise(first, &stated, model.document.draft()) else { return };
-    if first.image.is_some() && image != model.document.figure().image {
-        model.document.edit(|figure| figure.image = image);
+    let Ok(found) = recognise(first, &stated, model.desk.shown.draft()) else { return };
+    if first.image.is_some() && image != model.desk.shown.figure().image {
+        model.desk.shown.edit(|figure| figure.image = image);
     }
     take(model, found.best().found.parameters);
-    model.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
+    model.desk.shown.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
 }
 
 /// A choice among the cameras of a file. A text with one camera has none.
@@ -115,7 +115,7 @@ fn stated(model: &Model, explain: &Explain) -> Stated {
         by_columns: pasted.transposed,
         // That of OpenGL is the one you have if you chose none.
         ndc: (ndc != Ndc::default()).then(|| ndc.into()),
-        image: pasted.image.unwrap_or(model.document.figure().image),
+        image: pasted.image.unwrap_or(model.desk.shown.figure().image),
     }
 }
 
@@ -150,12 +150,12 @@ fn refused(
     }
     // The other way of writing matrices is the usual reason, the kind the next one.
     let turned = Stated { by_columns: !stated.by_columns, ..*stated };
-    if recognise(camera, &turned, model.document.draft()).is_ok() {
+    if recognise(camera, &turned, model.desk.shown.draft()).is_ok() {
         ui.label(dialects::texts(lang).try_transposed);
         return;
     }
     let open = Stated { kind: None, axes: None, by_columns: false, ..*stated };
-    if let Ok(found) = recognise(camera, &open, model.document.draft()) {
+    if let Ok(found) = recognise(camera, &open, model.desk.shown.draft()) {
         read_as(ui, model, explain, &[found.best().reading.kind]);
     }
 }
@@ -187,8 +187,8 @@ fn recognised(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain, t: &T
         camera_found(ui, model, &camera, &reading);
     }
     if ui.button(t.take).explained(t.take_hint).clicked() {
-        if reading.kind.has_pixels() && reading.image != model.document.figure().image {
-            model.document.edit(|figure| figure.image = reading.image);
+        if reading.kind.has_pixels() && reading.image != model.desk.shown.figure().image {
+            model.desk.shown.edit(|figure| figure.image = reading.image);
         }
         take(model, best.found.parameters);
     }
@@ -219,7 +219,7 @@ fn read_as(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, others: &[Ma
 
 /// The size of the image that K is for.
 fn image(ui: &mut egui::Ui, model: &Model, explain: &mut Explain, t: &Texts) {
-    let own = model.document.figure().image;
+    let own = model.desk.shown.figure().image;
     let old = explain.pasted.image.unwrap_or(own);
     let mut sides = [old.width, old.height].map(f64::from);
     row(ui, "m × n", t.image, t.image_hint, |ui| {
