@@ -33,13 +33,15 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     };
     let text = h.get_by_label_contains("/ 1024 × 768").accesskit_node().value().unwrap();
     assert!(near(&text), "{text} is not near {pixel}");
-    let Some(Probe::Window(point)) = h.state().state.model.probe else { panic!("{:?}", h.state().state.model.probe) };
+    let Some(Probe::Window(point)) = h.state().state.model.frame.probe else {
+        panic!("{:?}", h.state().state.model.frame.probe)
+    };
     assert!((point.x - (window.left + share.x * window.width())).abs() < 0.01 * window.width());
     assert!((point.y - (window.top - share.y * window.height())).abs() < 0.01 * window.height());
 
     h.remove_cursor();
     h.run();
-    assert_eq!(h.state().state.model.probe, None);
+    assert_eq!(h.state().state.model.frame.probe, None);
     h.hover_at(at);
     h.run();
     h.drag_at(at);
@@ -47,10 +49,10 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     h.run();
     h.remove_cursor();
     h.run();
-    assert_eq!(h.state().state.model.probe, Some(Probe::Window(point)), "a click pins it");
+    assert_eq!(h.state().state.model.frame.probe, Some(Probe::Window(point)), "a click pins it");
     h.key_press(Key::Escape);
     h.run();
-    assert_eq!(h.state().state.model.probe, None, "Esc releases it");
+    assert_eq!(h.state().state.model.frame.probe, None, "Esc releases it");
 }
 
 #[test]
@@ -74,7 +76,7 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
     let drawn = h.state().canvas.drawn();
     h.hover_at(at + vec2(2.0, -1.0));
     h.run();
-    assert_eq!(h.state().state.model.probe, Some(Probe::Point(corner)));
+    assert_eq!(h.state().state.model.frame.probe, Some(Probe::Point(corner)));
     for (after, before) in h.state().canvas.drawn().iter().zip(drawn) {
         assert_eq!(*after, before + 1);
     }
@@ -111,7 +113,11 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let at = |[i, j]: [f32; 2]| frame.min + frame.size() * vec2(i / 1024.0, j / 768.0);
     h.hover_at(at([853.33, 192.0]));
     h.run();
-    assert_eq!(h.state().state.model.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))), "its mark stands there");
+    assert_eq!(
+        h.state().state.model.frame.probe,
+        Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))),
+        "its mark stands there"
+    );
     assert!(
         h.get_all_by_label_contains(en::CANVAS.space_pixel)
             .any(|node| { node.accesskit_node().value().is_some_and(|text| text.contains("(853, 192)")) })
@@ -128,7 +134,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let narrow = Rect::from_center_size(rect.center(), vec2((height * 0.75).round(), height));
     h.hover_at(narrow.min + narrow.size() * vec2(2.5 / 3.0, 0.25));
     h.run();
-    assert_eq!(h.state().state.model.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
+    assert_eq!(h.state().state.model.frame.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
     h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
     assert!(!h.state().state.model.desk.shown.figure().undistorted);

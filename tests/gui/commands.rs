@@ -359,11 +359,11 @@ fn the_arc_of_an_operation_goes_with_its_panel() {
     let at = window.harness.get_by_label("Elevation: slider").rect().center();
     window.harness.hover_at(at);
     window.run();
-    assert!(window.state().model.hover.ghost.is_some());
+    assert!(window.state().model.frame.hover.ghost.is_some());
     window.key(Key::F9);
-    assert!(window.state().model.hover.ghost.is_none());
+    assert!(window.state().model.frame.hover.ghost.is_none());
     window.key(Key::F9);
-    assert!(window.state().model.hover.ghost.is_some(), "it is pointed at again");
+    assert!(window.state().model.frame.hover.ghost.is_some(), "it is pointed at again");
 }
 
 #[test]
@@ -393,11 +393,11 @@ fn a_parameter_that_is_pointed_at_shows_its_length_in_the_world_and_no_other_doe
         let place = window.field(field).rect().center();
         window.harness.hover_at(place);
         window.run();
-        assert_eq!(window.state().model.hover.measured, [Measured::Dimension(measure)], "{field}");
+        assert_eq!(window.state().model.frame.hover.measured, [Measured::Dimension(measure)], "{field}");
     }
     window.harness.remove_cursor();
     window.run();
-    assert!(window.state().model.hover.measured.is_empty());
+    assert!(window.state().model.frame.hover.measured.is_empty());
 }
 
 #[test]

@@ -53,7 +53,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
     // Without the card, which would end the comparison if it were closed.
     window.app_mut().state.file_flow.dialog = None;
     window.run();
-    let (place, from) = (window.state().model.picture_sizes[View::Image.index()], window.wiper().center());
+    let (place, from) = (window.state().model.frame.picture_sizes[View::Image.index()], window.wiper().center());
     window.drag(from, vec2(-100.0, 0.0), |_| {});
     let wiper = window.compared().expect("a comparison").wiper;
     assert!((wiper - (0.5 - 100.0 / f64::from(place[0]))).abs() < 0.01, "{wiper}");
@@ -153,7 +153,7 @@ fn the_numbers_at_the_pointer_are_those_of_its_side() {
     for (offset, pixel) in [(-60.0, "Pixel (3"), (60.0, "Pixel (4")] {
         window.harness.hover_at(wiper + vec2(offset, 0.0));
         window.run();
-        let said = window.state().model.probe;
+        let said = window.state().model.frame.probe;
         assert!(window.says(pixel), "{offset}: {said:?}");
     }
     window.harness.hover_at(wiper + vec2(60.0, 0.0));

@@ -137,7 +137,7 @@ fn the_probe_and_a_presentation_are_in_the_convention() {
         let vertex = places.into_iter().find_map(|at| {
             window.harness.hover_at(at);
             window.run();
-            window.state().model.probe.and_then(|probe| if let Probe::Point(p) = probe { Some(p) } else { None })
+            window.state().model.frame.probe.and_then(|probe| if let Probe::Point(p) = probe { Some(p) } else { None })
         });
         let p = vertex.expect("a vertex");
         let clip =
@@ -157,11 +157,11 @@ fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
     let export = |name: &str, ndc: Ndc| {
         let mut window = canonical(ndc);
         let path = folder.file(name);
-        let [width, height] = window.state().model.picture_sizes[View::Canonical.index()];
+        let [width, height] = window.state().model.frame.picture_sizes[View::Canonical.index()];
         let on_screen = window.pixels([width as usize, height as usize]);
         window.command_key(Key::E);
         let Some(Dialog::Export(mut export)) = window.state().file_flow.dialog.clone() else { panic!("no dialog") };
-        let (sizes, unit) = (window.state().model.picture_sizes, window.state().model.screen_scale);
+        let (sizes, unit) = (window.state().model.frame.picture_sizes, window.state().model.frame.screen_scale);
         let theme = window.state().model.settings.theme;
         (export.what, export.times, export.theme) = (Views::One(View::Canonical), Some(1), theme);
         export.fit_screen(sizes, unit);

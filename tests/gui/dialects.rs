@@ -147,7 +147,7 @@ fn an_entry_is_dragged_in_one_step_and_lights_up_what_it_moves() {
         let before = k_r_t(&window);
         let place = window.field(field).rect().center();
         window.drag(place, vec2(24.0, 0.0), |window| {
-            assert!(window.state().model.hover.measured.contains(&measured), "{field} lights {measured:?}");
+            assert!(window.state().model.frame.hover.measured.contains(&measured), "{field} lights {measured:?}");
         });
         assert_ne!(k_r_t(&window), before, "{field} moves the camera");
         window.command_key(Key::Z);

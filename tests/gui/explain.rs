@@ -93,7 +93,7 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
     for said in ["M_p_33 = −(B + F)/(B − F)", "= −(4 + 1)/(4 − 1)", "= −5/3 ≈ −1,6667"] {
         assert!(window.harness.query_by_label(said).is_some(), "{said}");
     }
-    let lit = window.state().model.hover.measured.clone();
+    let lit = window.state().model.frame.hover.measured.clone();
     assert_eq!(lit, [Measured::Dimension(Measure::Far), Measured::Dimension(Measure::Near)]);
     // With the keyboard on to the next entry, and to a symbol that is made of others.
     window.key(Key::Tab);
@@ -115,7 +115,7 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
     window.run();
     window.harness.get_by_label("W = 8/3 ≈ 2,6667").focus();
     window.run();
-    assert_eq!(window.state().model.hover.measured, [Measured::Dimension(Measure::Width)]);
+    assert_eq!(window.state().model.frame.hover.measured, [Measured::Dimension(Measure::Width)]);
     window.key(Key::Enter);
     assert!(window.harness.query_by_label("W = AH").is_some(), "(5.1)");
     window.click("H = 2");
@@ -298,14 +298,14 @@ fn the_entries_of_m_m_light_up_translation_rotation_and_scale() {
     ] {
         window.harness.get_by_label_contains(&format!("M_m, {place}:")).focus();
         window.run();
-        let mut found = window.state().model.hover.measured.clone();
+        let mut found = window.state().model.frame.hover.measured.clone();
         found.sort_by_key(|measured| format!("{measured:?}"));
         assert_eq!(found, lit, "{place}");
     }
     // A symbol of an entry lights up alone.
     window.harness.get_by_label("s_x = 1").focus();
     window.run();
-    assert_eq!(window.state().model.hover.measured, [Measured::Scale(0)]);
+    assert_eq!(window.state().model.frame.hover.measured, [Measured::Scale(0)]);
 }
 
 #[test]
@@ -326,7 +326,7 @@ fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
         window.run();
         let marked = [0, 1, 2, 3].map(|i| count(&window)[i] > before[i]);
         assert_eq!(marked, marks, "{name}");
-        assert_eq!(window.state().model.hover.measured.first(), Some(&lit));
+        assert_eq!(window.state().model.frame.hover.measured.first(), Some(&lit));
         let at = window.field(&name).rect().center();
         window.harness.get_by_label("M_m").focus();
         window.run();

@@ -56,5 +56,5 @@ fn with_a_stored_zoom_the_first_pictures_are_no_larger_than_the_window() {
     output.textures_delta.clear();
     assert_eq!(ctx.content_rect(), screen);
     let [width, height] = gui::DEFAULT_SIZE.map(|side| side as u32);
-    assert!(app.state.model.picture_sizes.iter().all(|size| size[0] <= width && size[1] <= height));
+    assert!(app.state.model.frame.picture_sizes.iter().all(|size| size[0] <= width && size[1] <= height));
 }

@@ -217,7 +217,7 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
     });
     h.get_by_label_contains("Image: ").focus();
     h.run();
-    let probe = |h: &Harness<Stage>| h.state().state.model.probe;
+    let probe = |h: &Harness<Stage>| h.state().state.model.frame.probe;
     let pixel = |h: &Harness<Stage>| match probe(h) {
         Some(Probe::Window(point)) => {
             let state = &h.state().state;

@@ -53,7 +53,7 @@ fn alt(window: &mut Window, key: Key) {
 
 /// Where the list, and where the other order, puts the object.
 fn placed(window: &Window) -> Vec<DMat4> {
-    window.state().model.explained.placed.iter().map(|placed| placed.world_from_frame).collect()
+    window.state().model.frame.placed.iter().map(|placed| placed.world_from_frame).collect()
 }
 
 #[test]
@@ -221,7 +221,7 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(window.says("No object is selected"));
     assert_eq!(symbols(&window), ["T", "R_y", "S"]);
     assert!(window.harness.get_by_label(en::ORDER.take).accesskit_node().is_disabled());
-    assert!(window.state().model.explained.placed[0].objects.is_empty(), "a cube");
+    assert!(window.state().model.frame.placed[0].objects.is_empty(), "a cube");
     for entry in ["push: save the matrix", "translate", "pop: restore it"] {
         window.click("+ Add");
         window.click(entry);
@@ -230,5 +230,5 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(placed(&window)[0].abs_diff_eq(whole, 1e-12), "what was pushed is back");
     window.click("Remove 4");
     assert!(window.says("Step 5 is a pop, and nothing was pushed before it."));
-    assert!(window.state().model.explained.placed.is_empty());
+    assert!(window.state().model.frame.placed.is_empty());
 }

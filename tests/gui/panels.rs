@@ -325,11 +325,11 @@ fn a_slider_scrubs_from_where_the_camera_is_and_springs_back() {
     let before = *window.state().model.desk.shown.draft();
     let slider = window.harness.get_by_label("Elevation: slider").rect();
     window.drag(slider.center(), vec2(slider.width() / 8.0, 0.0), |window| {
-        let ghost = window.state().model.hover.ghost.as_ref().expect("a ghost while it is held");
+        let ghost = window.state().model.frame.hover.ghost.as_ref().expect("a ghost while it is held");
         assert_eq!(*ghost.before.parameters(), before);
         assert_ne!(*window.state().model.desk.shown.draft(), before);
     });
-    assert!(window.state().model.hover.ghost.is_none());
+    assert!(window.state().model.frame.hover.ghost.is_none());
     let after = *window.state().model.desk.shown.draft();
     assert_eq!(after.focal_point, before.focal_point);
     assert_ne!(after.position, before.position);
@@ -582,7 +582,7 @@ fn a_step_of_a_button_is_shown_in_the_world_for_two_seconds() {
     let mut window = Window::new(Lang::En);
     let start = window.state().model.desk.shown.camera().clone();
     let now = |window: &Window| window.harness.ctx.input(|input| input.time);
-    let ghost = |window: &Window| window.state().model.hover.ghost.as_ref().map(|ghost| ghost.before.clone());
+    let ghost = |window: &Window| window.state().model.frame.hover.ghost.as_ref().map(|ghost| ghost.before.clone());
     let begun = now(&window);
     window.harness.get_by_label("Azimuth +").click();
     // Away from the row, which has a ghost of its own.
@@ -631,7 +631,7 @@ fn the_scale_stays_while_a_slider_is_held_and_release_fits_once_and_is_said_and_
         window.app_mut().state.model.layout.maximized = Some(View::World);
         window.app_mut().state.model.settings.reduce_motion = true;
         window.run();
-        let seen = |window: &Window| window.state().model.seen.world.expect("an observer");
+        let seen = |window: &Window| window.state().model.frame.seen.world.expect("an observer");
         let first = seen(&window);
         let t = texts(lang);
         window.click(t.dolly);

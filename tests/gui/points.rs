@@ -238,7 +238,7 @@ fn a_point_is_dragged_in_the_image_at_its_distance_and_esc_puts_it_back() {
         let (from, to) = if gives_up { (to, from) } else { (from, to) };
         h.hover_at(from);
         h.run();
-        assert_eq!(h.state().state.model.probe, Some(Probe::Point(before)));
+        assert_eq!(h.state().state.model.frame.probe, Some(Probe::Point(before)));
         h.drag_at(from);
         h.run();
         h.hover_at(to);
@@ -299,8 +299,8 @@ fn a_pinned_vertex_is_followed_from_its_card() {
     h.drag_at(at);
     h.drop_at(at);
     h.run();
-    if !matches!(h.state().state.model.probe, Some(Probe::Point(_))) {
-        panic!("{:?}", h.state().state.model.probe);
+    if !matches!(h.state().state.model.frame.probe, Some(Probe::Point(_))) {
+        panic!("{:?}", h.state().state.model.frame.probe);
     }
     h.get_by_label(en::EXPLAIN_POINT.follow).click();
     h.run();

@@ -57,7 +57,7 @@ impl Opened {
     }
 
     fn on_screen(&self, view: View) -> ([usize; 2], Vec<u8>) {
-        let size = self.window.state().model.picture_sizes[view.index()].map(|side| side as usize);
+        let size = self.window.state().model.frame.picture_sizes[view.index()].map(|side| side as usize);
         (size, self.window.pixels(size))
     }
 
@@ -65,7 +65,7 @@ impl Opened {
     fn exported(&mut self, view: View) -> Vec<u8> {
         let Self { window, folder, .. } = self;
         let path = folder.file(&format!("exported-{}.png", view.name()));
-        let (sizes, unit) = (window.state().model.picture_sizes, window.state().model.screen_scale);
+        let (sizes, unit) = (window.state().model.frame.picture_sizes, window.state().model.frame.screen_scale);
         let mut export = Export::new(sizes, unit);
         (export.what, export.times, export.theme) = (Views::One(view), Some(1), window.state().model.settings.theme);
         export.fit_screen(sizes, unit);

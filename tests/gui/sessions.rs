@@ -102,12 +102,12 @@ fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture(
     let operation = Operation::Azimuth(Angle::from_degrees(6.0));
     window.app_mut().state.model.desk.shown.operate(operation, Convention::default()).expect("a camera");
     window.run();
-    let seen = window.state().model.seen.world.expect("it is shown");
+    let seen = window.state().model.frame.seen.world.expect("it is shown");
     assert_eq!(window.state().model.desk.shown.figure().observers.world, None);
     window.crash(&folder.file("sessions"), &seen.distance.to_string());
     let window = world(&folder, true);
     assert_ne!(window.state().model.desk.shown.draft().position, Parameters::default().position);
-    assert_eq!(window.state().model.seen.world, Some(seen));
+    assert_eq!(window.state().model.frame.seen.world, Some(seen));
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn lines_at_the_top_take_a_row_each_however_often_they_are_shown() {
         let mut window = Window::new(Lang::En);
         window.harness.set_size(vec2(width, 720.0));
         window.run();
-        let picture = |window: &Window| window.state().model.picture_sizes[View::Image.index()][1] as f32;
+        let picture = |window: &Window| window.state().model.frame.picture_sizes[View::Image.index()][1] as f32;
         let whole = picture(&window);
         window.app_mut().keep_session(&sessions, false);
         window.run();

@@ -3,7 +3,6 @@
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
-use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
 #[cfg(target_arch = "wasm32")]
 use crate::gui::app::web::third_party;
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
@@ -16,8 +15,8 @@ fn third_party(_: &eframe::egui::Context) -> Option<&'static str> {
     Some(include_str!("../../../THIRD-PARTY.md"))
 }
 
-/// Shows the dialog. `first` is true when it has just been opened.
-pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, first: bool) {
+/// Shows the dialog. `first` is true when it has just been opened. False once it's closed.
+pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, first: bool) -> bool {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
     ui.label(t.about_text);
@@ -35,7 +34,5 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, file_flow: &mut FileFlow, fir
         }
     });
     ui.add_space(8.0);
-    if matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing) {
-        file_flow.dialog = Some(Dialog::About);
-    }
+    matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing)
 }

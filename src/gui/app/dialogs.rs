@@ -1,6 +1,5 @@
 //! The questions in the window.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Id, Key, Modal, RichText};
@@ -51,170 +50,34 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         (state.file_flow.preview, state.file_flow.pages) = (None, None);
         return None;
     };
-    let mut wanted = None;
     let kind = Some(dialog.kind());
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
     let dialog = if first { state.file_flow.reopened(dialog) } else { dialog };
+    let t = window::texts(state.model.settings.lang);
+    match dialog {
+        Dialog::Qr => {
+            qr::show(ctx, state, first);
+            return None;
+        }
+        Dialog::Compare(form) => {
+            let draws = state.annotations.any();
+            let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
+            // A command may have opened another one in between.
+            if state.file_flow.dialog.is_none() {
+                state.file_flow.dialog = stays.map(Dialog::Compare);
+            }
+            return None;
+        }
+        _ => {}
+    }
     // Handouts are kept for the next one. Other answers are given once.
     let is_answered_once = (!matches!(dialog, Dialog::Handout(_))).then(|| dialog.clone());
-    let t = window::texts(state.model.settings.lang);
+    let mut wanted = None;
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
-    let id = Id::unique("dialog").with(kind);
-    if dialog == Dialog::Qr {
-        qr::show(ctx, state, first);
-        return None;
-    }
-    if let Dialog::Compare(form) = dialog {
-        let draws = state.annotations.any();
-        let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
-        // A command may have opened another one in between.
-        if state.file_flow.dialog.is_none() {
-            state.file_flow.dialog = stays.map(Dialog::Compare);
-        }
-        return None;
-    }
-    let modal = Modal::new(id).frame(frame).show(ctx, |ui| {
-        let width = match &dialog {
-            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link | Dialog::Title(_) => 520.0,
-            Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
-            Dialog::Gallery => 1110.0,
-            Dialog::Lessons => lesson::LIST_WIDTH,
-            Dialog::Coach => coach::WIDTH,
-            Dialog::Search => search::WIDTH,
-            Dialog::Export(_) => export_dialog::WIDTH,
-            Dialog::Handout(_) => handout::dialog::WIDTH,
-            Dialog::Changed(_) => 480.0,
-            Dialog::Unsaved(_)
-            | Dialog::UnsavedText(_)
-            | Dialog::Path(..)
-            | Dialog::Overwrite(..)
-            | Dialog::ReadOnly(..)
-            | Dialog::Closing
-            | Dialog::Qr
-            | Dialog::Compare(_) => 380.0_f32,
-        };
-        ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
-        match dialog {
-            Dialog::Unsaved(next) => {
-                let name = state.model.figure_name();
-                text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
-                match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
-                    Pressed::Action(1) => file_flow::save(ctx, state, Some(next)),
-                    Pressed::Action(_) => file_flow::go_on(ctx, state, next),
-                    Pressed::Cancel => {}
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Unsaved(next)),
-                }
-            }
-            Dialog::UnsavedText(next) => ask_text(ui, t, state, next, first),
-            Dialog::Overwrite(purpose, path) => {
-                let names: Vec<String> =
-                    file_flow::replaced(&purpose, &path).iter().map(|path| sanitize::path(path)).collect();
-                let is_said = if names.len() > 1 { t.overwrite_several } else { t.overwrite_text };
-                text(ui, t.overwrite_title, &format!("{} {is_said}", names.join(", ")));
-                match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
-                    Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
-                    Pressed::Cancel => {}
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path)),
-                }
-            }
-            Dialog::Changed(changed) => ask_changed(ui, t, state, changed, first),
-            Dialog::ReadOnly(purpose, path, agreed) => {
-                text(ui, t.read_only_title, &format!("{} {}", sanitize::path(&path), t.read_only_text));
-                match buttons(ui, t.cancel, &[t.replace, t.save_as], first.then_some(CANCEL)) {
-                    Pressed::Action(0) => {
-                        file_flow::confirmed(ctx, state, purpose, &path, Agreed { read_only: true, ..agreed });
-                    }
-                    Pressed::Action(_) => file_flow::ask(ctx, state, purpose),
-                    Pressed::Cancel => {}
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path, agreed)),
-                }
-            }
-            Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
-            Dialog::Title(form) => match title_dialog::show(ui, t, state, form, first) {
-                Some(Answer::Save(purpose, path)) => choose_typed(ctx, state, purpose, path),
-                Some(Answer::Choose(purpose)) => file_flow::ask(ctx, state, purpose),
-                None => {}
-            },
-            Dialog::Export(mut export) => {
-                let State { model, family, export: last, file_flow, .. } = &mut *state;
-                let mut choices = Choices { family, last, preview: &mut file_flow.preview };
-                match export_dialog::show(ui, t, model, &mut choices, &mut export, first) {
-                    Pressed::Action(_) => file_flow::ask(ctx, state, Purpose::Export(export)),
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
-                    Pressed::Cancel => {}
-                }
-            }
-            Dialog::Handout(mut form) => {
-                let State { model, learn, file_flow, .. } = &mut *state;
-                match handout::dialog::show(ui, model, learn, &mut file_flow.pages, &mut form, first) {
-                    Pressed::Action(_) => file_flow::ask(ctx, state, Purpose::Handout(form)),
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Handout(form)),
-                    Pressed::Cancel => {}
-                }
-            }
-            // It has no frame.
-            Dialog::Qr => {}
-            Dialog::Lessons => {
-                if lesson::list(ui, &mut state.model, &state.learn) {
-                    state.file_flow.dialog = Some(Dialog::Lessons);
-                }
-            }
-            Dialog::Closing => {
-                text(ui, t.closing_title, t.closing_text);
-                match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {
-                    Pressed::Action(_) => file_flow::close(ctx, &mut state.file_flow),
-                    Pressed::Cancel => {}
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
-                }
-            }
-            Dialog::Help => help(ui, t, &state.model, &mut state.file_flow, first),
-            Dialog::About => about::show(ui, t, &mut state.file_flow, first),
-            Dialog::Link => link_dialog::show(ui, t, state, first),
-            Dialog::Coach => {
-                if coach::show(ui, t, &mut state.model, first) {
-                    state.file_flow.dialog = Some(Dialog::Coach);
-                }
-            }
-            // It has a window of its own.
-            Dialog::Compare(_) => {}
-            Dialog::Search => wanted = search::show(ui, state, first),
-            Dialog::Gallery => {
-                state.file_flow.dialog = Some(Dialog::Gallery);
-                if first {
-                    let beside = state.model.desk.shown.folder().map(Path::to_owned);
-                    let here = Source::of(&state.model.desk.shown);
-                    state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
-                }
-                let style = (state.model.settings.theme, state.model.settings.lang);
-                let next = match gallery::show(ui, &mut state.gallery, style, first) {
-                    None => return,
-                    Some(Chosen::Nothing) => {
-                        state.file_flow.dialog = None;
-                        return state.gallery.end();
-                    }
-                    Some(Chosen::Folder) => return file_flow::ask(ctx, state, Purpose::Folder),
-                    Some(Chosen::Open(Source::Shipped(name))) => AfterSave::Shipped(name),
-                    Some(Chosen::Open(Source::File(path))) => AfterSave::OpenPath(path),
-                };
-                state.file_flow.dialog = None;
-                state.gallery.end();
-                file_flow::begin(ctx, state, next);
-            }
-            Dialog::Delete { names, below } => {
-                ask_delete(ui, t, &mut state.model, &mut state.file_flow, (names, below), first);
-            }
-            Dialog::DeleteProgress => {
-                let words = exercise_window::texts(state.model.settings.lang);
-                text(ui, words.delete_progress, words.delete_progress_text);
-                match buttons(ui, t.cancel, &[words.delete_progress], first.then_some(CANCEL)) {
-                    Pressed::Action(_) if state.learn.exercises.file.is_some() => state.learn.exercises.forgets = true,
-                    Pressed::Action(_) => state.learn.exercises.forget(),
-                    Pressed::Cancel => {}
-                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::DeleteProgress),
-                }
-            }
-        }
+    let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
+        ui.set_width(width(&dialog).min(ui.ctx().content_rect().width() - 40.0));
+        wanted = body(ui, t, state, dialog, first);
     });
     match (&state.file_flow.dialog, is_answered_once) {
         (Some(_), _) => state.file_flow.keep_form(),
@@ -239,6 +102,250 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     wanted
 }
 
+const fn width(dialog: &Dialog) -> f32 {
+    match dialog {
+        Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link | Dialog::Title(_) => 520.0,
+        Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
+        Dialog::Gallery => 1110.0,
+        Dialog::Lessons => lesson::LIST_WIDTH,
+        Dialog::Coach => coach::WIDTH,
+        Dialog::Search => search::WIDTH,
+        Dialog::Export(_) => export_dialog::WIDTH,
+        Dialog::Handout(_) => handout::dialog::WIDTH,
+        Dialog::Changed(_) => 480.0,
+        Dialog::Unsaved(_)
+        | Dialog::UnsavedText(_)
+        | Dialog::Path(..)
+        | Dialog::Overwrite(..)
+        | Dialog::ReadOnly(..)
+        | Dialog::Closing
+        | Dialog::Qr
+        | Dialog::Compare(_) => 380.0,
+    }
+}
+
+/// The content of a dialog. One that stays open goes back into `file_flow`.
+fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog, first: bool) -> Option<Command> {
+    let ctx = &ui.ctx().clone();
+    if let Some(question) = Question::of(&dialog, t, state) {
+        match question.show(ui, t, first) {
+            Pressed::Action(button) => answer(ctx, state, dialog, button),
+            Pressed::Cancel => {}
+            Pressed::Nothing => state.file_flow.dialog = Some(dialog),
+        }
+        return None;
+    }
+    let stays = match dialog {
+        Dialog::Path(purpose, path) => {
+            ask_path(ui, t, state, purpose, path, first);
+            None
+        }
+        Dialog::Title(form) => {
+            match title_dialog::show(ui, t, state, form, first) {
+                Some(Answer::Save(purpose, path)) => choose_typed(ctx, state, purpose, path),
+                Some(Answer::Choose(purpose)) => file_flow::ask(ctx, state, purpose),
+                None => {}
+            }
+            None
+        }
+        Dialog::Export(mut export) => {
+            let State { model, family, export: last, file_flow, .. } = &mut *state;
+            let mut choices = Choices { family, last, preview: &mut file_flow.preview };
+            let pressed = export_dialog::show(ui, t, model, &mut choices, &mut export, first);
+            asked_file(ctx, state, pressed, Purpose::Export(export), Dialog::Export(export))
+        }
+        Dialog::Handout(mut form) => {
+            let State { model, learn, file_flow, .. } = &mut *state;
+            let pressed = handout::dialog::show(ui, model, learn, &mut file_flow.pages, &mut form, first);
+            asked_file(ctx, state, pressed, Purpose::Handout(form.clone()), Dialog::Handout(form))
+        }
+        Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn).then_some(Dialog::Lessons),
+        Dialog::Help => help(ui, t, &state.model, first).then_some(Dialog::Help),
+        Dialog::About => about::show(ui, t, first).then_some(Dialog::About),
+        Dialog::Link => {
+            link_dialog::show(ui, t, state, first);
+            None
+        }
+        Dialog::Coach => coach::show(ui, t, &mut state.model, first).then_some(Dialog::Coach),
+        Dialog::Search => return search::show(ui, state, first),
+        Dialog::Gallery => show_gallery(ui, state, first),
+        // They're questions, or have a window of their own.
+        _ => None,
+    };
+    // An answer may have opened another one.
+    state.file_flow.dialog = state.file_flow.dialog.take().or(stays);
+    None
+}
+
+/// Asks for the file of a form. Returns the form if it stays.
+fn asked_file(
+    ctx: &egui::Context,
+    state: &mut State,
+    pressed: Pressed,
+    purpose: Purpose,
+    form: Dialog,
+) -> Option<Dialog> {
+    match pressed {
+        Pressed::Action(_) => file_flow::ask(ctx, state, purpose),
+        Pressed::Nothing => return Some(form),
+        Pressed::Cancel => {}
+    }
+    None
+}
+
+/// The figures that one can begin with. Returns the dialog if it stays.
+fn show_gallery(ui: &mut egui::Ui, state: &mut State, first: bool) -> Option<Dialog> {
+    if first {
+        let beside = state.model.desk.shown.folder().map(Path::to_owned);
+        let here = Source::of(&state.model.desk.shown);
+        state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
+    }
+    let style = (state.model.settings.theme, state.model.settings.lang);
+    let Some(chosen) = gallery::show(ui, &mut state.gallery, style, first) else { return Some(Dialog::Gallery) };
+    let next = match chosen {
+        Chosen::Nothing => None,
+        Chosen::Folder => {
+            // It stays unless the system has no dialogs.
+            file_flow::ask(ui.ctx(), state, Purpose::Folder);
+            return Some(Dialog::Gallery);
+        }
+        Chosen::Open(Source::Shipped(name)) => Some(AfterSave::Shipped(name)),
+        Chosen::Open(Source::File(path)) => Some(AfterSave::OpenPath(path)),
+    };
+    state.gallery.end();
+    next.into_iter().for_each(|next| file_flow::begin(ui.ctx(), state, next));
+    None
+}
+
+/// A question without fields: a title, a text, and buttons.
+struct Question {
+    title: String,
+    text: String,
+    /// The reason why the question arises, if there is a fault.
+    fault: Option<String>,
+    comparison: Option<Comparison>,
+    buttons: Vec<&'static str>,
+    /// The button that Enter presses. The choice that loses nothing.
+    default: usize,
+}
+
+impl Question {
+    /// The question of a dialog, unless it has fields.
+    fn of(dialog: &Dialog, t: &'static Texts, state: &State) -> Option<Self> {
+        let lang = state.model.settings.lang;
+        let asked = |title: &str, text: String, buttons: Vec<&'static str>| Self {
+            title: title.to_owned(),
+            text,
+            fault: None,
+            comparison: None,
+            buttons,
+            default: CANCEL,
+        };
+        Some(match dialog {
+            Dialog::Unsaved(_) => {
+                let text = format!("{} {}", t.unsaved_text, state.model.figure_name());
+                Self { default: 1, ..asked(t.unsaved_title, text, vec![t.dont_save, t.save_first]) }
+            }
+            Dialog::UnsavedText(_) => {
+                let words = lessons::texts(lang);
+                let mut buttons = vec![t.dont_save];
+                buttons.extend(state.learn.has_good_text().then_some(words.save_copy));
+                let fault = state.file_flow.refused.as_ref().map(|why| why.text(lang));
+                Self { fault, ..asked(words.unsaved_text_title, words.unsaved_text.to_owned(), buttons) }
+            }
+            Dialog::Overwrite(purpose, path) => {
+                let replaced = file_flow::replaced(purpose, path);
+                let names: Vec<String> = replaced.iter().map(|path| sanitize::path(path)).collect();
+                let text = if names.len() > 1 { t.overwrite_several } else { t.overwrite_text };
+                asked(t.overwrite_title, format!("{} {text}", names.join(", ")), vec![t.replace])
+            }
+            Dialog::Changed(Changed { theirs, comparison, .. }) => {
+                let name = state.model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
+                let offers = comparison.is_none() && theirs.is_some();
+                let buttons = offers.then_some(t.compare).into_iter().chain([t.replace, t.save_as]).collect();
+                let text = format!("{name} {}", t.changed_text);
+                Self { comparison: comparison.clone(), ..asked(t.changed_title, text, buttons) }
+            }
+            Dialog::ReadOnly(_, path, _) => {
+                let text = format!("{} {}", sanitize::path(path), t.read_only_text);
+                asked(t.read_only_title, text, vec![t.replace, t.save_as])
+            }
+            Dialog::Closing => asked(t.closing_title, t.closing_text.to_owned(), vec![t.close_now]),
+            Dialog::Delete { names, below } => {
+                let words = scenes::texts(lang);
+                let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
+                let title = format!("{} {}", words.delete, sanitize::within(&listed, 120));
+                let text = format!("{} {below}", words.delete_question);
+                asked(&title, text, vec![words.delete_alone, words.delete_all])
+            }
+            Dialog::DeleteProgress => {
+                let words = exercise_window::texts(lang);
+                asked(words.delete_progress, words.delete_progress_text.to_owned(), vec![words.delete_progress])
+            }
+            _ => return None,
+        })
+    }
+
+    fn show(&self, ui: &mut egui::Ui, t: &Texts, first: bool) -> Pressed {
+        text(ui, &self.title, &self.text);
+        if let Some(fault) = &self.fault {
+            complaint(ui, fault);
+            ui.add_space(10.0);
+        }
+        if let Some(comparison) = &self.comparison {
+            compared(ui, t, comparison);
+        }
+        buttons(ui, t.cancel, &self.buttons, first.then_some(self.default))
+    }
+}
+
+/// Acts on the pressed button of a question, from 0.
+fn answer(ctx: &egui::Context, state: &mut State, dialog: Dialog, button: usize) {
+    match (dialog, button) {
+        (Dialog::Unsaved(next), 1) => file_flow::save(ctx, state, Some(next)),
+        (Dialog::Unsaved(next), _) => file_flow::go_on(ctx, state, next),
+        (Dialog::UnsavedText(next), 1) => file_flow::ask(ctx, state, Purpose::LessonText(next)),
+        (Dialog::UnsavedText(next), _) => {
+            state.learn.forget_text();
+            file_flow::begin(ctx, state, next);
+        }
+        (Dialog::Overwrite(purpose, path), _) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
+        (Dialog::Changed(changed), button) => answer_changed(ctx, state, changed, button),
+        (Dialog::ReadOnly(purpose, path, agreed), 0) => {
+            file_flow::confirmed(ctx, state, purpose, &path, Agreed { read_only: true, ..agreed });
+        }
+        (Dialog::ReadOnly(purpose, ..), _) => file_flow::ask(ctx, state, purpose),
+        (Dialog::Closing, _) => file_flow::close(ctx, &mut state.file_flow),
+        (Dialog::Delete { names, .. }, button) => {
+            let children = if button == 0 { Children::HungHigher } else { Children::Removed };
+            scene::remove(&mut state.model, &names, children);
+        }
+        (Dialog::DeleteProgress, _) if state.learn.exercises.file.is_some() => state.learn.exercises.forgets = true,
+        (Dialog::DeleteProgress, _) => state.learn.exercises.forget(),
+        // It asks no question.
+        (dialog, _) => state.file_flow.dialog = Some(dialog),
+    }
+}
+
+/// Acts on the answer about a file changed by another program. The comparison, if it's offered, is the first button.
+fn answer_changed(ctx: &egui::Context, state: &mut State, mut changed: Changed, button: usize) {
+    let offers = usize::from(changed.comparison.is_none() && changed.theirs.is_some());
+    match (button + 1).checked_sub(offers) {
+        Some(0) => {
+            let theirs = String::from_utf8_lossy(changed.theirs.as_deref().unwrap_or_default()).into_owned();
+            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(&state.model)));
+            state.file_flow.dialog = Some(Dialog::Changed(changed));
+        }
+        Some(1) => {
+            if let Some(path) = state.model.desk.shown.path().cloned() {
+                let agreed = Agreed { theirs: Some(changed.theirs), ..Agreed::default() };
+                file_flow::confirmed(ctx, state, Purpose::Save(changed.then), &path, agreed);
+            }
+        }
+        _ => file_flow::ask(ctx, state, Purpose::Save(changed.then)),
+    }
+}
+
 /// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
 fn wait_for_system(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let t = window::texts(model.settings.lang);
@@ -257,86 +364,6 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
     ui.add_space(6.0);
     ui.label(text);
     ui.add_space(10.0);
-}
-
-/// Asks about text of a lesson that can't be saved in its file.
-fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: AfterSave, first: bool) {
-    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.model.settings.lang));
-    text(ui, words.unsaved_text_title, words.unsaved_text);
-    if let Some(why) = &state.file_flow.refused {
-        complaint(ui, &why.text(state.model.settings.lang));
-        ui.add_space(10.0);
-    }
-    let actions: &[&str] = if state.learn.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
-    match buttons(ui, t.cancel, actions, first.then_some(CANCEL)) {
-        Pressed::Action(1) => file_flow::ask(&ctx, state, Purpose::LessonText(next)),
-        Pressed::Action(_) => {
-            state.learn.forget_text();
-            file_flow::begin(&ctx, state, next);
-        }
-        Pressed::Cancel => {}
-        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::UnsavedText(next)),
-    }
-}
-
-/// Asks about the children of deleted objects.
-fn ask_delete(
-    ui: &mut egui::Ui,
-    t: &'static Texts,
-    model: &mut Model,
-    file_flow: &mut FileFlow,
-    (names, below): (BTreeSet<String>, usize),
-    first: bool,
-) {
-    let words = scenes::texts(model.settings.lang);
-    let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
-    text(
-        ui,
-        &format!("{} {}", words.delete, sanitize::within(&listed, 120)),
-        &format!("{} {below}", words.delete_question),
-    );
-    let children = match buttons(ui, t.cancel, &[words.delete_alone, words.delete_all], first.then_some(CANCEL)) {
-        Pressed::Action(0) => Children::HungHigher,
-        Pressed::Action(_) => Children::Removed,
-        Pressed::Cancel => return,
-        Pressed::Nothing => {
-            file_flow.dialog = Some(Dialog::Delete { names, below });
-            return;
-        }
-    };
-    scene::remove(model, &names, children);
-}
-
-/// Asks about a file changed by another program. The choice that loses nothing is the default.
-fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
-    let name = state.model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
-    text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
-    if let Some(comparison) = &changed.comparison {
-        compared(ui, t, comparison);
-    }
-    let comparable = changed.comparison.is_none() && changed.theirs.is_some();
-    let mut actions = vec![t.replace, t.save_as];
-    if comparable {
-        actions.insert(0, t.compare);
-    }
-    let (theirs, then) = (changed.theirs.clone(), changed.then.clone());
-    let ctx = ui.ctx().clone();
-    match buttons(ui, t.cancel, &actions, first.then_some(CANCEL)) {
-        Pressed::Action(pressed) if comparable && pressed == 0 => {
-            let theirs = String::from_utf8_lossy(theirs.as_deref().unwrap_or_default()).into_owned();
-            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(&state.model)));
-            state.file_flow.dialog = Some(Dialog::Changed(changed));
-        }
-        Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),
-        Pressed::Action(_) => {
-            if let Some(path) = state.model.desk.shown.path().cloned() {
-                let agreed = Agreed { theirs: Some(theirs), ..Agreed::default() };
-                file_flow::confirmed(&ctx, state, Purpose::Save(then), &path, agreed);
-            }
-        }
-        Pressed::Cancel => {}
-        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Changed(changed)),
-    }
 }
 
 /// The differing lines: those of the file with −, those of the window with +.
@@ -424,7 +451,8 @@ fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     text_field::select(ui.ctx(), response.id, begin..end);
 }
 
-fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, file_flow: &mut FileFlow, first: bool) {
+/// Help on mouse and keyboard. False once it's closed.
+fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, first: bool) -> bool {
     let pictures = canvas::texts(model.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),
@@ -476,7 +504,5 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, file_flow: &mut Fil
         });
     });
     ui.add_space(8.0);
-    if matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing) {
-        file_flow.dialog = Some(Dialog::Help);
-    }
+    matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing)
 }

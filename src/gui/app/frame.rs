@@ -89,7 +89,7 @@ impl App {
         }
         context_help::begin(ctx);
         // The panels of this frame set the hover.
-        self.state.model.hover = PanelHover::default();
+        self.state.model.frame.hover = PanelHover::default();
         self.state.model.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         if let Some(left) = self.state.model.forget_old_news(ctx.input(|input| input.time)) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
@@ -131,7 +131,7 @@ impl App {
         motion::show_done(&ctx, &mut self.state.model);
         self.act(&ctx);
         self.state.model.follow_panels();
-        self.state.model.answered = self.state.learn.exercises.answered_camera();
+        self.state.model.frame.answered = self.state.learn.exercises.answered_camera();
         Called { of_bar, of_lesson }
     }
 

@@ -263,7 +263,7 @@ fn settings(
     choice_row(ui, t.export_size, t.export_size_hint, &mut size, &sizes);
     (export.times, export.on_paper) = size;
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
-    export.fit_screen(model.picture_sizes, model.screen_scale);
+    export.fit_screen(model.frame.picture_sizes, model.frame.screen_scale);
     // A family in multiples of the screen is larger than its figure.
     let of_family = choices.preview.as_ref().and_then(|preview| preview.size);
     let of_family = of_family.filter(|_| size.0.is_some() && choices.family.variations().is_some());

@@ -96,14 +96,14 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model, freedom: F
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     // If it's to be predicted, it isn't shown.
-    if model.hover.ghost.is_none()
+    if model.frame.hover.ghost.is_none()
         && hovered
         && !model.operations.predict.on
         && !ui.input(|input| input.pointer.any_down())
     {
         let before = model.desk.shown.camera().clone();
         let operation = stepped(freedom, model.operations.steps[freedom as usize], true);
-        model.hover.ghost = Some(Ghost { before, operation, convention: model.operations.convention });
+        model.frame.hover.ghost = Some(Ghost { before, operation, convention: model.operations.convention });
     }
 }
 
@@ -301,7 +301,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
     if response.dragged() || response.drag_stopped() {
         let convention = model.operations.convention;
         if let Some(scrub) = model.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
-            model.hover.ghost =
+            model.frame.hover.ghost =
                 Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
                 scrub.amount = amount;
@@ -315,7 +315,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, model: &mut Model, freedom: Freedom) {
             }
         }
         if response.drag_stopped() && amount != 0.0 {
-            model.operations.last = model.hover.ghost.clone();
+            model.operations.last = model.frame.hover.ghost.clone();
         }
     } else if response.changed() {
         let (before, operation) = (model.desk.shown.camera().clone(), pulled(freedom, amount));

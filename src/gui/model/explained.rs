@@ -4,10 +4,9 @@ pub mod conventions;
 pub mod matrices;
 pub mod steps;
 
-use crate::figure::{Explanation, TransformPreview};
+use crate::figure::Explanation;
 use crate::gui::model::explained::matrices::Matrices;
 use crate::gui::model::explained::steps::Steps;
-use crate::pipeline::StageReport;
 
 /// A question answered by the side of explanations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -49,14 +48,10 @@ pub struct Explained {
     question: Question,
     /// The last explanation of each question, in the order of [`Question::ALL`].
     last: [Explanation; 4],
-    /// Objects in the places where the explanation of order puts them in this frame.
-    pub placed: Vec<TransformPreview>,
     /// The explanation of matrices.
     pub matrices: Matrices,
     /// The explanation of steps.
     pub steps: Steps,
-    /// The report of the strip's picture, stage by stage. Set by the pictures while the stages are explained.
-    pub reports: Vec<StageReport>,
 }
 
 impl Explained {
@@ -92,10 +87,8 @@ impl Default for Explained {
         Self {
             question: Question::default(),
             last: [Explanation::Matrices, Explanation::Steps, Explanation::Dialects, Explanation::Exercises],
-            placed: Vec::new(),
             matrices: Matrices::default(),
             steps: Steps::default(),
-            reports: Vec::new(),
         }
     }
 }

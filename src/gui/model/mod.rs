@@ -6,6 +6,7 @@ pub mod coach;
 pub mod command;
 pub mod desk;
 pub mod document;
+pub mod exchange;
 pub mod explained;
 pub mod export_error;
 pub mod follow;
@@ -37,11 +38,11 @@ use crate::gui::model::operations::motion::Motion;
 use crate::i18n::messages::faults;
 use crate::i18n::{Lang, told, window};
 use crate::limits::MAX_NAMED_POINTS;
-use crate::views::{Probe, View};
 use action::Action;
 use coach::Coach;
 use desk::Desk;
 use document::Document;
+use exchange::Exchange;
 use explained::Explained;
 use follow::Follow;
 use layout::{Layout, ObserverChange, Panels, Side};
@@ -50,7 +51,7 @@ use operations::Operations;
 use scene_cache::SceneCache;
 use scene_tree::{SceneTree, Selected};
 use settings::Settings;
-use shown::{OpenPanels, PanelHover, SeenBy};
+use shown::SeenBy;
 
 /// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
@@ -70,34 +71,16 @@ pub struct Model {
     pub views: ViewHistory,
     /// The tree of the scene.
     pub tree: SceneTree,
-    /// Width and height of each picture on the screen, in pixels, in the order of
-    /// [`View::ALL`](crate::views::View::ALL), set by the pictures.
-    pub picture_sizes: [[u32; 2]; View::COUNT],
-    /// Pixels for one unit of stroke width in the pictures. Set by the pictures.
-    pub screen_scale: f32,
     /// True if the window is a page in a browser. There are no folders, and no window to close.
     pub in_browser: bool,
     /// The last message at the bottom of the window.
     pub message: Option<Message>,
     /// When the message was first shown, in seconds. `None` if not yet.
     shown_since: Option<f64>,
-    /// Requests an observer from the pictures, for both three-dimensional ones. They take it (`take()`) in the next
-    /// frame.
-    pub observer_change: Option<ObserverChange>,
-    /// True if no field on the screen shows the fault of the parameters, because its section is closed.
-    pub problem_out_of_sight: bool,
-    /// The hover of the panels in this frame.
-    pub hover: PanelHover,
-    /// The last observers of the pictures. `None` if they haven't been shown.
-    pub seen: Observers,
     /// The last observers found by [`as_seen`](Self::as_seen).
     pub(in crate::gui) observers_shown: Memo<SeenBy, Observers>,
-    /// The panels open in the last frame, of those that explain something in the pictures.
-    pub(in crate::gui) open_panels: OpenPanels,
     /// The layout that the figure asked for.
     pub(in crate::gui) asked_layout: Option<AskedLayout>,
-    /// The target of the pointer. Set by the pictures, shown by the panel.
-    pub probe: Option<Probe>,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
     /// The operations: their steps and signs, and the last ones done.
@@ -106,10 +89,10 @@ pub struct Model {
     pub follow: Follow,
     /// The part of the explanations that the views share.
     pub explained: Explained,
-    /// The camera that an answer describes. Set by the exercises.
-    pub answered: Option<Camera>,
     /// A running step.
     pub(in crate::gui) motion: Option<Motion>,
+    /// What the parts of the window tell each other from frame to frame.
+    pub frame: Exchange,
     /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,
 }
@@ -132,24 +115,16 @@ impl Model {
             layout: Layout::default(),
             views: ViewHistory::default(),
             tree: SceneTree::default(),
-            picture_sizes: [[640, 480]; View::COUNT],
-            screen_scale: 1.0,
             message: None,
             shown_since: None,
-            observer_change: None,
-            problem_out_of_sight: false,
-            hover: PanelHover::default(),
-            seen: Observers::default(),
             observers_shown: Memo::default(),
-            open_panels: OpenPanels::default(),
             asked_layout: None,
-            probe: None,
             coach: Coach::default(),
             operations: Operations::default(),
             follow: Follow::default(),
             explained: Explained::default(),
-            answered: None,
             motion: None,
+            frame: Exchange::default(),
             actions: Vec::new(),
         }
     }
@@ -236,7 +211,7 @@ impl Model {
 
     /// The camera that an answer describes, while it's shown, in the form of a file.
     pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
-        self.answered.clone().filter(|_| self.shows_exercises())
+        self.frame.answered.clone().filter(|_| self.shows_exercises())
     }
 
     /// Shows a message at the bottom of the window.
@@ -280,7 +255,7 @@ impl Model {
         let Figure { observers, screen, .. } = *self.desk.shown.figure();
         self.views.reset(observers);
         self.show_screen(screen);
-        self.probe = None;
+        self.frame.probe = None;
         self.message = None;
         self.actions.push(Action::ForgetFigure);
     }
@@ -306,6 +281,6 @@ impl Model {
         self.say_camera_error(shown);
         // Its objects are shown without frames and handles.
         self.tree = SceneTree::default();
-        self.observer_change = Some(ObserverChange::Fit);
+        self.frame.observer_change = Some(ObserverChange::Fit);
     }
 }

@@ -15,7 +15,7 @@ impl Model {
     pub(in crate::gui) fn object_transform(&self) -> Option<ObjectTransform> {
         let of_object = |m: &Measured| matches!(m, Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_));
         let (_, Placement { translate, rotate, scale, parent, .. }) =
-            self.hover.measured.iter().any(of_object).then(|| self.selected_placement()).flatten()?;
+            self.frame.hover.measured.iter().any(of_object).then(|| self.selected_placement()).flatten()?;
         let world_from_parent = parent.unwrap_or(DMat4::IDENTITY);
         Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
     }

@@ -50,7 +50,7 @@ impl Model {
         let look = Look { style: self.style(), ..shot.look };
         let mut show = shot.show;
         show.step = self.step_as_shown();
-        show.moved.extend_from_slice(&self.explained.placed);
+        show.moved.extend_from_slice(&self.frame.placed);
         Shot {
             look,
             ndc: self.settings.conventions.ndc,
@@ -132,8 +132,8 @@ impl Model {
 
     /// Leaves the figure's own explanations alone: closing one doesn't remove it from the figure.
     pub(in crate::gui) fn keep_what_it_explains(&mut self) {
-        let (before, now) = (self.open_panels, self.panels_now());
-        self.open_panels = OpenPanels {
+        let (before, now) = (self.frame.open_panels, self.panels_now());
+        self.frame.open_panels = OpenPanels {
             stages: before.stages && now.stages,
             painting: before.painting && now.painting,
             triangle: before.triangle && now.triangle,
@@ -153,14 +153,14 @@ impl Model {
             ..Shot::of_one(figure, &figure.scene)
         };
         for (view, observer, seen) in [
-            (View::World, &mut observers.world, self.seen.world),
-            (View::Canonical, &mut observers.canonical, self.seen.canonical),
+            (View::World, &mut observers.world, self.frame.seen.world),
+            (View::Canonical, &mut observers.canonical, self.frame.seen.canonical),
         ] {
             if observer.is_some() || !self.layout.is_shown(view) {
                 continue;
             }
-            let [width, height] = self.picture_sizes[view.index()];
-            let size = Size { width, height, scale: self.screen_scale };
+            let [width, height] = self.frame.picture_sizes[view.index()];
+            let size = Size { width, height, scale: self.frame.screen_scale };
             let labels = labels(self.settings.lang);
             let (camera, scene) = (self.desk.shown.camera(), self.scene_cache.scene());
             let own = Request::new(&shot, view, camera, scene, labels, size).observer_from(Viewpoint::default());
@@ -173,7 +173,7 @@ impl Model {
     pub(in crate::gui) fn as_seen(&mut self) -> Seen {
         let (document, figure) = (&self.desk.shown, self.desk.shown.figure());
         let shown = View::ALL.map(|view| self.layout.is_shown(view));
-        let key = (document.version(), [figure.observers, self.seen], shown, self.picture_sizes);
+        let key = (document.version(), [figure.observers, self.frame.seen], shown, self.frame.picture_sizes);
         // Framing a picture takes too long for each frame.
         let mut kept = std::mem::take(&mut self.observers_shown);
         let observers = *kept.of((key, self.settings.conventions.ndc), |_| self.observers_as_shown());
@@ -192,7 +192,7 @@ impl Model {
         let show = &self.desk.shown.figure().show;
         let answered = self.answered_camera().map(|camera| *camera.parameters());
         let ndc = Some(self.settings.conventions.ndc).filter(|ndc| *ndc != Ndc::default());
-        let moved = show.moved.iter().chain(&self.explained.placed).cloned().collect();
+        let moved = show.moved.iter().chain(&self.frame.placed).cloned().collect();
         Show { answer: answered.or(show.answer), ndc, moved, step: self.step_as_shown(), ..show.clone() }
     }
 
@@ -276,7 +276,7 @@ impl Model {
     /// `[show]` after Esc, which removes the first of these: its stage, its triangle, and then everything that no open
     /// panel shows, but a file or another window has brought.
     fn without_shown(&self) -> Option<Show> {
-        let (show, open) = (self.shown(), self.open_panels);
+        let (show, open) = (self.shown(), self.frame.open_panels);
         if show.stage.is_some() {
             return Some(Show { stage: None, stage_of: StagePicture::default(), ..show.clone() });
         }
@@ -374,7 +374,7 @@ impl Model {
             self.settings.conventions.ndc = ndc;
         }
         let now = self.panels_now();
-        let before = std::mem::replace(&mut self.open_panels, now);
+        let before = std::mem::replace(&mut self.frame.open_panels, now);
         if before.stages && !now.stages {
             self.release_stage();
         }
@@ -387,7 +387,7 @@ impl Model {
             show.triangle = None;
         }
         if before.order && !now.order {
-            self.explained.placed.clear();
+            self.frame.placed.clear();
         }
         match (before.steps, now.steps) {
             (true, false) => show.step = None,

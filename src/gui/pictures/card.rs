@@ -83,7 +83,7 @@ impl Canvas {
     ) {
         let ctx = ui.ctx();
         self.card.follow(ctx, model.pinned(), room);
-        let Some(probe) = model.probe else {
+        let Some(probe) = model.frame.probe else {
             status.note = texts.probe_hint;
             return;
         };

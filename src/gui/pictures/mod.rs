@@ -242,8 +242,8 @@ impl Canvas {
             model.say(Message::NoPhotograph(notice));
         }
         self.hover = Hover {
-            ghost: model.hover.ghost.clone(),
-            measured: model.hover.measured.clone(),
+            ghost: model.frame.hover.ghost.clone(),
+            measured: model.frame.hover.measured.clone(),
             object: model.object_transform(),
             gizmo: Movable::selected(model).map(|movable| movable.gizmo),
             ..Hover::default()
@@ -255,16 +255,16 @@ impl Canvas {
         self.pictures.iter_mut().for_each(|picture| picture.place = None);
         for pane in &panes {
             self.pictures[pane.picture].place = Some(pane.rect.rect);
-            model.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
-            model.screen_scale = pane.rect.size.scale;
+            model.frame.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
+            model.frame.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, model, &mut panes);
         let mut status = self.interact(ui, model, (label_mode, photograph), &mut inputs.placing, &panes, texts);
         self.pin_clicked(&ctx, model);
         self.take_click(&ctx, model, &mut inputs);
         self.take_probe_steps(&ctx, model, &panes);
-        model.probe = model.pinned().or(self.hover.probe);
-        model.seen = Picture::observers(&self.shot.pictures);
+        model.frame.probe = model.pinned().or(self.hover.probe);
+        model.frame.seen = Picture::observers(&self.shot.pictures);
         self.draw(ui, model, &inputs, &mut panes);
         self.decorate(ui, model, &panes, texts);
         self.axis_cross(ui, model, &panes, texts);
@@ -490,8 +490,8 @@ impl Canvas {
         let is_asked = model.shows_explanation(Explanation::Stages) && model.layout.is_shown(of);
         let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
         let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
-        if model.explained.reports != reports {
-            model.explained.reports = reports.to_vec();
+        if model.frame.reports != reports {
+            model.frame.reports = reports.to_vec();
             ctx.request_repaint();
         }
     }

@@ -41,7 +41,7 @@ pub(in crate::gui) fn show_done(ctx: &egui::Context, model: &mut Model) {
     let now = ctx.input(|input| input.time);
     let left = *done.since.get_or_insert(now) + SHOWN - now;
     if left > 0.0 && model.operations.scrub.is_none() {
-        model.hover.ghost = Some(done.ghost.clone());
+        model.frame.hover.ghost = Some(done.ghost.clone());
         ctx.request_repaint_after(Duration::from_secs_f64(left));
     } else {
         model.operations.done = None;

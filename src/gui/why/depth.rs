@@ -69,7 +69,7 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
     let lang = model.settings.lang;
     let t = words::texts(lang);
     let [near, far] = [camera.near(), camera.far()];
-    let probe = match model.probe {
+    let probe = match model.frame.probe {
         Some(Probe::Point(p)) => Some(-camera.view_point(p).z).filter(|depth| (near..=far).contains(depth)),
         Some(Probe::Window(_)) | None => None,
     };

@@ -52,7 +52,7 @@ fn colored(rgba: crate::appearance::Rgba) -> Color32 {
 /// x, y, z.
 fn shown(model: &Model, palette: Palette) -> (Vec<Shown>, bool) {
     let camera = model.desk.shown.camera();
-    let probe = match model.probe {
+    let probe = match model.frame.probe {
         Some(Probe::Point(p)) => Some(("P".to_owned(), p)),
         Some(Probe::Window(_)) | None => None,
     };

@@ -60,7 +60,7 @@ pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = words::texts(model.settings.lang);
     let selected = model.selected_placement();
-    model.explained.placed.clear();
+    model.frame.placed.clear();
     let mut order = std::mem::take(&mut explain.order);
     order.follow(own(selected.as_ref()));
     tab(ui, model, t, (&mut order, selected.as_ref()));
@@ -240,7 +240,7 @@ fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bo
         Some(Ray { origin: parent.transform_point3(axis.origin), direction })
     });
     if change.is_finite() {
-        model.explained.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
+        model.frame.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
     }
 }
 

@@ -78,7 +78,7 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         let is_room = points.len() < MAX_NAMED_POINTS;
         let add = ui.add_enabled(is_room, egui::Button::new(t.add));
         if add.explained(t.add_hint).explained_disabled(t.too_many).clicked() {
-            let at = match model.probe {
+            let at = match model.frame.probe {
                 Some(Probe::Point(p)) => p,
                 Some(Probe::Window(_)) | None => model.desk.shown.camera().focal_point(),
             };

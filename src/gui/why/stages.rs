@@ -28,7 +28,7 @@ fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
     let lang = model.settings.lang;
     ui.label(RichText::new(format!("{}: {}", t.shown, pipeline::stage(lang, stage))).strong());
     ui.label(with_titles(pipeline::purpose(lang, stage)));
-    if let Some(report) = model.explained.reports.iter().find(|report| report.stage == stage) {
+    if let Some(report) = model.frame.reports.iter().find(|report| report.stage == stage) {
         ui.label(pipeline::line(lang, report));
         if report.ran {
             ui.label(RichText::new(stages::in_and_out(t, stage)).weak());
@@ -48,7 +48,7 @@ fn list(ui: &mut Ui, t: &stages::Texts, model: &mut Model) {
     let lang = model.settings.lang;
     for (i, stage) in Stage::ALL.into_iter().enumerate() {
         let name = pipeline::stage(lang, stage);
-        let report = model.explained.reports.iter().find(|report| report.stage == stage);
+        let report = model.frame.reports.iter().find(|report| report.stage == stage);
         let text = RichText::new(format!("{}. {name}", i + 1));
         let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
         let button = egui::Button::selectable(model.shown_stage() == Some(stage), text);

@@ -127,7 +127,7 @@ fn matrices_of(
                 let name = Both { latex: format!("m_{{{place}}}"), text };
                 let entry = (&formulas[row][column], values[row][column]);
                 let lit = answer::show(ui, writing, &name, entry, &mut model.explained.matrices);
-                model.hover.measured.extend(answer::lights(entry.0, lit));
+                model.frame.hover.measured.extend(answer::lights(entry.0, lit));
             } else {
                 ui.label(RichText::new(words::texts(lang).click_an_entry).small().weak());
             }

@@ -61,7 +61,7 @@ macro_rules! row {
         .on(|s| s.model.layout.arrangement == $arrangement)
     };
     (look $change:expr, $keys:expr, $label:ident, $hint:ident) => {
-        row!(Observe($change), $keys, $label, $hint, |s, _| s.model.observer_change = Some($change))
+        row!(Observe($change), $keys, $label, $hint, |s, _| s.model.frame.observer_change = Some($change))
     };
     ($command:expr, $keys:expr, $label:ident, $hint:ident, $run:expr) => {
         Row::new($command, $keys, |t| (t.$label, t.$hint), $run)
@@ -468,7 +468,7 @@ fn show_export(state: &mut State) {
     if state.exported_of.replace(displayed) != Some(displayed) {
         state.export.what = displayed;
     }
-    state.export.fit_screen(state.model.picture_sizes, state.model.screen_scale);
+    state.export.fit_screen(state.model.frame.picture_sizes, state.model.frame.screen_scale);
     show_dialog(state, Dialog::Export(state.export));
 }
 

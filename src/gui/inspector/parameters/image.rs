@@ -45,7 +45,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
         if model.settings.aspect_follows_image && model.desk.shown.draft().window.is_none() {
             symbols.push(Symbol::Aspect);
         }
-        point_at(ui, &mut model.hover.pointed, size.response.rect, &symbols);
+        point_at(ui, &mut model.frame.hover.pointed, size.response.rect, &symbols);
         complain(ui, t.lang, &size.inner);
         let size = ImageSize { width: whole(m), height: whole(n) };
         model.desk.shown.set(|figure| &mut figure.image, size);
@@ -116,7 +116,7 @@ fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
                     [field(of[0].1).show(ui, t, first), field(of[1].1).show(ui, t, second)]
                 })
             });
-            point_at(ui, &mut model.hover.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
+            point_at(ui, &mut model.frame.hover.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
             complain(ui, t.lang, &pair.inner);
         };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];

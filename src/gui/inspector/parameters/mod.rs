@@ -84,16 +84,16 @@ fn tabs(ui: &mut egui::Ui, model: &mut Model) {
 
 fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
     let mut form = ParameterForm::new(model);
-    if form.error.is_some() && model.problem_out_of_sight {
+    if form.error.is_some() && model.frame.problem_out_of_sight {
         form.problem(ui);
         form.said = false;
     }
     camera::placement(ui, &mut form);
     camera::projection(ui, &mut form, model);
     camera::window(ui, &mut form);
-    model.hover.measured = form.measured;
-    model.hover.pointed = form.pointed;
-    model.problem_out_of_sight = form.error.is_some() && !form.said;
+    model.frame.hover.measured = form.measured;
+    model.frame.hover.pointed = form.pointed;
+    model.frame.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
         Some(camera) => model.desk.shown.set_camera(camera),
         None => model.desk.shown.set_parameters(form.parameters),

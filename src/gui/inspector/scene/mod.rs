@@ -226,8 +226,8 @@ impl SceneForm {
 
     /// Takes the scene over if it's possible. Otherwise the fields keep it, and the figure keeps the last possible one.
     fn finish(self, model: &mut Model) {
-        model.hover.measured.extend_from_slice(&self.measured);
-        model.hover.pointed.extend_from_slice(&self.pointed);
+        model.frame.hover.measured.extend_from_slice(&self.measured);
+        model.frame.hover.pointed.extend_from_slice(&self.pointed);
         if self.scene == self.base {
             model.tree.draft = None;
             return;

@@ -14,7 +14,7 @@ use crate::views::{View, observer_in};
 impl Canvas {
     /// Decides the observers of the three-dimensional pictures in this frame.
     pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model: &mut Model, panes: &mut [Pane]) {
-        let wanted = model.observer_change.take();
+        let wanted = model.frame.observer_change.take();
         let asked = self.asked.take();
         let moment = Moment {
             now: ui.input(|input| input.time),

@@ -189,13 +189,13 @@ fn light(model: &mut Model, quantity: CameraNumber) {
         CameraNumber::PrincipalPoint(_) => &[Symbol::Bottom, Symbol::Top],
         CameraNumber::Translation(c) => {
             // u · C, v · C and n · C, but for their signs.
-            model.hover.measured.push(Measured::OriginAlong(c.index()));
+            model.frame.hover.measured.push(Measured::OriginAlong(c.index()));
             &[]
         }
         CameraNumber::Direction(_) | CameraNumber::Fixed => &[],
     };
-    model.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
-    model.hover.pointed.extend_from_slice(symbols);
+    model.frame.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
+    model.frame.hover.pointed.extend_from_slice(symbols);
 }
 
 /// A number: a field, or a label if it can't be set.

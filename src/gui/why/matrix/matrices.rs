@@ -78,7 +78,7 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Exp
         prose::show(ui, &why);
     }
     used_in(ui, model, &setting, writing, (matrix, row, column));
-    model.hover.measured.extend(lights);
+    model.frame.hover.measured.extend(lights);
 }
 
 /// The note on the equation in force. If there is none, on the matrix.
@@ -207,7 +207,7 @@ pub(in crate::gui::why) fn cells(
     values: &[[f64; 4]; 4],
     glow: impl Fn([usize; 2]) -> f64,
 ) -> [[Cell; 4]; 4] {
-    let pointed = &model.hover.pointed;
+    let pointed = &model.frame.hover.pointed;
     let depends = |formula: &Formula| {
         !pointed.is_empty() && leaves(formula, writing.setting).iter().any(|symbol| pointed.contains(symbol))
     };
