@@ -1,6 +1,6 @@
 //! Cameras for tests, and numbers that should be equal but for rounding.
 
-use camera_lab::camera::{Camera, Convention, Operation, Parameters};
+use camera_lab_engine::camera::{Camera, Convention, Operation, Parameters};
 use glam::{DMat4, DVec3};
 
 /// The default camera with some parameters changed.

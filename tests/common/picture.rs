@@ -22,18 +22,16 @@ pub(crate) fn assert_picture(name: &str, pixmap: &Pixmap) {
     assert_same(name, pixmap.width(), pixmap.height(), pixmap.data());
 }
 
-/// Holds a finished picture against `tests/images/NAME.png`.
+/// The same for straight bytes: premultiplied RGBA, rows from the top.
 #[track_caller]
-pub(crate) fn assert_rendered(name: &str, picture: &camera_lab::picture::Pixels) {
-    assert_same(name, picture.width(), picture.height(), picture.rgba());
-}
-
-#[track_caller]
-fn assert_same(name: &str, width: u32, height: u32, premultiplied: &[u8]) {
+pub(crate) fn assert_same(name: &str, width: u32, height: u32, premultiplied: &[u8]) {
     let color = |p: &[u8; 4]| PremultipliedColorU8::from_rgba(p[0], p[1], p[2], p[3]).expect("premultiplied");
     let (pixels, _) = premultiplied.as_chunks::<4>();
     let actual = Picture { width, height, rgba: pixels.iter().flat_map(|p| straight(color(p).demultiply())).collect() };
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/images");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // The root of the workspace.
+    let root = own.ancestors().find(|folder| folder.join("Cargo.lock").exists()).unwrap_or(own);
+    let folder = root.join("tests/images");
     let path = folder.join(format!("{name}.png"));
     let strip = folder.join(format!("{name}.diff.png"));
     if std::env::var_os("UPDATE_IMAGES").is_some() {
@@ -88,12 +86,4 @@ fn write(path: &PathBuf, picture: &Picture) {
     encoder.set_compression(png::Compression::High);
     let mut writer = encoder.write_header().expect("a header");
     writer.write_image_data(&picture.rgba).expect("the pixels");
-}
-
-/// A small PNG with the text of a figure in it, and nothing else.
-pub(crate) fn png_with(text: &str) -> Vec<u8> {
-    use camera_lab::export::png;
-    use camera_lab::progress::{Progress, at_once};
-    let pixmap = Pixmap::new(2, 2).expect("two by two");
-    at_once(png::encode(pixmap, text, None, None, &Progress::default())).expect("encoded")
 }

@@ -16,7 +16,7 @@ use camera_lab::i18n::why::code as texts;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 
-use super::camera_properties::plain_camera;
+use crate::common::any_camera::plain_camera;
 use crate::common::camera::camera;
 use crate::common::program::Bench;
 

@@ -1,8 +1,8 @@
 //! Files of strangers: what they may say in a message, what they may reach, and how much they may cost.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use crate::common::picture::png_with;
 use crate::common::program::{Bench, Run};
+use crate::common::rendered::png_with;
 
 /// Every language of the messages.
 const LANGS: [&str; 2] = ["en", "pt-BR"];

@@ -13,7 +13,7 @@ use camera_lab::numerics::reference::Reference;
 use glam::{DMat4, DVec3, DVec4, dcamera::rh::proj};
 use proptest::prelude::*;
 
-use super::camera_properties::any_camera;
+use crate::common::any_camera::any_camera;
 use crate::common::camera::{camera, rows};
 use crate::common::program::Bench;
 

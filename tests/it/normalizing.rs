@@ -17,7 +17,7 @@ use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 
-use super::camera_properties::plain_camera;
+use crate::common::any_camera::plain_camera;
 use crate::common::program::Bench;
 
 fn product(camera: &Camera, decomposition: Decomposition) -> Option<DMat4> {

@@ -10,7 +10,7 @@ use camera_lab::explain::vocabulary::Vocabulary;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 
-use super::camera_properties::plain_camera;
+use crate::common::any_camera::plain_camera;
 use crate::common::program::Bench;
 
 /// `matrix_local` of the camera of Blender's default scene, which has no parent: so it is its `matrix_world`.

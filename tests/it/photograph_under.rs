@@ -10,8 +10,8 @@ use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, Photograph, update};
 use camera_lab::views::Palette;
 
-use crate::common::picture::png_with;
 use crate::common::program::Bench;
+use crate::common::rendered::png_with;
 
 /// The halves of the photograph.
 const LEFT: [u8; 3] = [250, 10, 200];

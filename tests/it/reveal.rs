@@ -581,7 +581,7 @@ fn divided_before_clipping() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, ..super::pipeline_plan::reproducible(1) })]
+    #![proptest_config(ProptestConfig { cases: 40, ..crate::common::any_scene::reproducible(1) })]
 
     #[test]
     fn from_anywhere_the_plan_changes_no_pixel(

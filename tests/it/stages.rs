@@ -8,7 +8,7 @@ use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 
-use crate::common::picture::assert_rendered;
+use crate::common::rendered::assert_rendered;
 
 const SIZE: Size = Size { width: 160, height: 120, scale: 1.0 };
 const LIGHT: &str = "[[scene.lights]]\nkind = \"directional\"\ndirection = [-1, -1.2, -1.6]\n";

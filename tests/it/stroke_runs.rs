@@ -16,7 +16,7 @@ use camera_lab::scene::{Line, Object, ObjectPaint, Scene, no_files, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 
-use super::pipeline::{cube, object, shading};
+use crate::common::scenes::{cube, object, shading};
 
 const TARGET: Target = Target { width: 320, height: 240, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
 /// Of the depth test, which looks at pixels: what is hidden by less than two of them is seen, and a little for the

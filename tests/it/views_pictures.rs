@@ -14,7 +14,8 @@ use camera_lab::views::{self, View};
 use glam::{DVec2, DVec3};
 use tiny_skia::Pixmap;
 
-use crate::common::picture::{assert_picture, assert_rendered};
+use crate::common::picture::assert_picture;
+use crate::common::rendered::assert_rendered;
 use crate::views::{Pictured, draw, figure};
 
 fn paint(drawing: &Drawing) -> Pixmap {

@@ -1,0 +1,152 @@
+//! Mesh files of all kinds: what they have in common. What OBJ and glTF files become, and how broken ones are refused,
+//! is beside this.
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use camera_lab_engine::appearance::{Rgba, Style, Theme};
+use camera_lab_engine::scene::{
+    Mesh, MeshError, MeshFiles, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
+    build_with, no_files, primitives,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+
+use super::meshes_gltf::{embedded, glb, gltf_sphere};
+
+pub(super) type Folder = BTreeMap<&'static str, Vec<u8>>;
+
+pub(super) fn folder<const N: usize>(files: [(&'static str, &[u8]); N]) -> Folder {
+    files.into_iter().map(|(name, bytes)| (name, bytes.to_vec())).collect()
+}
+
+pub(super) fn spec(path: &str) -> SceneSpec {
+    let mesh = ObjectSpec::new("m", Shape::Mesh { path: path.to_owned() });
+    SceneSpec { preset: Preset::Empty, objects: vec![mesh], lights: vec![] }
+}
+
+pub(super) fn load_spec(spec: &SceneSpec, files: &Folder) -> Result<Scene, SceneError> {
+    let mut read = |wanted: Wanted<'_>| files.get(wanted.path).cloned().map_or_else(|| no_files(wanted), Ok);
+    build_with(spec, &Style::default(), &mut read, &mut MeshFiles::default())
+}
+
+pub(super) fn load(path: &str, files: &Folder) -> Result<Scene, MeshError> {
+    load_spec(&spec(path), files).map_err(|error| match error {
+        SceneError::Mesh { name, error, .. } => {
+            assert_eq!(name, "m");
+            error
+        }
+        other => panic!("{other}"),
+    })
+}
+
+pub(super) fn obj(text: &str) -> Result<Scene, MeshError> {
+    load("m.obj", &folder([("m.obj", text.as_bytes())]))
+}
+
+pub(super) fn only(scene: &Scene) -> &Object {
+    assert_eq!(scene.objects.len(), 1);
+    &scene.objects[0]
+}
+
+pub(super) fn color(object: &Object) -> Rgba {
+    match object.paint {
+        ObjectPaint::Solid(color) => color,
+        _ => panic!("no solid paint"),
+    }
+}
+
+/// The sum of the areas of the triangles, and of the parts of it that look along each axis.
+pub(super) fn area(mesh: &Mesh) -> (f64, DVec3) {
+    let doubled = mesh.triangles.iter().map(|t| {
+        let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
+        (b - a).cross(c - a)
+    });
+    doubled.fold((0.0, DVec3::ZERO), |(sum, total), d| (sum + d.length() / 2.0, total + d / 2.0))
+}
+
+pub(super) const CUBE: &str = "\
+# a cube
+v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1
+f 1 5 7 3\nf 2 4 8 6\nf 1 2 6 5\nf 3 7 8 4\nf 1 3 4 2\nf 5 6 8 7
+";
+
+#[test]
+fn a_file_that_many_objects_use_is_read_once_and_kept_between_builds() {
+    let mut two = spec("m.obj");
+    two.objects.push(ObjectSpec::new("n", Shape::Mesh { path: "m.obj".into() }).at(5.0, 0.0, 0.0));
+    let mut reads = 0;
+    let mut read = |_: Wanted<'_>| {
+        reads += 1;
+        Ok(CUBE.as_bytes().to_vec())
+    };
+    let dark = Style { theme: Theme::Dark, ..Style::default() };
+    let mut files = MeshFiles::default();
+    let first = build_with(&two, &Style::default(), &mut read, &mut files).unwrap();
+    let second = build_with(&two, &dark, &mut read, &mut files).unwrap();
+    assert!(std::sync::Arc::ptr_eq(&first.objects[0].mesh, &second.objects[1].mesh));
+    // Once the scene does without it, it is forgotten.
+    build_with(&SceneSpec::default(), &dark, &mut read, &mut files).unwrap();
+    build_with(&two, &dark, &mut read, &mut files).unwrap();
+    assert_eq!(reads, 2);
+}
+
+#[test]
+fn a_hundred_thousand_triangles_come_through_whole() {
+    let sphere = primitives::sphere(320);
+    let mut text = String::new();
+    for p in &sphere.positions {
+        writeln!(text, "v {} {} {}", p.x, p.y, p.z).unwrap();
+    }
+    for t in &sphere.triangles {
+        writeln!(text, "f {} {} {}", t[0] + 1, t[1] + 1, t[2] + 1).unwrap();
+    }
+    let scene = obj(&text).unwrap();
+    let mesh = &only(&scene).mesh;
+    assert_eq!((mesh.triangles.len(), mesh.positions.len()), (sphere.triangles.len(), sphere.positions.len()));
+    assert!(mesh.closed && mesh.triangles.len() > 100_000);
+    assert_eq!(mesh.edges.len(), sphere.triangles.len() * 3 / 2);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Whatever the bytes: a scene or an error, no panic, and only finite numbers and indices in range.
+    #[test]
+    fn damaged_files_do_no_harm(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        cut in any::<prop::sample::Index>(),
+        which in 0..4_usize,
+        cut_it in any::<bool>(),
+    ) {
+        let (json, bytes) = gltf_sphere("");
+        let obj = format!("mtllib m.mtl\nvn 0 0 1\nvt 0 0\nusemtl a\n{CUBE}f 1/1/1 2/1/1 3/1/1\nf -1 -2 -3\nl 1 2 3\n");
+        let (name, mut damaged) = match which {
+            0 => ("m.obj", obj.into_bytes()),
+            1 => ("m.gltf", embedded().into_bytes()),
+            2 => ("m.glb", glb(&json, &bytes)),
+            _ => ("m.mtl", b"newmtl a\nKd 1 0 0\nd 0.5\nKa 1 1 1\nNs 5\nillum 2\nmap_Kd x.png\n".to_vec()),
+        };
+        for (at, byte) in edits {
+            let at = at.index(damaged.len());
+            damaged[at] = byte;
+        }
+        if cut_it {
+            damaged.truncate(cut.index(damaged.len()));
+        }
+        let mut files = folder([("m.obj", b"mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
+        files.insert(name, damaged);
+        let path = if name == "m.mtl" { "m.obj" } else { name };
+        if let Ok(scene) = load_spec(&spec(path), &files) {
+            for o in &scene.objects {
+                prop_assert!(o.world_from_object.is_finite());
+                prop_assert_eq!(o.mesh.normals.len(), o.mesh.positions.len());
+                prop_assert!(o.mesh.positions.iter().all(|p| p.is_finite()));
+                prop_assert!(o.mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-9));
+                prop_assert!(o.mesh.triangles.iter().flatten().all(|&i| (i as usize) < o.mesh.positions.len()));
+                prop_assert!(o.mesh.edges.iter().flatten().all(|&i| (i as usize) < o.mesh.positions.len()));
+            }
+        }
+    }
+}
