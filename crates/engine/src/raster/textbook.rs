@@ -11,7 +11,7 @@
 //! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes much faster. It cuts the
 //! picture into bands of rows, one at a time for each thread, and looks at a triangle only in the bands that it
 //! touches. One instruction works on eight triangles, or on eight pixels. Edge functions grow by a constant from pixel
-//! to pixel instead of being evaluated. None of this may change a picture: `crates/engine/tests/textbook.rs` paints
+//! to pixel instead of being evaluated. None of this may change a picture: `crates/engine/tests/it/textbook.rs` paints
 //! random drawings both ways and demands the same bytes.
 //!
 //! So the order of operations is part of what this file says, because `a·x + (b·y + c)` isn't `(a·x + b·y) + c` in
