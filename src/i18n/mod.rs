@@ -1,33 +1,21 @@
 //! Every text in both languages, as typed Rust values.
 
-/// A struct of texts, and both languages of it: `name: "English", "Português";`.
+/// The texts of a file of `assets/words`, which `build.rs` writes as Rust: the struct `Texts`, and a macro `text!` for its
+/// `[lines]`: `text!(lang, key)` is a `&'static str` or an array of them, `text!(lang, key, name, count = n + 1)` a
+/// `String` with values.
 macro_rules! texts {
-    ($($name:ident: $en:literal, $pt:literal;)*) => {
-        /// Every text of this place in one language.
-        #[derive(Debug)]
-        pub struct Texts {
-            /// The language.
-            pub lang: crate::i18n::Lang,
-            $(#[doc = concat!("`", $en, "`")] pub $name: &'static str,)*
-        }
+    ($file:literal) => {
+        include!(concat!(env!("OUT_DIR"), "/words/", $file, ".rs"));
+    };
+}
 
-        static EN: Texts = Texts { lang: crate::i18n::Lang::En, $($name: $en,)* };
-        static PT_BR: Texts = Texts { lang: crate::i18n::Lang::PtBr, $($name: $pt,)* };
-
-        /// The words of a language.
-        pub const fn texts(lang: crate::i18n::Lang) -> &'static Texts {
-            match lang {
-                crate::i18n::Lang::En => &EN,
-                crate::i18n::Lang::PtBr => &PT_BR,
-            }
-        }
-
-        impl Texts {
-            /// Name and text of each entry, for tests.
-            pub fn entries(&self) -> Vec<(&'static str, &'static str)> {
-                vec![$((stringify!($name), self.$name),)*]
-            }
-        }
+/// A value that's inserted into a text: that of the variable with this name, or the one given.
+macro_rules! value {
+    ($name:ident) => {
+        $name
+    };
+    ($name:ident $value:expr) => {
+        $value
     };
 }
 
@@ -41,26 +29,17 @@ macro_rules! pick {
     };
 }
 
-/// A text in one language, with the same values in both: `both!(lang; "{n} objects", "{n} objetos")`. The `;` keeps
-/// rustfmt from giving each argument a line of its own.
-macro_rules! both {
-    ($lang:expr; $en:literal, $pt:literal $(; $($value:tt)*)?) => {
-        match $lang {
-            crate::i18n::Lang::En => format!($en $(, $($value)*)?),
-            crate::i18n::Lang::PtBr => format!($pt $(, $($value)*)?),
-        }
-    };
-}
-
-/// Functions that give texts with values: `name(lang, count: usize): "{count} objects", "{count} objetos";`. Values
-/// that aren't inserted unchanged follow in parentheses: `(file = escaped(file))`.
+/// Functions that give texts with values: `name(lang, count: usize);`. If its values aren't the parameters unchanged,
+/// all of them follow in parentheses: `name(lang, file: &str): (file = escaped(file));`.
 macro_rules! texts_with_values {
-    ($($(#[$doc:meta])* $name:ident($lang:ident $(, $value:ident: $type:ty)*):
-        $en:literal, $pt:literal $(($($written:tt)*))?;)*) => {
+    (@text $lang:ident $name:ident ($($value:ident),+)) => { text!($lang, $name, $($value),+) };
+    (@text $lang:ident $name:ident ()) => { text!($lang, $name).to_owned() };
+    (@text $lang:ident $name:ident ($($value:ident),*) ($($written:tt)+)) => { text!($lang, $name, $($written)+) };
+    ($($(#[$doc:meta])* $name:ident($lang:ident $(, $value:ident: $type:ty)*) $(: ($($written:tt)*))?;)*) => {
         $(
             $(#[$doc])*
             pub fn $name($lang: crate::i18n::Lang $(, $value: $type)*) -> String {
-                both!($lang; $en, $pt $(; $($written)*)?)
+                texts_with_values!(@text $lang $name ($($value),*) $(($($written)*))?)
             }
         )*
     };
@@ -110,6 +89,9 @@ pub enum Lang {
 }
 
 impl Lang {
+    /// Every language.
+    pub const ALL: [Self; 2] = [Self::En, Self::PtBr];
+
     /// Its decimal mark.
     pub const fn mark(self) -> DecimalMark {
         match self {

@@ -106,3 +106,4 @@ mod vectors;
 mod views;
 mod views_pictures;
 mod voice;
+mod words;

@@ -7,6 +7,8 @@ use crate::i18n::Lang;
 use crate::i18n::messages::cameras::camera_wording;
 use crate::i18n::messages::figure_files;
 
+texts!("learn/exercise_cameras");
+
 /// A camera by the names of the notes, in typed form, with all that its projection needs, to the last digit.
 pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
     let mark = lang.mark();
@@ -16,18 +18,18 @@ pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
         format!("({})", numbers.join(mark.separator()))
     };
     let projection = match parameters.projection {
-        Projection::Perspective => pick!(lang; "perspective", "perspectiva"),
-        Projection::Parallel => pick!(lang; "parallel", "paralela"),
+        Projection::Perspective => text!(lang, typed_perspective),
+        Projection::Parallel => text!(lang, typed_parallel),
     };
     let mut pairs = vec![
         ("C", tuple(&parameters.position.to_array())),
         ("PF", tuple(&parameters.focal_point.to_array())),
         ("VUP", tuple(&parameters.view_up.to_array())),
-        (pick!(lang; "projection", "projeção"), projection.to_owned()),
+        (text!(lang, typed), projection.to_owned()),
     ];
     match (parameters.window, parameters.projection) {
         (Some(ViewWindow { left, right, bottom, top }), _) => {
-            pairs.push((pick!(lang; "window", "janela"), tuple(&[left, right, bottom, top])));
+            pairs.push((text!(lang, typed_view_window), tuple(&[left, right, bottom, top])));
         }
         (None, Projection::Perspective) => pairs.push(("θ", exact(parameters.view_angle))),
         (None, Projection::Parallel) => pairs.push(("H", exact(parameters.height))),

@@ -7,82 +7,59 @@ use crate::i18n::{Lang, told};
 use crate::lessons::lesson_of;
 use crate::sanitize::escaped;
 
-texts! {
-    asked: "Asked", "Pede-se";
-    assumptions: "Assumptions", "Hipóteses";
-    answers: "Answers", "Respostas";
-    solution: "Solution", "Resolução";
-    not_answered: "Not answered yet", "Ainda sem resposta";
-    read_as: "read as", "entendido";
-    source: "Source", "Fonte";
-    exercises: "Exercises", "Exercícios";
-    name: "Name", "Nome";
-    date: "Date", "Data";
-    seed: "seed", "semente";
-    target: "The image to match", "Esta é a imagem a reproduzir";
-}
+texts!("learn/exercise_messages");
 
 /// An identifier that no exercise has.
 pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
     let id = escaped(id);
-    let meant =
-        near.map(|near| both!(lang; " did you mean {near:?}?", " você quis dizer {near:?}?")).unwrap_or_default();
-    both!(lang; "there is no exercise {id:?};{meant} `camera-lab exercise list` lists them",
-        "não há exercício {id:?};{meant} `camera-lab exercise list` os lista")
+    let meant = near.map(|near| text!(lang, unknown_exercise_meant, near)).unwrap_or_default();
+    text!(lang, unknown_exercise, id, meant)
 }
 
 texts_with_values! {
     /// An answer to an unknown question.
-    unknown_ask(lang, id: &str, name: &str, asks: &[&str]): "--answer: {id} does not ask for {name:?}; it asks for: {asks}",
-        "--answer: {id} não pede {name:?}; pede: {asks}" (name = escaped(name), asks = asks.join(", "));
+    unknown_ask(lang, id: &str, name: &str, asks: &[&str]): (id, name = escaped(name), asks = asks.join(", "));
 
     /// The same question answered twice.
-    answered_twice(lang, name: &str): "--answer: {} is answered twice",
-        "--answer: {} foi respondido duas vezes" (escaped(name));
+    answered_twice(lang, name: &str): (name = escaped(name));
 
     /// A file of a folder that isn't an exercise, if the others are used.
-    passed_over(lang, why: &str): "skipped: {why}", "ignorado: {why}";
+    passed_over(lang, why: &str);
 
     /// An answer that can't be read. It hasn't been judged.
-    unreadable(lang, name: &str, why: &str): "--answer {name}: {why}. Nothing was checked",
-        "--answer {name}: {why}. Nada foi conferido";
+    unreadable(lang, name: &str, why: &str);
 
     /// `--hints` that isn't a number of hints.
-    hints_range(lang, text: &str): "--hints {text}: expected a whole number from 0 to 9",
-        "--hints {text}: esperava-se um número inteiro de 0 a 9" (text = escaped(text));
+    hints_range(lang, text: &str): (text = escaped(text));
 
     /// The number of right entries.
-    score(lang, right: usize, all: usize): "{right} of {all}", "{right} de {all}";
+    score(lang, right: usize, all: usize);
 
     /// The number of right entries or conditions of a wrong answer.
-    right_of(lang, right: usize, all: usize): "{right} of {all} right", "{right} de {all} certos";
+    right_of(lang, right: usize, all: usize);
 
     /// A sheet with an ending that can't be written.
-    sheet_ending(lang, path: &str): "{path}: unknown extension; allowed: .pdf, .md, .tex",
-        "{path}: extensão desconhecida; permitido: .pdf, .md, .tex";
+    sheet_ending(lang, path: &str);
 
     /// A picture of an exercise that doesn't have one.
-    no_picture(lang, id: &str): "--picture: {id} has no image to match", "--picture: {id} não tem imagem a reproduzir";
+    no_picture(lang, id: &str);
 
     /// A picture with an ending that can't be written.
-    picture_ending(lang, path: &str): "--picture {path}: unknown extension; allowed: .png",
-        "--picture {path}: extensão desconhecida; permitido: .png";
+    picture_ending(lang, path: &str);
 
     /// The progress is deleted, and still in the file at `path`.
-    progress_deleted(lang, path: &str): "Progress deleted. The old file is now {path}.",
-        "Progresso apagado. O arquivo antigo é agora {path}.";
+    progress_deleted(lang, path: &str);
 
     /// The place of a point in the image, in whole pixels.
-    lands(lang, place: [f64; 2]): "The point lands on the pixel {pixel}.",
-        "O ponto cai no pixel {pixel}." (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
+    lands(lang, place: [f64; 2]): (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 }
 
 /// The reason why a file was skipped, if others were too.
 pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
     match more {
-        1 => both!(lang; "{why} (and one more file was skipped)", "{why} (e mais um arquivo foi ignorado)"),
+        1 => text!(lang, and_more_one, why),
         _ => {
-            both!(lang; "{why} (and {more} more files were skipped)", "{why} (e mais {more} arquivos foram ignorados)")
+            text!(lang, and_more_many, why, more)
         }
     }
 }
@@ -101,21 +78,19 @@ pub fn with(_lang: Lang, text: &str, why: &str) -> String {
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     let name = escaped(name);
     if free.is_empty() {
-        return both!(lang; "--with: {id} leaves no number open, so {name:?} cannot be set",
-            "--with: {id} não deixa nenhum número em aberto, e {name:?} não pode ser definido");
+        return text!(lang, not_free_free, id, name);
     }
-    both!(lang; "--with: {id} does not leave {name:?} open; it leaves open: {}",
-        "--with: {id} não deixa {name:?} em aberto; deixa: {}"; free.join(", "))
+    text!(lang, not_free, id, name, free = free.join(", "))
 }
 
 /// The expected form.
 pub const fn name_and_value(lang: Lang) -> &'static str {
-    pick!(lang; "expected NAME=VALUE", "esperava-se NOME=VALOR")
+    text!(lang, name_and_value)
 }
 
 /// The expected range.
 pub const fn greater_than_zero(lang: Lang) -> &'static str {
-    pick!(lang; "expected a number greater than 0", "esperava-se um número maior que 0")
+    text!(lang, greater_than_zero)
 }
 
 /// Hints for a wrong answer, weaker ones first. None for a right one.
@@ -151,8 +126,7 @@ pub fn why(lang: Lang, why: Why) -> String {
             let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
             format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
         }
-        (_, Why::Begun) => both!(lang; "You began it, and it isn't solved yet.",
-            "Você já o iniciou, mas ele ainda não está resolvido."),
+        (_, Why::Begun) => text!(lang, why_begun).to_owned(),
         (Lang::En, Why::Due(days)) => {
             let ago = if days == 1 { "a day ago".to_owned() } else { format!("{days} days ago") };
             format!("You solved it {ago}. See whether you still can, with new numbers.")
@@ -161,10 +135,8 @@ pub fn why(lang: Lang, why: Why) -> String {
             let ago = if days == 1 { "um dia".to_owned() } else { format!("{days} dias") };
             format!("Você o resolveu há {ago}. Veja se ainda consegue, com números novos.")
         }
-        (_, Why::NotSolved) => both!(lang; "In the order of the lessons, it's the next one you haven't solved.",
-            "É o próximo das lições que você ainda não resolveu."),
-        (_, Why::LongestAgo) => both!(lang; "You've solved them all. This is the one you tried longest ago.",
-            "Você já resolveu todos. Este é o que você tentou há mais tempo."),
+        (_, Why::NotSolved) => text!(lang, why_not_solved).to_owned(),
+        (_, Why::LongestAgo) => text!(lang, why_longest_ago).to_owned(),
     }
 }
 
@@ -174,18 +146,17 @@ pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {
     let by = lang.mark().number(distance.round(), 5);
     let is_far = |part: f64| part.abs() >= 0.25 * distance && part.abs() >= 0.5;
     let across = is_far(x).then_some(match x > 0.0 {
-        true => pick!(lang; "farther to the left", "mais à esquerda"),
-        false => pick!(lang; "farther to the right", "mais à direita"),
+        true => text!(lang, off_left),
+        false => text!(lang, off_right),
     });
     let down = is_far(y).then_some(match y > 0.0 {
-        true => pick!(lang; "higher", "mais acima"),
-        false => pick!(lang; "lower", "mais abaixo"),
+        true => text!(lang, off_higher),
+        false => text!(lang, off_lower),
     });
     let ways: Vec<&str> = across.into_iter().chain(down).collect();
     if ways.is_empty() {
-        return pick!(lang; "Your mark is on the pixel.", "Sua marca está no pixel certo.").to_owned();
+        return text!(lang, off_ways).to_owned();
     }
-    let ways = ways.join(pick!(lang; " and ", " e "));
-    both!(lang; "Your mark is {by} pixels off. The point is {ways}.",
-        "Sua marca está a {by} pixels do ponto. Ele está {ways}.")
+    let ways = ways.join(text!(lang, off_and));
+    text!(lang, off, by, ways)
 }

@@ -6,6 +6,8 @@ use crate::explain::{Line, Notation, Style};
 use crate::formula;
 use crate::i18n::Lang;
 
+texts!("learn/exercise_sheet");
+
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
 
@@ -53,7 +55,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
 /// A sheet in LaTeX, which compiles with only amsmath and amssymb, and graphicx if it has pictures.
 pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
-    let babel = pick!(lang; "english", "brazil");
+    let babel = text!(lang, latex);
     let has_pictures = sheet.iter().any(|exercise| exercise.figure_to_match().is_some());
     let graphics = if has_pictures { "\\usepackage{graphicx}\n" } else { "" };
     let mut text = format!(

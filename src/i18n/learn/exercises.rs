@@ -14,6 +14,8 @@ use crate::i18n::{Lang, messages, told, window};
 use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
 
+texts!("learn/exercises");
+
 /// A text of a list. The name itself if there is none, as for names that are the same in both languages.
 fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
     texts(lang).lists.get(list).and_then(|list| list.get(name)).copied().unwrap_or(name)
@@ -151,18 +153,16 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let told = diagnosis.causes.iter().filter(|found| !beside || found.mistake != Mistake::ArithmeticSlip);
     let mut said: Vec<String> = told.map(|found| cause(lang, ask, *found)[0].to_owned()).collect();
     if !diagnosis.others.is_empty() {
-        let [several, either, or] = pick!(lang; ["More than one mistake gives this.", "Either:", "Or:"],
-            ["Mais de um erro dá este resultado.", "Pode ser este:", "Ou este:"]);
+        let [several, either, or] = text!(lang, diagnosis);
         said.insert(0, format!("{several} {either}"));
         said.extend(diagnosis.others.iter().map(|other| format!("{or} {}", cause(lang, ask, *other)[0])));
     }
     if let Some([row, column]) = diagnosis.entry {
         let (row, column) = (row + 1, column + 1);
         said.push(match beside {
-            true => both!(lang; "In addition, the number in row {row}, column {column} is wrong.",
-                "Além disso, o número da linha {row}, coluna {column} está errado."),
+            true => text!(lang, diagnosis_also_wrong, row, column),
             false => {
-                both!(lang; "It is the one in row {row}, column {column}.", "É o da linha {row}, coluna {column}.")
+                text!(lang, diagnosis_wrong_one, row, column)
             }
         });
     }
@@ -185,18 +185,18 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     Some(said.join(" "))
 }
 
+const fn and(lang: Lang) -> &'static str {
+    text!(lang, and)
+}
+
 /// The answers from whose wrong values this one follows correctly. `None` if it doesn't.
 pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let (last, first) = judged.carried.split_last()?;
-    let and = if lang == Lang::En { "and" } else { "e" };
+    let and = and(lang);
     let names = if first.is_empty() { last.clone() } else { format!("{} {and} {last}", first.join(", ")) };
     Some(match first.is_empty() {
-        true => both!(lang;
-            "This is right for your own {names}, which is wrong. Correct {names}, then compute this again.",
-            "Isto está certo para o valor de {names} que você deu, que está errado. Corrija {names} e refaça esta conta."),
-        false => both!(lang;
-            "This is right for your own {names}, which are wrong. Correct them, then compute this again.",
-            "Isto está certo para os valores de {names} que você deu, que estão errados. Corrija-os e refaça esta conta."),
+        true => text!(lang, carried_one, names),
+        false => text!(lang, carried_many, names),
     })
 }
 
@@ -208,12 +208,10 @@ pub fn own_numbers(lang: Lang, judged: &Judged) -> Option<String> {
     Some(match &own.instead {
         Some(instead) => {
             let instead = named_numbers(lang, instead);
-            both!(lang; "This is right for {instead}. But your {ask} holds {values}. Use the same numbers in all answers.",
-                "Isto está certo para {instead}. Mas a sua resposta {ask} tem {values}. Use os mesmos números em todas as respostas.")
+            text!(lang, own_numbers_instead, instead, ask, values)
         }
-        None if judged.right => both!(lang; "It's right for {values}.", "Está certo para {values}."),
-        None => both!(lang; "We checked this for {values}, the numbers in your {ask}.",
-            "Conferimos isto com {values}, os números da sua resposta {ask}."),
+        None if judged.right => text!(lang, own_numbers_right, values),
+        None => text!(lang, own_numbers_checked, values, ask),
     })
 }
 
@@ -223,7 +221,7 @@ fn named_numbers(lang: Lang, values: &[(&'static str, f64)]) -> String {
         "theta" => format!("θ = {}°", lang.mark().number(*value, 6)),
         _ => format!("{name} = {}", number(lang.mark(), *value)),
     };
-    values.iter().map(one).collect::<Vec<_>>().join(pick!(lang; " and ", " e "))
+    values.iter().map(one).collect::<Vec<_>>().join(text!(lang, named_numbers))
 }
 
 /// The count of numbers: a vector's, or a matrix' by rows and columns.
@@ -256,27 +254,22 @@ pub fn hints_without_diagnosis(
     if let Some(sentence) = sentence {
         hints.push(sentence);
     } else if !judged.conditions.is_empty() {
-        hints.push(both!(lang; "{right} of {all} conditions are met. Begin with the first that isn't.",
-            "{right} de {all} condições são satisfeitas. Comece pela primeira que não é."));
+        hints.push(text!(lang, hints_without_diagnosis_judged, right, all));
     } else if all > 1 {
         hints.push(match right {
-            0 => both!(lang; "None of the {all} numbers is right.", "Nenhum dos {all} números está certo."),
-            1 => both!(lang; "1 of {all} numbers is right. Look at the others again.",
-                "1 de {all} números está certo. Olhe os outros mais uma vez."),
-            _ => both!(lang; "{right} of {all} numbers are right. Look at the others again.",
-                "{right} de {all} números estão certos. Olhe os outros mais uma vez."),
+            0 => text!(lang, hints_without_diagnosis_zero, all),
+            1 => text!(lang, hints_without_diagnosis_one, all),
+            _ => text!(lang, hints_without_diagnosis_some_right, right, all),
         });
     }
     if let Some(step) = first_step {
         hints.push(match judged.first_step {
-            0 => both!(lang; "The solution begins with: {step}", "A resolução começa por: {step}"),
-            _ => both!(lang; "The steps before are right. Go on with {step}",
-                "Os passos anteriores estão certos. Continue com {step}"),
+            0 => text!(lang, hints_without_diagnosis_begins, step),
+            _ => text!(lang, hints_without_diagnosis_goes_on, step),
         });
     }
     if hints.is_empty() {
-        hints.push(both!(lang; "No known mistake gives this answer. Read the question once more.",
-            "Nenhum erro conhecido dá esta resposta. Releia o que se pede."));
+        hints.push(text!(lang, hints_without_diagnosis_hints).to_owned());
     }
     hints
 }
@@ -284,14 +277,13 @@ pub fn hints_without_diagnosis(
 /// The required form of an answer.
 pub fn kind(lang: Lang, ask: &Ask) -> String {
     let kind = match &ask.kind {
-        Kind::Number => both!(lang; "a number", "um número"),
-        Kind::Vector(rows) => both!(lang; "{rows} numbers [a, b, …]", "{rows} números [a; b; …]"),
-        Kind::Matrix(rows, columns) => both!(lang; "{rows} × {columns} numbers [[a, …], …]",
-            "{rows} × {columns} números [[a; …]; …]"),
-        Kind::Choice(choices) => both!(lang; "one of: {}",
-            "um destes: {}"; list_of_choices(choices, |name| choice_of(lang, ask, name))),
-        Kind::Camera => both!(lang; "a camera: C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …",
-            "uma câmera: C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …"),
+        Kind::Number => text!(lang, kind_number).to_owned(),
+        Kind::Vector(rows) => text!(lang, kind_vector, rows),
+        Kind::Matrix(rows, columns) => text!(lang, kind_matrix, rows, columns),
+        Kind::Choice(choices) => {
+            text!(lang, kind_choice, list_of_choices = list_of_choices(choices, |name| choice_of(lang, ask, name)))
+        }
+        Kind::Camera => text!(lang, kind_camera).to_owned(),
     };
     let tolerance = tolerance(lang, ask);
     if tolerance.is_empty() { kind } else { format!("{kind}; {tolerance}") }
@@ -310,17 +302,15 @@ pub fn tolerance(lang: Lang, ask: &Ask) -> String {
     let numbers = matches!(ask.kind, Kind::Number | Kind::Vector(_) | Kind::Matrix(..));
     let by = lang.mark().number(ask.tolerance, 3);
     let unit = unit(lang, ask.unit);
-    let share = |and: &str| {
+    let share = || {
         let percent = lang.mark().number(100.0 * ask.share, 3);
-        if ask.share.is_finite() { format!("{and} {percent} %") } else { String::new() }
+        if ask.share.is_finite() { format!(" {} {percent} %", and(lang)) } else { String::new() }
     };
     match (numbers, ask.whole) {
         (false, _) => String::new(),
-        (true, _) if ask.places => both!(lang; "within {by}{unit} across and down",
-            "com erro de até {by}{unit} na horizontal e na vertical"),
-        (_, true) => both!(lang; "whole numbers", "números inteiros"),
-        (..) => pick!(lang; format!("within {by}{unit}{}, or rounded to 3 digits or more", share(" and")),
-            format!("com erro de até {by}{unit}{}, ou arredondado a 3 dígitos ou mais", share(" e"))),
+        (true, _) if ask.places => text!(lang, tolerance_across, by, unit),
+        (_, true) => text!(lang, tolerance_whole).to_owned(),
+        (..) => text!(lang, tolerance_rounded, by, unit, share = share()),
     }
 }
 
@@ -394,17 +384,18 @@ const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
     match (lang, error) {
         (_, AnswerError::Number { row, column, text, error }) => {
-            let place = both!(lang; "row {}, column {}", "linha {}, coluna {}"; row + 1, column + 1);
+            let place = text!(lang, answer_error_place, row = row + 1, column = column + 1);
             format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
         }
         (_, AnswerError::Camera(error)) => exercise_cameras::refused(lang, error),
-        (_, AnswerError::Choice { given, choices }) => both!(lang; "“{}” is not a choice; allowed: {}",
-            "“{}” não é uma opção; permitido: {}"; escaped(given), list_of_choices(choices, |name| choice(lang, name))),
-        (_, AnswerError::Pair(text)) => both!(lang; "“{}” is not NAME=VALUE, as in C=[7, −1, 4]",
-            "“{}” não é NOME=VALOR, como em C=[7; −1; 4]"; escaped(text)),
-        (_, AnswerError::Parameter(text)) => both!(lang;
-            "“{}” begins with no parameter of a camera; allowed: {CAMERA_NAMES}",
-            "“{}” não começa com um parâmetro de câmera; permitido: {CAMERA_NAMES}"; escaped(text)),
+        (_, AnswerError::Choice { given, choices }) => text!(
+            lang,
+            answer_error_choice,
+            given = escaped(given),
+            list_of_choices = list_of_choices(choices, |name| choice(lang, name))
+        ),
+        (_, AnswerError::Pair(text)) => text!(lang, answer_error_pair, text = escaped(text)),
+        (_, AnswerError::Parameter(text)) => text!(lang, answer_error_parameter, text = escaped(text), CAMERA_NAMES),
         (Lang::En, other) => other.to_string(),
         (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
         (Lang::PtBr, AnswerError::TooLong) => {

@@ -4,10 +4,12 @@ use crate::expression::{self, ExpressionError, ExpressionProblem};
 use crate::i18n::Lang;
 use crate::sanitize::escaped;
 
+texts!("messages/expressions");
+
 /// The reason why an expression isn't a number, and the place in it.
 pub(in crate::i18n) fn in_expression(lang: Lang, text: &str, error: &ExpressionError) -> String {
     let (why, marked) = (expression(lang, &error.problem), expression::marked(text, &error.span));
-    both!(lang; "{why} in {marked}", "{why} em {marked}")
+    text!(lang, in_expression, why, marked)
 }
 
 /// The reason why an expression isn't a number.
@@ -27,19 +29,19 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
 
 /// A number isn't whole.
 pub fn not_whole(lang: Lang) -> &'static str {
-    pick!(lang; "must be a whole number", "tem de ser um número inteiro")
+    text!(lang, not_whole)
 }
 
 /// A field is full.
 pub fn at_most_characters(lang: Lang, most: usize) -> String {
-    both!(lang; "at most {most} characters", "no máximo {most} caracteres")
+    text!(lang, at_most_characters, most)
 }
 
 /// A number is outside a range, which may be that of all numbers greater than 0.
 pub fn outside(lang: Lang, low: f64, high: f64) -> String {
     let [least, greatest] = [low, high].map(|bound| lang.mark().printed(&bound.to_string()));
     if low == f64::MIN_POSITIVE {
-        return both!(lang; "must be greater than 0", "tem de ser maior que 0");
+        return text!(lang, outside_low).to_owned();
     }
-    both!(lang; "must be between {least} and {greatest}", "tem de estar entre {least} e {greatest}")
+    text!(lang, outside, least, greatest)
 }

@@ -11,9 +11,11 @@ use crate::i18n::Lang;
 use crate::limits::{MAX_FORMULA, MAX_TEXTURE_SCALE};
 use crate::sanitize::escaped;
 
+texts!("messages/figure_files");
+
 /// The reason why a text isn't a figure: line, key, the value found, the values allowed.
 pub fn figure(lang: Lang, error: &FigureError) -> String {
-    let line = both!(lang; "line {}", "linha {}"; error.line);
+    let line = text!(lang, figure, line = error.line);
     format!("{line}: {}", without_line(lang, error))
 }
 
@@ -50,42 +52,34 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
 /// The text after line and key.
 pub(in crate::i18n) fn problem(lang: Lang, problem: &Problem) -> String {
     match problem {
-        Problem::NotUtf8 { byte } => both!(lang; "byte {byte:#04x} is not UTF-8; allowed: text in UTF-8",
-            "o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
-        Problem::TooLarge { limit } => both!(lang; "the file is too large; allowed: at most {limit} bytes",
-            "o arquivo é grande demais; permitido: no máximo {limit} bytes"),
+        Problem::NotUtf8 { byte } => text!(lang, problem_not_utf8, byte),
+        Problem::TooLarge { limit } => text!(lang, problem_too_large, limit),
         Problem::Syntax { found, detail } => {
-            let in_portuguese = toml_in_portuguese(detail);
-            both!(lang; "cannot be read as TOML: {found} ({detail}); allowed: KEY = VALUE with texts in quotes and a point in decimals, such as near = 0.5",
-                "não pode ser lido como TOML: {found} ({in_portuguese}); permitido: CHAVE = VALOR com textos entre aspas e ponto nos decimais, como near = 0.5")
+            let detail = toml_complaint(lang, detail);
+            text!(lang, problem_syntax, found, detail)
         }
-        Problem::Unquoted { text } => both!(lang;
-            "is {text}; allowed: a number, or an expression in quotes, \"{text}\"",
-            "é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\""),
-        Problem::Duplicate => both!(lang; "appears twice; allowed: once", "aparece duas vezes; permitido: uma"),
+        Problem::Unquoted { text } => text!(lang, problem_unquoted, text),
+        Problem::Duplicate => text!(lang, problem_duplicate).to_owned(),
         Problem::Rival { other, ways } => {
             let ways = ways.join(", ");
-            both!(lang; "and {other} stand side by side, and each gives θ; allowed: one of {ways}",
-                "e {other} aparecem juntas, e cada uma dá θ; permitido: uma de {ways}")
+            text!(lang, problem_rival, other, ways)
         }
-        Problem::TooMany { count, limit } => both!(lang; "are {count}; allowed: at most {limit}",
-            "são {count}; permitido: no máximo {limit}"),
+        Problem::TooMany { count, limit } => text!(lang, problem_too_many, count, limit),
         Problem::UnknownKey { near, known } => {
             let (near, known) = (meant(lang, near.as_deref()), known.join(", "));
-            both!(lang; "is unknown{near}; allowed: {known}", "não existe{near}; permitido: {known}")
+            text!(lang, problem_unknown_key, near, known)
         }
         Problem::Value { found, allowed } => {
             let allowed = self::allowed(lang, allowed);
-            both!(lang; "is {found}; allowed: {allowed}", "é {found}; permitido: {allowed}")
+            text!(lang, problem_value, found, allowed)
         }
         Problem::Expression { text, error, allowed } => {
             let (why, allowed) = (in_expression(lang, text, error), self::allowed(lang, allowed));
-            both!(lang; "is \"{}\": {why}; allowed: {allowed}",
-                "é \"{}\": {why}; permitido: {allowed}"; escaped(text))
+            text!(lang, problem_expression, text = escaped(text), why, allowed)
         }
         Problem::Missing { allowed } => {
             let allowed = self::allowed(lang, allowed);
-            both!(lang; "is missing; needed: {allowed}", "está faltando; necessário: {allowed}")
+            text!(lang, problem_missing, allowed)
         }
         Problem::Formula(error) => formula(lang, error),
         Problem::Scene { error, near } => scene_wording(lang, error).full + &meant(lang, near.as_deref()),
@@ -97,26 +91,18 @@ pub(in crate::i18n) fn problem(lang: Lang, problem: &Problem) -> String {
 pub(in crate::i18n) fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
     let (limit, depth) = MAX_FORMULA;
     let why = match problem {
-        FormulaProblem::Open => both!(lang; "no dollar sign closes it", "nenhum cifrão a fecha"),
-        FormulaProblem::Empty => both!(lang; "it is empty", "está vazia"),
-        FormulaProblem::Word(word) => both!(lang; "{} is not a mathematical command",
-            "{} não é um comando de matemática"; escaped(word)),
-        FormulaProblem::Environment(name) => both!(lang; "the environment {} is not a mathematical one",
-            "o ambiente {} não é de matemática"; escaped(name)),
-        FormulaProblem::Character('\n') => both!(lang; "it contains a blank line", "contém uma linha em branco"),
-        FormulaProblem::Character(c) => both!(lang; "the character {} is not allowed there",
-            "o caractere {} não é permitido ali"; named(*c)),
-        FormulaProblem::Unbalanced(what) => both!(lang; "{} has no counterpart",
-            "{} não tem par"; escaped(what)),
-        FormulaProblem::NotOnALine(what) => both!(lang; "{} cannot be shown on the one line of a label",
-            "{} não cabe na única linha de um rótulo"; escaped(what)),
-        FormulaProblem::TooLong => both!(lang;
-            "it has more than {limit} characters, or more than {depth} nested pairs of braces",
-            "tem mais de {limit} caracteres, ou mais de {depth} pares de chaves aninhados"),
+        FormulaProblem::Open => text!(lang, formula_open).to_owned(),
+        FormulaProblem::Empty => text!(lang, formula_empty).to_owned(),
+        FormulaProblem::Word(word) => text!(lang, formula_word, word = escaped(word)),
+        FormulaProblem::Environment(name) => text!(lang, formula_environment, name = escaped(name)),
+        FormulaProblem::Character('\n') => text!(lang, formula_character).to_owned(),
+        FormulaProblem::Character(c) => text!(lang, formula_character_named, named = named(*c)),
+        FormulaProblem::Unbalanced(what) => text!(lang, formula_unbalanced, what = escaped(what)),
+        FormulaProblem::NotOnALine(what) => text!(lang, formula_not_on_aline, what = escaped(what)),
+        FormulaProblem::TooLong => text!(lang, formula_too_long, limit, depth),
     };
     let formula = escaped(formula);
-    both!(lang; "has the formula \"${formula}$\": {why}; allowed between dollar signs: mathematics in LaTeX, such as \\frac{{1}}{{2}} and \\theta, and no dollar sign elsewhere",
-        "tem a fórmula \"${formula}$\": {why}; permitido entre cifrões: matemática em LaTeX, como \\frac{{1}}{{2}} e \\theta, e nenhum cifrão em outro lugar")
+    text!(lang, formula, formula, why)
 }
 
 /// A character with its number, so that look-alikes can be distinguished.
@@ -124,33 +110,25 @@ fn named(c: char) -> String {
     format!("{} (U+{:04X})", escaped(&c.to_string()), u32::from(c))
 }
 
-/// The TOML parser speaks English. Its common complaints are known, others stay as they are.
-fn toml_in_portuguese(detail: &str) -> &str {
-    let portuguese = toml_complaints::texts(Lang::PtBr).entries();
-    let both = toml_complaints::texts(Lang::En).entries().into_iter().zip(portuguese);
-    let mut known = both.map(|((_, english), (_, portuguese))| (english, portuguese));
-    known.find(|(english, _)| detail.starts_with(english)).map_or(detail, |(_, portuguese)| portuguese)
+/// A complaint of the TOML parser, which speaks English. Its common ones are known, others stay as they are.
+fn toml_complaint(lang: Lang, detail: &str) -> &str {
+    let own = toml_complaints::texts(lang).entries();
+    let mut known = toml_complaints::texts(Lang::En).entries().into_iter().zip(own);
+    known.find(|((_, english), _)| detail.starts_with(english)).map_or(detail, |(_, (_, own))| own)
 }
 
 pub(in crate::i18n) fn meant(lang: Lang, near: Option<&str>) -> String {
-    near.map(escaped).map_or_else(String::new, |near| {
-        both!(lang; " (did you mean {near}?)",
-        " (você quis dizer {near}?)")
-    })
+    near.map(escaped).map_or_else(String::new, |near| text!(lang, meant, near))
 }
 
 fn allowed(lang: Lang, allowed: &Allowed) -> String {
     match allowed {
-        Allowed::Number => both!(lang; "a finite number", "um número finito"),
-        Allowed::PositiveNumber => both!(lang; "a finite number greater than 0", "um número finito maior que 0"),
-        Allowed::NumberIn(least, most) => both!(lang; "a number from {least} to {most}",
-            "um número de {least} a {most}"),
-        Allowed::HalfTurn => both!(lang; "degrees greater than 0 and less than 180",
-            "graus maiores que 0 e menores que 180"),
-        Allowed::PositivePair => both!(lang; "two finite numbers greater than 0, [36.0, 24.0]",
-            "dois números finitos maiores que 0, [36.0, 24.0]"),
-        Allowed::IntegerIn(least, most) => both!(lang; "an integer from {least} to {most}",
-            "um inteiro de {least} a {most}"),
+        Allowed::Number => text!(lang, allowed_number).to_owned(),
+        Allowed::PositiveNumber => text!(lang, allowed_positive_number).to_owned(),
+        Allowed::NumberIn(least, most) => text!(lang, allowed_number_in, least, most),
+        Allowed::HalfTurn => text!(lang, allowed_half_turn).to_owned(),
+        Allowed::PositivePair => text!(lang, allowed_positive_pair).to_owned(),
+        Allowed::IntegerIn(least, most) => text!(lang, allowed_integer_in, least, most),
         Allowed::Integers(choice) => {
             let choice: Vec<_> = choice.iter().map(ToString::to_string).collect();
             choice.join(", ")
@@ -159,41 +137,26 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::SwitchOr(words) => {
             words.iter().fold("true, false".to_owned(), |list, word| format!("{list}, \"{word}\""))
         }
-        Allowed::Vector => both!(lang; "three finite numbers, [x, y, z]", "três números finitos, [x, y, z]"),
-        Allowed::NonZeroVector => both!(lang; "three finite numbers, [x, y, z], not all 0",
-            "três números finitos, [x, y, z], nem todos 0"),
-        Allowed::TextureScale => both!(lang; "two numbers, neither 0 and none beyond ±{MAX_TEXTURE_SCALE}",
-            "dois números, nenhum deles 0 nem além de ±{MAX_TEXTURE_SCALE}"),
-        Allowed::NonZeroScale => both!(lang; "three finite numbers, [x, y, z], none of them 0",
-            "três números finitos, [x, y, z], nenhum deles 0"),
-        Allowed::Camera => both!(lang; "the name of one of the [[cameras]]", "o nome de uma das [[cameras]]"),
-        Allowed::PointInImage => pick!(lang;
-            "a point that lies in the image: the name of a point of the figure, [x, y, z], { object = \"…\", vertex = \"…\" }, { view = [x, y, z] }, { ndc = [x, y, z] }, { clip = [x, y, z, w] } or { pixel = [i, j] }".to_owned(),
-            "um ponto que caia na imagem: o nome de um ponto da figura, [x, y, z], { object = \"…\", vertex = \"…\" }, { view = [x, y, z] }, { ndc = [x, y, z] }, { clip = [x, y, z, w] } ou { pixel = [i, j] }".to_owned()),
-        Allowed::ObjectPoint => pick!(lang;
-            "a point that this object has: \"tip\" of a cone or a pyramid, \"center\", \"corner:1\" to \"corner:8\" of its own box, or \"vertex:1\" and so on; objects from a file have none".to_owned(),
-            "um ponto que este objeto tem: \"tip\" de um cone ou de uma pirâmide, \"center\", \"corner:1\" a \"corner:8\" de sua própria caixa, ou \"vertex:1\" e assim por diante; objetos de um arquivo não têm nenhum".to_owned()),
-        Allowed::Seen => {
-            both!(lang; "\"next\", or a list such as [\"roll=30\", \"camera.near=2\"]",
-            "\"next\", ou uma lista como [\"roll=30\", \"camera.near=2\"]")
-        }
-        Allowed::Points => both!(lang; "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
-        Allowed::PointPairs => both!(lang; "a list of an even number of points, [[x, y, z], [x, y, z], …]",
-            "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]"),
-        Allowed::Color => both!(lang; "\"#rrggbb\" or \"#rrggbbaa\" with hexadecimal digits",
-            "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais"),
-        Allowed::Text => both!(lang; "a non-empty text in quotes", "um texto entre aspas, não vazio"),
+        Allowed::Vector => text!(lang, allowed_vector).to_owned(),
+        Allowed::NonZeroVector => text!(lang, allowed_non_zero_vector).to_owned(),
+        Allowed::TextureScale => text!(lang, allowed_texture_scale, MAX_TEXTURE_SCALE),
+        Allowed::NonZeroScale => text!(lang, allowed_non_zero_scale).to_owned(),
+        Allowed::Camera => text!(lang, allowed_camera).to_owned(),
+        Allowed::PointInImage => text!(lang, allowed_point_in_image).to_owned(),
+        Allowed::ObjectPoint => text!(lang, allowed_object_point).to_owned(),
+        Allowed::Seen => text!(lang, allowed_seen).to_owned(),
+        Allowed::Points => text!(lang, allowed_points).to_owned(),
+        Allowed::PointPairs => text!(lang, allowed_point_pairs).to_owned(),
+        Allowed::Color => text!(lang, allowed_color).to_owned(),
+        Allowed::Text => text!(lang, allowed_text).to_owned(),
         Allowed::Word { words, near } => {
             format!("{}{}", quoted(words), meant(lang, near.as_deref()))
         }
-        Allowed::Words(words) => both!(lang; "a list of {}", "uma lista de {}"; quoted(words)),
-        Allowed::TomlValue => pick!(lang;
-            "a TOML value, such as \"clip\", 0.4, [1, 2, 3] or { way = \"notes\", at = 2.5 }".to_owned(),
-            "um valor de TOML, como \"clip\", 0.4, [1, 2, 3] ou { way = \"notes\", at = 2.5 }".to_owned()),
-        Allowed::Pair => both!(lang; "[x, y], two numbers", "[x, y], dois números"),
-        Allowed::Pixel => both!(lang; "[i, j], two whole numbers", "[i, j], dois números inteiros"),
-        Allowed::Matrix => both!(lang; "[[…], […], […], […]], four rows of four numbers",
-            "[[…], […], […], […]], quatro linhas de quatro números"),
+        Allowed::Words(words) => text!(lang, allowed_words, quoted = quoted(words)),
+        Allowed::TomlValue => text!(lang, allowed_toml_value).to_owned(),
+        Allowed::Pair => text!(lang, allowed_pair).to_owned(),
+        Allowed::Pixel => text!(lang, allowed_pixel).to_owned(),
+        Allowed::Matrix => text!(lang, allowed_matrix).to_owned(),
         Allowed::Bilingual
         | Allowed::BilingualLine { .. }
         | Allowed::ToldList
@@ -201,45 +164,25 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         | Allowed::Line { .. }
         | Allowed::Name { .. }
         | Allowed::FreeName => allowed_text(lang, allowed),
-        Allowed::Operations => both!(lang;
-            "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]",
-            "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]"),
-        Allowed::KeyOfSteps => both!(lang;
-            "keys or sections that the steps before have, such as [\"show.stage\", \"labels\"]",
-            "chaves ou seções que os passos anteriores têm, como [\"show.stage\", \"labels\"]"),
-        Allowed::Exercise => both!(lang; "an exercise of the program, as `camera-lab exercise list` names it",
-            "um exercício do programa, como o nomeia `camera-lab exercise list`"),
-        Allowed::Ways => both!(lang;
-            "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\", \"camera.near=2\"]",
-            "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\", \"camera.near=2\"]"),
-        Allowed::Pixels => both!(lang; "a list of pixels, [[i, j], …], in whole numbers",
-            "uma lista de pixels, [[i, j], …], em números inteiros"),
-        Allowed::Numbers => both!(lang;
-            "a number or an expression, [a, b, …], or [[…], […], …] with rows of equal length",
-            "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento"),
-        Allowed::Quantity => both!(lang;
-            "a path in the output of inspect for this figure, such as \"basis.u\" or \"points.0.ndc\"",
-            "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\""),
-        Allowed::NotAbove(key) => both!(lang; "a number that is not above {key}", "um número que não passe de {key}"),
-        Allowed::Compatible => both!(lang; "conditions that one figure can meet together",
-            "condições que uma mesma figura possa cumprir juntas"),
-        Allowed::TwoVectors => both!(lang;
-            "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]",
-            "caminhos a dois vetores na saída de inspect, como [\"camera.view_up\", \"dop\"]"),
-        Allowed::Either(one, other) => both!(lang; "either {one} or {other}", "ou {one} ou {other}"),
+        Allowed::Operations => text!(lang, allowed_operations).to_owned(),
+        Allowed::KeyOfSteps => text!(lang, allowed_key_of_steps).to_owned(),
+        Allowed::Exercise => text!(lang, allowed_exercise).to_owned(),
+        Allowed::Ways => text!(lang, allowed_ways).to_owned(),
+        Allowed::Pixels => text!(lang, allowed_pixels).to_owned(),
+        Allowed::Numbers => text!(lang, allowed_numbers).to_owned(),
+        Allowed::Quantity => text!(lang, allowed_quantity).to_owned(),
+        Allowed::NotAbove(key) => text!(lang, allowed_not_above, key),
+        Allowed::Compatible => text!(lang, allowed_compatible).to_owned(),
+        Allowed::TwoVectors => text!(lang, allowed_two_vectors).to_owned(),
+        Allowed::Either(one, other) => text!(lang, allowed_either, one, other),
         Allowed::Choice(choices) => {
             choices.iter().map(|choice| format!("\"{}\"", escaped(choice))).collect::<Vec<_>>().join(", ")
         }
-        Allowed::WrongAnswer => both!(lang; "a wrong answer, which the message explains",
-            "uma resposta errada, que a mensagem explica"),
-        Allowed::NotePlace => pick!(lang;
-            "[x, y, z] of the world, [x, y] of the image from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
-            "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned()),
-        Allowed::PairIn(least, most) => both!(lang; "two numbers, [x, y], each from {least} to {most}",
-            "dois números, [x, y], cada um de {least} a {most}"),
-        Allowed::Section => both!(lang; "a section with keys", "uma seção com chaves"),
-        Allowed::Sections => both!(lang; "sections in double brackets, or a list of inline tables",
-            "seções entre colchetes duplos, ou uma lista de tabelas em linha"),
+        Allowed::WrongAnswer => text!(lang, allowed_wrong_answer).to_owned(),
+        Allowed::NotePlace => text!(lang, allowed_note_place).to_owned(),
+        Allowed::PairIn(least, most) => text!(lang, allowed_pair_in, least, most),
+        Allowed::Section => text!(lang, allowed_section).to_owned(),
+        Allowed::Sections => text!(lang, allowed_sections).to_owned(),
     }
 }
 
@@ -251,22 +194,15 @@ fn quoted(words: &[&str]) -> String {
 fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
     match allowed {
         Allowed::BilingualLine { limit } => {
-            let longest = both!(lang; ", of at most {limit} characters on one line",
-                ", de no máximo {limit} caracteres em uma linha");
+            let longest = text!(lang, allowed_text_longest, limit);
             allowed_text(lang, &Allowed::Bilingual) + &longest
         }
-        Allowed::ToldList => pick!(lang;
-            "a list of texts, each as \"…\" or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
-            "uma lista de textos, cada um como \"…\" ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()),
-        Allowed::Line { limit } => both!(lang; "a text in quotes, of 1 to {limit} characters on one line",
-            "um texto entre aspas, de 1 a {limit} caracteres em uma linha"),
-        Allowed::Texts => both!(lang; "a list of texts in quotes", "uma lista de textos entre aspas"),
-        Allowed::Name { limit } => both!(lang; "at most {limit} letters, digits, -, _ and .",
-            "no máximo {limit} letras, dígitos, -, _ e ."),
-        Allowed::FreeName => both!(lang; "a name that no other exercise has",
-            "um nome que nenhum outro exercício tem"),
-        _ => pick!(lang; "a text in quotes, or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
-            "um texto entre aspas, ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()),
+        Allowed::ToldList => text!(lang, allowed_text_told_list).to_owned(),
+        Allowed::Line { limit } => text!(lang, allowed_text_line, limit),
+        Allowed::Texts => text!(lang, allowed_text_texts).to_owned(),
+        Allowed::Name { limit } => text!(lang, allowed_text_name, limit),
+        Allowed::FreeName => text!(lang, allowed_text_free_name).to_owned(),
+        _ => text!(lang, allowed_text_plain).to_owned(),
     }
 }
 

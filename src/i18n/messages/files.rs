@@ -13,13 +13,15 @@ use crate::sanitize;
 use crate::scene::ReadProblem;
 use crate::share::{self, Held, ShareError};
 
+texts!("messages/files");
+
 /// The name of an opened figure: its path, or a phrase for a link, which is long and meaningless to people.
 pub fn opened(lang: Lang, path: &Path) -> String {
     let held = share::link_of(path).and_then(share::held_in);
     match held {
         None => sanitize::path(path),
-        Some(Held::Figure) => both!(lang; "the figure in the link", "a figura no link"),
-        Some(Held::Lesson) => both!(lang; "the lesson in the link", "a lição no link"),
+        Some(Held::Figure) => text!(lang, opened_figure).to_owned(),
+        Some(Held::Lesson) => text!(lang, opened_lesson).to_owned(),
     }
 }
 
@@ -67,23 +69,19 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
 /// The files of a figure that a picture doesn't carry.
 pub fn left_out(lang: Lang, LeftOut(names): &LeftOut) -> String {
     let (names, most) = (named(names), size_words(MAX_CARRIED_BYTES as u64));
-    both!(lang;
-        "it doesn't carry {names}, because the files of a figure may have at most {most} when they're packed. Send them along",
-        "ela não leva {names}, porque os arquivos de uma figura podem ter no máximo {most} compactados. Envie-os junto")
+    text!(lang, left_out, names, most)
 }
 
 /// The files that a picture carries, and that the text of its figure doesn't.
 pub fn not_printed(lang: Lang, LeftOut(names): &LeftOut) -> String {
     let names = named(names);
-    both!(lang; "only images carry {names}; the printed figure names them, and doesn't hold them",
-        "só imagens levam {names}; a figura impressa os nomeia, mas não os contém")
+    text!(lang, not_printed, names)
 }
 
 /// The files of a step that its lesson can't reach.
 pub fn out_of_reach(lang: Lang, LeftOut(names): &LeftOut) -> String {
     let names = named(names);
-    both!(lang; "the lesson won't show {names}, because a lesson reads only its own folder and the folders in it. Copy them there",
-        "a lição não mostrará {names}, porque uma lição só lê a própria pasta e as que estão nela. Copie-os para lá")
+    text!(lang, out_of_reach, names)
 }
 
 /// Names of files in a sentence.
@@ -105,8 +103,7 @@ pub fn link(lang: Lang, error: ShareError) -> String {
 
 /// The reason why a picture can't be written in a format.
 pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
-    both!(lang; "the image cannot be written as {format} ({why})",
-        "a imagem não pode ser gravada como {format} ({why})")
+    text!(lang, encoder, format, why)
 }
 
 /// The reason why a picture can't be written or read.

@@ -8,6 +8,8 @@ use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MI
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
 
+texts!("messages/scene_errors");
+
 /// The reason why the objects and lights of a figure aren't a scene. Names the object and the key.
 pub fn scene(lang: Lang, error: &SceneError) -> String {
     let (key, why) = (error.key(), scene_wording(lang, error).full);
@@ -95,8 +97,7 @@ fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
 
 /// The allowed numbers of segments, beside the field.
 pub fn segments_allowed(lang: Lang) -> String {
-    both!(lang; "allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}",
-        "permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}")
+    text!(lang, segments_allowed, MIN_SEGMENTS, MAX_SEGMENTS)
 }
 
 #[cfg(test)]

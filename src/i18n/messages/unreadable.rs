@@ -7,6 +7,8 @@ use crate::i18n::Lang;
 use crate::limits::MAX_SCENE_BYTES;
 use crate::scene::{NamedBy, ReadError, ReadProblem, is_loop, system_kind};
 
+texts!("messages/unreadable");
+
 /// The reason why a file named by a scene can't be read.
 pub(in crate::i18n) fn unreadable(lang: Lang, error: &ReadError) -> String {
     format!("{} {}", error.file, read_problem(lang, &error.problem))
@@ -39,8 +41,7 @@ const fn named_by_in_portuguese(named_by: NamedBy) -> &'static str {
 /// A material library or a picture that a mesh names and that can't be read.
 pub fn without_file(lang: Lang, error: &ReadError) -> String {
     let why = unreadable(lang, error);
-    both!(lang; "{why}. The mesh is drawn without it",
-        "{why}. A malha é desenhada sem ele")
+    text!(lang, without_file, why)
 }
 
 /// The error of the system, in our words. An unusual one by its number.

@@ -6,77 +6,39 @@ use crate::numerics::charts::Words;
 use crate::numerics::overhead::{Cost, Price};
 use crate::numerics::{Findings, Row, Study, Unit};
 
-texts! {
-    // Columns of a table.
-    case: "case", "caso";
-    parameter: "parameter", "parâmetro";
-    method: "method", "método";
-    error: "error", "erro";
-    worst: "worst", "pior";
-    bits: "bits off", "bits errados";
-    bits_hint: "How many of the last bits of a double (53 bits of precision) are wrong", "Quantos dos últimos bits de um double (53 bits de precisão) estão errados";
-    nanos: "ns", "ns";
-    // Buttons.
-    measure: "Measure", "Medir";
-    measure_hint: "Runs all methods of this study on the same inputs, in the background. It takes a few seconds", "Executa todos os métodos deste estudo nas mesmas entradas, em segundo plano. Leva alguns segundos";
-    cancel: "Cancel", "Cancelar";
-    open: "open", "abrir";
-    open_hint: "Shows in the three views the camera on which this method was worst. The open figure is kept with its changes", "Mostra nas três vistas a câmera em que este método foi pior. A figura aberta é guardada com as alterações";
-    // Which chart.
-    over_parameter: "error against parameter", "erro contra parâmetro";
-    over_time: "error against time", "erro contra tempo";
-    // Hints.
-    measuring: "Measuring:", "Medindo:";
-    nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs and compares them with a more exact reference.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas e os compara com uma referência mais exata.";
-    point_at: "Point at a dot to read it, and click to open its worst camera.", "Aponte para um ponto para lê-lo, e clique para abrir a pior câmera dele.";
-    star: "* no other method is both as accurate and as fast", "* nenhum outro método é tão exato e tão rápido";
-    // Below a table.
-    front: "Pareto front", "fronteira de Pareto";
-    time: "time of one item / ns", "tempo por item / ns";
-}
+texts!("why/numerics");
 
 /// The question of a study.
 pub const fn title(lang: Lang, study: Study) -> &'static str {
     match study {
-        Study::VertexTransform => pick!(lang; "World points to view space, far from the origin",
-            "Pontos do mundo ao espaço de vista, longe da origem"),
-        Study::Basis => pick!(lang; "u, v, n when VUP is almost along DOP",
-            "u, v, n com VUP quase na direção de DOP"),
-        Study::RepeatedOperations => pick!(lang; "Many small azimuths, one after the other",
-            "Muitos azimutes pequenos, um após o outro"),
-        Study::DepthBuffer => pick!(lang; "Formats of depth buffers, and depths they can't tell apart",
-            "Formatos de z-buffer, e profundidades que não distinguem"),
-        Study::Visibility => pick!(lang; "Which surface is seen with painter, BSP or depth buffers",
-            "Qual superfície se vê com pintor, BSP ou z-buffers"),
-        Study::Shading => pick!(lang; "Light on curved surfaces made of flat faces",
-            "Luz em superfícies curvas feitas de faces planas"),
-        Study::Antialiasing => pick!(lang; "Samples of a pixel against exact area",
-            "Amostras por pixel contra a área exata"),
-        Study::Clipping => pick!(lang; "Segments through w = 0, clipped before or after the division",
-            "Segmentos por w = 0, recortados antes ou depois da divisão"),
-        Study::TextureFilter => pick!(lang; "Filters of a texture against the exact mean over the pixel",
-            "Filtros de uma textura contra a média exata sobre o pixel"),
-        Study::Shadows => pick!(lang; "Shadow maps against rays to the light",
-            "Mapas de sombras contra raios até a luz"),
-        Study::Photograph => pick!(lang; "The camera of a photograph from lines that are a pixel off",
-            "A câmera de uma fotografia, de retas erradas em um pixel"),
+        Study::VertexTransform => text!(lang, title_vertex_transform),
+        Study::Basis => text!(lang, title_basis),
+        Study::RepeatedOperations => text!(lang, title_repeated_operations),
+        Study::DepthBuffer => text!(lang, title_depth_buffer),
+        Study::Visibility => text!(lang, title_visibility),
+        Study::Shading => text!(lang, title_shading),
+        Study::Antialiasing => text!(lang, title_antialiasing),
+        Study::Clipping => text!(lang, title_clipping),
+        Study::TextureFilter => text!(lang, title_texture_filter),
+        Study::Shadows => text!(lang, title_shadows),
+        Study::Photograph => text!(lang, title_photograph),
     }
 }
 
 /// A study by a few words.
 pub const fn short_title(lang: Lang, study: Study) -> &'static str {
     match study {
-        Study::VertexTransform => pick!(lang; "Worlds far away", "Mundos distantes"),
+        Study::VertexTransform => text!(lang, short_title_vertex_transform),
         Study::Basis => "u, v, n",
-        Study::RepeatedOperations => pick!(lang; "Many operations", "Muitas operações"),
-        Study::DepthBuffer => pick!(lang; "Depth buffers", "Z-buffers"),
-        Study::Visibility => pick!(lang; "What is seen", "O que se vê"),
-        Study::Shading => pick!(lang; "Light on curved surfaces", "Luz em superfícies curvas"),
-        Study::Antialiasing => pick!(lang; "Samples of a pixel", "Amostras por pixel"),
-        Study::Clipping => pick!(lang; "Clipping through w = 0", "Recorte por w = 0"),
-        Study::TextureFilter => pick!(lang; "Filters of textures", "Filtros de texturas"),
-        Study::Shadows => pick!(lang; "Shadow maps", "Mapas de sombras"),
-        Study::Photograph => pick!(lang; "Camera of a photograph", "Câmera de uma fotografia"),
+        Study::RepeatedOperations => text!(lang, short_title_repeated_operations),
+        Study::DepthBuffer => text!(lang, short_title_depth_buffer),
+        Study::Visibility => text!(lang, short_title_visibility),
+        Study::Shading => text!(lang, short_title_shading),
+        Study::Antialiasing => text!(lang, short_title_antialiasing),
+        Study::Clipping => text!(lang, short_title_clipping),
+        Study::TextureFilter => text!(lang, short_title_texture_filter),
+        Study::Shadows => text!(lang, short_title_shadows),
+        Study::Photograph => text!(lang, short_title_photograph),
     }
 }
 
@@ -86,26 +48,22 @@ pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> Stri
     let error = lang.mark().printed(&short(row.error));
     let (unit, bits) = (unit(lang, row.unit), lang.mark().printed(&format!("{:.1}", row.bits)));
     let (parameter, nanos) = (parameter(lang, study), number(row.nanos));
-    both!(lang; "{method}, {parameter} {at}: {unit} {error}, {bits} bits off, {nanos} ns",
-        "{method}, {parameter} {at}: {unit} {error}, {bits} bits errados, {nanos} ns")
+    text!(lang, readout, method, parameter, at, unit, error, bits, nanos)
 }
 
 /// The parameter of a study.
 pub const fn parameter(lang: Lang, study: Study) -> &'static str {
     match study {
-        Study::VertexTransform => pick!(lang; "distance from the origin / scene units",
-            "distância da origem / unidades da cena"),
-        Study::Basis => pick!(lang; "angle between VUP and DOP / rad", "ângulo entre VUP e DOP / rad"),
-        Study::RepeatedOperations => pick!(lang; "operations", "operações"),
+        Study::VertexTransform => text!(lang, parameter_vertex_transform),
+        Study::Basis => text!(lang, parameter_basis),
+        Study::RepeatedOperations => text!(lang, parameter_repeated_operations),
         Study::DepthBuffer | Study::Visibility => "B / F",
-        Study::Shading => pick!(lang; "segments", "segmentos"),
-        Study::Antialiasing => pick!(lang; "size of the triangles / pixels", "tamanho dos triângulos / pixels"),
-        Study::Clipping => pick!(lang; "distance of the other end from the plane w = 0 / scene units",
-            "distância da outra ponta ao plano w = 0 / unidades da cena"),
-        Study::TextureFilter => pick!(lang; "texels along a pixel", "texels ao longo de um pixel"),
-        Study::Shadows => pick!(lang; "side of the map / texels", "lado do mapa / texels"),
-        Study::Photograph => pick!(lang; "angle between the lines of an axis / degrees",
-            "ângulo entre as retas de um eixo / graus"),
+        Study::Shading => text!(lang, parameter_shading),
+        Study::Antialiasing => text!(lang, parameter_antialiasing),
+        Study::Clipping => text!(lang, parameter_clipping),
+        Study::TextureFilter => text!(lang, parameter_texture_filter),
+        Study::Shadows => text!(lang, parameter_shadows),
+        Study::Photograph => text!(lang, parameter_photograph),
     }
 }
 
@@ -118,12 +76,12 @@ pub fn value(parameter: f64) -> String {
 /// The meaning of an error, with its unit.
 pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
     match unit {
-        Unit::SceneUnits => pick!(lang; "error / scene units", "erro / unidades da cena"),
-        Unit::Radians => pick!(lang; "error / rad", "erro / rad"),
-        Unit::Relative => pick!(lang; "relative error", "erro relativo"),
-        Unit::Share => pick!(lang; "wrong fraction", "fração errada"),
-        Unit::Color => pick!(lang; "error / range of a channel", "erro / faixa de um canal"),
-        Unit::Ndc => pick!(lang; "error / NDC", "erro / NDC"),
+        Unit::SceneUnits => text!(lang, unit_scene_units),
+        Unit::Radians => text!(lang, unit_radians),
+        Unit::Relative => text!(lang, unit_relative),
+        Unit::Share => text!(lang, unit_share),
+        Unit::Color => text!(lang, unit_color),
+        Unit::Ndc => text!(lang, unit_ndc),
     }
 }
 
@@ -224,7 +182,7 @@ pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -
         error: &|row: &Row| unit(lang, row.unit).to_owned(),
         time: texts(lang).time,
         front: texts(lang).front,
-        at: &|at| both!(lang; "error against time at {}", "erro contra tempo em {}"; lang.mark().printed(&value(at))),
+        at: &|at| text!(lang, with_words, at = lang.mark().printed(&value(at))),
         case: &|case| name(lang, case),
         method: &|method| name(lang, method),
     })
@@ -249,8 +207,8 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
     let t = texts(lang);
     let number = |text: &str| lang.mark().typed(text);
     let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
-    table += &pick!(lang; format!("Reference: {}. Times: median of warm passes over inputs of {} bytes. * no other method is both as accurate and as fast.\n", findings.reference, findings.working_set),
-        format!("Referência: {}. Tempos: mediana de passagens aquecidas sobre entradas de {} bytes. * nenhum outro método é tão exato e tão rápido.\n", reference(findings.study), findings.working_set));
+    let reference = if lang == Lang::PtBr { reference(findings.study) } else { findings.reference };
+    table += &text!(lang, table, reference, working_set = findings.working_set);
     let mut last: Option<(&str, f64)> = None;
     for row in &findings.rows {
         if last != Some((&row.case, row.parameter)) {
@@ -277,8 +235,7 @@ pub fn price(lang: Lang, price: &Price) -> String {
     let micros = |nanos: f64| lang.mark().printed(&significant(nanos / 1e3, 3));
     let [(a, b), (c, d)] = [price.numbers, price.frame].map(|cost| (micros(cost.camera_lab), micros(cost.f64)));
     let more = |cost: Cost| lang.mark().printed(&format!("{:.1}", 100.0 * (cost.camera_lab / cost.f64 - 1.0)));
-    both!(lang; "The cost of the camera model in double-double\n\n  numbers of a figure: {a} µs; textbook formulas in f64: {b} µs\n  a frame of the first scene: {c} µs; with the textbook formulas: {d} µs ({} % more)\n",
-        "O custo do modelo de câmera em precisão dupla-dupla\n\n  números de uma figura: {a} µs; fórmulas do livro em f64: {b} µs\n  um quadro da primeira cena: {c} µs; com as fórmulas do livro: {d} µs ({} % a mais)\n"; more(price.frame))
+    text!(lang, price, a, b, c, d, more = more(price.frame))
 }
 
 /// An error with its size and little more.

@@ -7,14 +7,7 @@ use crate::pipeline::budget::{OverBudget, names};
 use crate::progress::Activity;
 use crate::sanitize::escaped;
 
-texts! {
-    reading: "reading a mesh", "lendo uma malha";
-    ordering: "sorting faces", "ordenando as faces";
-    painting: "painting", "pintando";
-    encoding: "encoding the file", "codificando o arquivo";
-    measuring: "measuring", "medindo";
-    cancel: "Esc cancels", "Esc cancela";
-}
+texts!("window/progress");
 
 /// The present activity, and its finished share, if known.
 pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {

@@ -1,21 +1,9 @@
 //! The words of the search for anything in the window, and the comparison of words: without accents and capitals, and
 //! with the other names of the field.
 
-texts! {
-    title: "Search", "Pesquisar";
-    field: "Command, explanation, lesson, reference page, exercise, figure…", "Comando, explicação, lição, verbete, exercício, figura…";
-    keys: "↑ ↓: choose · Enter: go there · Esc: close", "↑ ↓: escolher · Enter: ir · Esc: fechar";
-    nothing: "No results for these words. Try fewer letters, or another name for it.", "Nenhum resultado com estas palavras. Tente menos letras, ou outro nome.";
-    command: "command", "comando";
-    operation: "operation", "operação";
-    parameter: "parameter", "parâmetro";
-    control: "control", "controle";
-    note: "reference page", "verbete";
-    exercise: "exercise", "exercício";
-    figure: "figure", "figura";
-    lesson: "lesson", "lição";
-    step: "step of a lesson", "passo de lição";
-}
+use crate::i18n::Lang;
+
+texts!("window/search");
 
 /// Groups of names for one thing, without accents: those of the notes, of other books and of libraries, in both
 /// languages. If you type one of them, you also find the others.

@@ -4,30 +4,26 @@ use std::time::Duration;
 
 use crate::i18n::Lang;
 
+texts!("window/sessions");
+
 texts_with_values! {
     /// The rest of a session is in the file at `path`, and can't be read.
-    damaged(lang, path: &str): "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}",
-        "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}";
+    damaged(lang, path: &str);
 
     /// The last session is back without some keys of its figure. The whole is in the file at `path`.
-    in_part(lang, keys: &str, path: &str): "The last session is restored, but this version does not know {keys}. Everything is kept in {path}. Saving asks for another file.",
-        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}. Salvar pede outro arquivo.";
+    in_part(lang, keys: &str, path: &str);
 
     /// All slots hold sessions of other windows.
-    no_slot(lang, slots: usize): "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of those in the list.",
-        "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.";
+    no_slot(lang, slots: usize);
 
     /// The preferences can't be parsed. They are in the file at `path` now.
-    preferences_set_aside(lang, path: &str): "The preferences can't be read. They're kept in {path}, and you begin with new ones.",
-        "As preferências não podem ser lidas. Estão guardadas em {path}, e você começa com novas.";
+    preferences_set_aside(lang, path: &str);
 
     /// The progress in exercises can't be read. It's in the file at `path` now.
-    progress_set_aside(lang, path: &str): "Your progress in exercises can't be read. It's kept in {path}, and you begin anew.",
-        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}, e você recomeça.";
+    progress_set_aside(lang, path: &str);
 
     /// Several files were dropped at once, and only the first was taken.
-    first_of_dropped(lang, path: &str, count: usize): "Of {count} files, the window opens one: {path}",
-        "De {count} arquivos, a janela abre um: {path}";
+    first_of_dropped(lang, path: &str, count: usize);
 }
 
 /// Data that can't be stored: the session of this window, preferences, progress in exercises. `why` is a sentence with
@@ -35,24 +31,20 @@ texts_with_values! {
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (preferences, progress) {
         (false, false) => "",
-        (true, false) => pick!(lang; "Preferences are not saved", "As preferências não são salvas"),
-        (false, true) => pick!(lang; "Progress in exercises is not saved", "O progresso nos exercícios não é salvo"),
-        (true, true) => pick!(lang; "Preferences and progress in exercises are not saved",
-            "As preferências e o progresso nos exercícios não são salvos"),
+        (true, false) => text!(lang, not_kept_preferences),
+        (false, true) => text!(lang, not_kept_progress),
+        (true, true) => text!(lang, not_kept_both),
     };
     match (session, not_remembered) {
         (false, _) => format!("{not_remembered}: {why}"),
-        (true, "") => both!(lang; "Changes in this window would be lost in a crash: {why}. Trying again.",
-            "Mudanças desta janela se perderiam em uma falha do programa: {why}. Nova tentativa em andamento."),
-        (true, _) => both!(lang; "{not_remembered}, and changes in this window would be lost in a crash: {why}",
-            "{not_remembered}, e mudanças desta janela se perderiam em uma falha do programa: {why}"),
+        (true, "") => text!(lang, not_kept, why),
+        (true, _) => text!(lang, not_kept_after_crash, not_remembered, why),
     }
 }
 
 /// Nothing can be stored, because the system names no folder for it.
 pub const fn no_home(lang: Lang) -> &'static str {
-    pick!(lang; "Your account has no home folder, so preferences and progress aren't saved, and a crash would lose your changes",
-        "Sua conta não tem pasta pessoal. Preferências e progresso não são salvos, e uma falha do programa perderia suas mudanças")
+    text!(lang, no_home)
 }
 
 /// An age, in words.
@@ -60,10 +52,10 @@ pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);
     match minutes {
-        0 => both!(lang; "just now", "agora mesmo"),
-        1..60 => both!(lang; "{minutes} min ago", "há {minutes} min"),
-        60..2880 => both!(lang; "{hours} h ago", "há {hours} h"),
-        _ => both!(lang; "{days} days ago", "há {days} dias"),
+        0 => text!(lang, ago_zero).to_owned(),
+        1..60 => text!(lang, ago_minutes, minutes),
+        60..2880 => text!(lang, ago_hours, hours),
+        _ => text!(lang, ago_days, days),
     }
 }
 
