@@ -8,10 +8,10 @@ use std::sync::LazyLock;
 use camera_lab::camera::Program;
 use camera_lab::exercises::families;
 use camera_lab::export::format::PictureFormat;
-use camera_lab::files::SHIPPED_FIGURES;
-use camera_lab::i18n::{Lang, window};
 use camera_lab::lessons::shipped;
 use camera_lab::numerics::Study;
+use camera_lab_files::SHIPPED_FIGURES;
+use camera_lab_words::{Lang, window};
 
 use crate::common::program::Bench;
 use crate::words::{files_below, words};

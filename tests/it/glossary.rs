@@ -147,7 +147,7 @@ fn texts_say_what_the_glossary_says() {
             ("", "README.pt-BR.md"),
         ])
         .flat_map(|(folder, ends)| files(folder, ends))
-        .chain(files_below("src/i18n", ".rs"))
+        .chain(files_below("crates/words/src", ".rs"))
         .chain(files_below("assets/words", ".toml"))
         // The words of other books are what the search is for.
         .filter(|path| !path.ends_with("window/search.rs"))

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use camera_lab::i18n::Lang;
+use camera_lab_words::Lang;
 
 use crate::words::words;
 
@@ -317,7 +317,16 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
             ),
             (
                 "doc comments",
-                ["crates/engine/src", "crates/figures/src", "crates/teaching/src", "src"].map(docs).join("\n"),
+                [
+                    "crates/engine/src",
+                    "crates/figures/src",
+                    "crates/teaching/src",
+                    "crates/words/src",
+                    "crates/files/src",
+                    "src",
+                ]
+                .map(docs)
+                .join("\n"),
                 Bounds { person: 0.0, ..NATIVE },
             ),
         ],

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use camera_lab::i18n::Lang;
+use camera_lab_words::Lang;
 
 /// The files below a folder whose names end with `ending`.
 pub(crate) fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
