@@ -18,13 +18,13 @@ use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Sampler, Shadin
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::clock;
 use camera_lab::figure::Figure;
-use camera_lab::i18n::{self, Lang};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Scenes, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Pictured, Scene, Shadows, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::{self as words, Lang};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
 
@@ -241,7 +241,7 @@ fn at_the_same_time(figure: &Figure, wanted: &impl Fn(&str) -> bool) {
     let name = "default figure, all, 1920x1080";
     let scene = scene_of(figure, &mut |_| Ok(Vec::new()), &Progress::default());
     let (true, Ok(camera), Ok(scene)) = (wanted(name), Camera::new(&figure.camera), scene) else { return };
-    let (scene, labels) = (SharedScene::new(scene), i18n::pictures::labels(Lang::En));
+    let (scene, labels) = (SharedScene::new(scene), words::pictures::labels(Lang::En));
     let size = Size { width: 640, height: 1080, scale: 1.0 };
     let requests = View::ALL.map(|view| Request::of(figure, view, &camera, &scene, labels, size));
     let (mut renderer, mut pictures) = (Renderer::default(), View::ALL.map(|_| Pixels::default()));
@@ -267,7 +267,7 @@ fn pictures(
     }
     let (Ok(camera), Some(scene)) = (Camera::new(&figure.camera), scene()) else { return };
     let scene = SharedScene::new(scene);
-    let labels = i18n::pictures::labels(Lang::En);
+    let labels = words::pictures::labels(Lang::En);
     for (view, name) in names.iter().filter(|(_, name)| wanted(name)) {
         let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
         renderer.measure(Some(clock::now));

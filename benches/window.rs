@@ -18,8 +18,8 @@ mod overdraw;
 use std::time::{Duration, Instant};
 
 use camera_lab::gui::{self, App, Start, State};
-use camera_lab::i18n::{Lang, window};
 use camera_lab::views::View;
+use camera_lab_words::{Lang, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Context, Event, FullOutput, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2, vec2,

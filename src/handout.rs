@@ -3,12 +3,12 @@
 use crate::camera::{Camera, CameraError, ImageSize};
 use crate::exercises::{self, Exercise, Kind};
 use crate::figure::Figure;
-use crate::i18n::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
-use crate::i18n::{Lang, pictures};
 use crate::lessons::{Lesson, Question, See, Step, Task};
 use crate::picture::{Composite, FormulaPart, Handout, HandoutEntry, NoComposite, Paragraph, have_same_scene};
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views};
+use camera_lab_words::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
+use camera_lab_words::{Lang, pictures};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 5;
@@ -412,7 +412,8 @@ fn formula_in_line(latex: &str) -> String {
     }
     // A comma between braces is the decimal mark, not a comma of a list.
     let points = latex.replace("{,}", ".").replace("\\qquad", ";\\ ");
-    let set = crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| crate::i18n::why::notes::plain(&points));
+    let set =
+        crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| camera_lab_words::why::notes::plain(&points));
     if latex.contains("{,}") { set.replace('.', ",") } else { set }
 }
 

@@ -32,7 +32,7 @@ mod system {
     #[cfg(feature = "gui")]
     fn open(opening: cli::Opening) -> ExitCode {
         use camera_lab::gui::{self, GuiError, Start};
-        use camera_lab::i18n::{command_line as texts, messages};
+        use camera_lab_words::{command_line as texts, messages};
 
         let cli::Opening { figure, file, allow_files, lang, asked_lang, lesson, later } = opening;
         match gui::run(Start { figure, file, lang, allow_files, lesson, later }, asked_lang) {
@@ -44,7 +44,7 @@ mod system {
 
     #[cfg(not(feature = "gui"))]
     fn open(opening: cli::Opening) -> ExitCode {
-        cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
+        cli::fail(1, &camera_lab_words::command_line::not_built_in(opening.lang))
     }
 
     /// Reports why there is no window. Windows has no console for a program opened by a double click, so it shows a box

@@ -3,8 +3,8 @@
 
 use arbitrary::{Arbitrary, Unstructured};
 use camera_lab::exercises::{Answer, Expected, Free, Kind, check, entries};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::exercises as texts;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::exercises as texts;
 
 use super::notation::Notation;
 

@@ -3,9 +3,9 @@
 
 use camera_lab::camera::Camera;
 use camera_lab::figure::{read, write};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::lessons;
 use camera_lab::lessons::{Part, Passage, Task, parse, place};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::lessons;
 
 const HEAD: &str = "\
 id = \"mine\"

@@ -3,7 +3,7 @@
 
 use arbitrary::{Arbitrary, Unstructured};
 use camera_lab::limits::{MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS};
-use camera_lab::share::{Held, link, text_in};
+use camera_lab_files::share::{Held, link, text_in};
 
 #[derive(Arbitrary, Debug)]
 struct Input<'a> {

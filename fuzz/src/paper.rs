@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 use arbitrary::{Arbitrary, Unstructured};
 use camera_lab::camera::Camera;
 use camera_lab::figure::Figure;
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Composite, OnPaper, Renderer};
 use camera_lab::progress::at_once;
 use camera_lab::scene::{Preset, no_files};
 use camera_lab::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+use camera_lab_words::{Lang, pictures::labels};
 
 #[derive(Arbitrary, Debug)]
 struct Input {

@@ -1,6 +1,6 @@
 //! A PNG, whatever it holds, gives a figure or an error.
 
-use camera_lab::files::figure_from;
+use camera_lab_files::figure_from;
 
 /// Tries one input.
 pub fn run(bytes: &[u8]) {

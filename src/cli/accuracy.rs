@@ -7,12 +7,12 @@ use super::render::save;
 use super::{Failure, json_of, print, progress};
 use crate::cli::args::words::{DataFormat, written};
 use crate::export::plot::{self, Block};
-use crate::i18n::Lang;
-use crate::i18n::why::numerics as words;
 use crate::numerics::overhead::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
 use crate::progress::at_once;
 use crate::sanitize;
+use camera_lab_words::Lang;
+use camera_lab_words::why::numerics as words;
 
 /// The JSON output.
 #[derive(Serialize)]

@@ -7,11 +7,11 @@ use super::{Failure, OpenFigure, progress, say, sweep, text_for_picture};
 use crate::camera::ImageSize;
 use crate::cli::args::figure::size;
 use crate::cli::args::words::written;
-use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Animation, FilmFormat, PictureFile};
 use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::View;
+use camera_lab_words::{Lang, command_line as texts, messages, pictures};
 
 /// The size of each picture if none is given.
 const SIZE: ImageSize = ImageSize { width: 480, height: 360 };

@@ -10,10 +10,10 @@ use super::{Failure, OpenFigure, json_of, print};
 use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
-use crate::i18n::{Lang, command_line as texts, messages};
 use crate::picture::{Composite, Pixels, Renderer};
 use crate::progress::at_once;
 use crate::views::{Request, Shot, View};
+use camera_lab_words::{Lang, command_line as texts, messages};
 
 /// Pictures drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;

@@ -4,8 +4,8 @@ use super::args::CodeArgs;
 use super::{Failure, open, print};
 use crate::cli::args::words::written;
 use crate::explain::Setting;
-use crate::i18n::Lang;
-use crate::i18n::why::{code as texts, dialects};
+use camera_lab_words::Lang;
+use camera_lab_words::why::{code as texts, dialects};
 
 pub(super) fn run(args: &CodeArgs, lang: Lang) -> Result<(), Failure> {
     let (opened, camera) = open(&args.figure, &args.common, lang)?;

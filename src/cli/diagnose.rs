@@ -12,15 +12,15 @@ use super::{Failure, OpenFigure, files_of, json_of, print, progress, say, scene,
 use crate::camera::{Camera, CameraError};
 use crate::cli::args::words::{TableFormat, written};
 use crate::figure::Figure;
-use crate::files::{self, FileError, Opened};
-use crate::i18n::window::coach;
-use crate::i18n::{Lang, messages};
 use crate::numerics::diagnosis::{
     Diagnosis, Finding, ImageSpec, ImpossibleCamera, Repair, Value, WrongPixels, diagnose, impossible_camera,
 };
 use crate::numerics::health::{Health, health};
 use crate::progress::at_once;
 use crate::sanitize;
+use camera_lab_files::{self as files, FileError, Opened};
+use camera_lab_words::window::coach;
+use camera_lab_words::{Lang, messages};
 
 /// The JSON output.
 #[derive(Serialize)]

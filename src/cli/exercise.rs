@@ -15,13 +15,7 @@ use crate::cli::args::words::{TableFormat, written};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
-use crate::files::{self, BadExercise, OwnExercises};
 use crate::handout::{self, HandoutOptions, NoPicture};
-use crate::i18n::learn::{
-    exercise_messages as said, exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
-};
-use crate::i18n::why::notes;
-use crate::i18n::{Lang, messages};
 use crate::inspect::json_text;
 use crate::lessons::lesson_of;
 use crate::picture::{self, Composite, FileOptions, Metadata};
@@ -29,6 +23,12 @@ use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::no_files;
 use crate::views::{SharedScene, Size, View, Views, scene_of};
+use camera_lab_files::{self as files, BadExercise, OwnExercises};
+use camera_lab_words::learn::{
+    exercise_messages as said, exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
+};
+use camera_lab_words::why::notes;
+use camera_lab_words::{Lang, messages};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;

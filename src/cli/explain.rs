@@ -10,9 +10,6 @@ use super::{Failure, OpenFigure, json_of, print};
 use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
-use crate::i18n::why::pipeline;
-use crate::i18n::window::canvas;
-use crate::i18n::{Lang, command_line as texts};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
 use crate::progress::at_once;
@@ -20,6 +17,9 @@ use crate::sanitize::escaped;
 use crate::scene::{Object, Scene};
 use crate::stage::Operations;
 use crate::views::{Request, Size, View};
+use camera_lab_words::why::pipeline;
+use camera_lab_words::window::canvas;
+use camera_lab_words::{Lang, command_line as texts};
 
 /// The JSON output.
 #[derive(Serialize)]

@@ -4,8 +4,8 @@ use super::args::InspectArgs;
 use super::{Failure, open, print, say};
 use crate::camera::ImageSize;
 use crate::explain::{self, DepthPixelReport, Setting};
-use crate::i18n::{Lang, command_line as texts, messages};
 use crate::inspect::{InspectError, Report};
+use camera_lab_words::{Lang, command_line as texts, messages};
 
 pub(super) fn run(args: &InspectArgs, lang: Lang) -> Result<(), Failure> {
     let (points, pixels, depth_pixels) = (args.points(lang)?, args.pixels(lang)?, args.depth_pixels(lang)?);

@@ -7,9 +7,9 @@ use clap_complete::Shell;
 
 use super::args::{CommandLine, ManualArgs};
 use super::{Failure, print};
-use crate::files::{self, FileError, Overwrite};
-use crate::i18n::{Lang, messages};
 use crate::sanitize;
+use camera_lab_files::{self as files, FileError, Overwrite};
+use camera_lab_words::{Lang, messages};
 
 pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<(), Failure> {
     let mut command = CommandLine::command();

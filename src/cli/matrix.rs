@@ -10,10 +10,10 @@ use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camer
 use crate::cli::args::figure::size;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{TableFormat, written};
-use crate::files::{self, FileError};
-use crate::i18n::why::dialects;
-use crate::i18n::{Lang, messages};
 use crate::inspect::CameraReport;
+use camera_lab_files::{self as files, FileError};
+use camera_lab_words::why::dialects;
+use camera_lab_words::{Lang, messages};
 
 /// The JSON output.
 #[derive(Serialize)]

@@ -7,6 +7,7 @@
 mod accuracy;
 mod animate;
 mod args;
+mod argument_errors;
 mod bench;
 mod code;
 mod diagnose;
@@ -34,18 +35,18 @@ use serde::Serialize;
 use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::read::line_of_object;
 use crate::figure::{Figure, update};
-use crate::files::{self, FigureFiles, FileAccess, FileError, LeftOut, Opened, SourceFile};
-use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after, for_terminals};
 use crate::lessons::OpenLesson;
 use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
-use crate::share;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 use args::figure::FigureArgs;
 use args::words::written;
 use args::{Command, CommandLine};
+use camera_lab_files::share;
+use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Opened, SourceFile};
+use camera_lab_words::{Lang, command_line as texts, messages, pictures};
 
 /// The reason why a command ends early.
 #[derive(Debug)]
@@ -128,7 +129,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
         },
         Err(error) if error.use_stderr() => Err(Failure::BadInput(match args::unknown_command(&args) {
             Some(name) => texts::unknown_command(lang, &name, &args::commands()),
-            None => texts::arguments(lang, &error),
+            None => argument_errors::in_words(lang, &error),
         })),
         Err(help) => print(help.render().to_string().as_bytes(), lang),
     };

@@ -4,9 +4,9 @@ use super::args::WindowArgs;
 use super::{Failure, Opening};
 use crate::cli::args::words::LangArg;
 use crate::figure::Figure;
-use crate::files;
-use crate::i18n::{Lang, messages};
 use crate::scene::Preset;
+use camera_lab_files as files;
+use camera_lab_words::{Lang, messages};
 
 pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure> {
     let (allow_files, asked_lang) = (args.common.allow_files, args.common.lang.map(LangArg::lang));

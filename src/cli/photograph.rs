@@ -9,9 +9,9 @@ use crate::camera::{PhotographCamera, camera_of_photograph};
 use crate::cli::args::figure::size;
 use crate::cli::args::photograph::PhotographArgs;
 use crate::cli::args::words::{TableFormat, written};
-use crate::i18n::why::photograph as texts;
-use crate::i18n::{Lang, messages};
 use crate::inspect::CameraReport;
+use camera_lab_words::why::photograph as texts;
+use camera_lab_words::{Lang, messages};
 
 /// The JSON output.
 #[derive(Serialize)]

@@ -5,9 +5,9 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-use crate::i18n::Lang;
-use crate::i18n::window::progress as words;
 use crate::progress::Progress;
+use camera_lab_words::Lang;
+use camera_lab_words::window::progress as words;
 
 /// Delay before the first message.
 const MAX_WAIT: Duration = Duration::from_millis(500);

@@ -8,10 +8,7 @@ use crate::camera::{Camera, ImageSize};
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::words::written;
-use crate::files::{self, Opened, Overwrite};
 use crate::handout;
-use crate::i18n::window::{compare, labels as labels_words};
-use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
 use crate::picture::{
     self, Beside, Composite, Handout, NoComposite, OnPaper, PictureError, PictureFile, SheetSize, gap,
 };
@@ -19,6 +16,9 @@ use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{ObserverOf, Request, SharedScene, Shot, Size, View, unknown_labels};
+use camera_lab_files::{self as files, Opened, Overwrite};
+use camera_lab_words::window::{compare, labels as labels_words};
+use camera_lab_words::{Lang, command_line as texts, families, messages, pictures};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let out = &args.out;

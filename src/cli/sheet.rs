@@ -10,13 +10,13 @@ use crate::cli::args::figure::size;
 use crate::cli::args::sheet::SheetArgs;
 use crate::cli::args::words::written;
 use crate::figure::variation::{Variant, Variation, VariationError, variants};
-use crate::files::Opened;
-use crate::i18n::{Lang, families, messages, pictures};
 use crate::limits::MAX_FAMILY;
 use crate::picture::{self, Family, SheetSize};
 use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{Request, SharedScene, Shot, Size, View};
+use camera_lab_files::Opened;
+use camera_lab_words::{Lang, families, messages, pictures};
 
 /// The width of each picture in pixels if no size is given.
 const WIDTH: u32 = 480;

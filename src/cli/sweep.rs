@@ -8,12 +8,12 @@ use crate::camera::{Camera, CameraPath, ImageSize};
 use crate::cli::args::words::written;
 use crate::figure::Figure;
 use crate::figure::variation::Variant;
-use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
 use crate::limits::MAX_FRAMES;
 use crate::picture::{FilmFormat, Sweep};
 use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, with_observer};
+use camera_lab_words::{Lang, command_line as texts, families, messages, pictures};
 
 /// The number of pictures if none is given, for an animation and for a strip of stills.
 const FRAMES: [usize; 2] = [40, 5];

@@ -15,13 +15,13 @@ pub mod storage;
 pub mod why;
 
 use crate::figure::Figure;
-use crate::files::SourceFile;
-use crate::i18n::Lang;
 use crate::lessons::OpenLesson;
 use crate::scene::Preset;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
+use camera_lab_files::SourceFile;
+use camera_lab_words::Lang;
 use std::path::PathBuf;
 
 /// The initial state of the window.

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use camera_lab::camera::Parameters;
 use camera_lab::gui::learn::exercises::state::Chosen;
-use camera_lab::i18n::Lang;
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;

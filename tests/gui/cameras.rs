@@ -3,9 +3,9 @@
 use camera_lab::camera::Camera;
 use camera_lab::figure::Figure;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::cameras;
 use camera_lab::views::pick;
+use camera_lab_words::Lang;
+use camera_lab_words::window::cameras;
 use eframe::egui::{Key, vec2};
 
 use super::canvas::{WORLD, parameters, place, stage, world};

@@ -10,12 +10,12 @@ use camera_lab::gui::app::frame::pictures;
 use camera_lab::gui::kit::theme;
 use camera_lab::gui::pictures::Canvas;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::pictures::labels;
-use camera_lab::i18n::window::canvas as words;
 use camera_lab::scene::Preset;
 use camera_lab::views::handles::handles;
 use camera_lab::views::{Arrangement, Handle, Request, Size, View};
+use camera_lab_words::Lang;
+use camera_lab_words::pictures::labels;
+use camera_lab_words::window::canvas as words;
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchDeviceId, TouchId,
     TouchPhase, Vec2, vec2,
@@ -484,7 +484,7 @@ fn a_right_click_in_a_picture_opens_its_menu() {
     window.harness.get_by_label(&image).click_secondary();
     window.run();
     // With its keys.
-    window.harness.get_by_label_contains(camera_lab::i18n::window::compare::texts(Lang::En).keep).click();
+    window.harness.get_by_label_contains(camera_lab_words::window::compare::texts(Lang::En).keep).click();
     window.run();
     assert!(window.state().camera_a.is_some());
 }

@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::{Camera, Parameters};
-use camera_lab::i18n::Lang;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;

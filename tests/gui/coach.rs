@@ -7,9 +7,9 @@ use camera_lab::figure::Explanation;
 use camera_lab::gui::app::file_flow;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::model::action::AfterSave;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::coach;
 use camera_lab::scene::Preset;
+use camera_lab_words::Lang;
+use camera_lab_words::window::coach;
 use eframe::egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;
 
@@ -108,7 +108,7 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
     file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::OpenPath(path));
     settled(&mut window);
     if window.state().file_flow.dialog.is_some() {
-        window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
+        window.click(camera_lab_words::window::texts(Lang::En).dont_save);
         settled(&mut window);
     }
     assert!(window.state().model.desk.shown.problem().is_some());

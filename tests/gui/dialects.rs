@@ -5,9 +5,9 @@
 use camera_lab::camera::{Axes, MatrixKind, Projection};
 use camera_lab::figure::{Explanation, Measure, Measured, WindowSide};
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, vec2};
 use egui_kittest::kittest::Queryable as _;

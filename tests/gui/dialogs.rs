@@ -5,9 +5,9 @@ use std::fs;
 use camera_lab::appearance::Theme;
 use camera_lab::export::format::PictureFormat;
 use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::handouts;
 use camera_lab::views::{View, Views};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::handouts;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{ColorImage, Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, TextureId};
 use egui_kittest::kittest::{NodeT as _, Queryable};
@@ -441,7 +441,7 @@ fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
 
 #[test]
 fn a_dialog_of_the_system_holds_the_window_back() {
-    let t = camera_lab::i18n::window::texts(Lang::En);
+    let t = camera_lab_words::window::texts(Lang::En);
     let mut window = Window::new(Lang::En);
     window.app_mut().state.file_flow.native = true;
     window.command_key(Key::O);
@@ -490,7 +490,7 @@ fn a_lesson_and_exercises_are_printed() {
 #[test]
 fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
     let mut window = Window::new(Lang::En);
-    let t = camera_lab::i18n::window::sharing::texts(Lang::En);
+    let t = camera_lab_words::window::sharing::texts(Lang::En);
     let shortcut = |window: &mut Window, modifiers| {
         window.harness.key_press_modifiers(modifiers, Key::K);
         window.run();

@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::exercises::Progress;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::{exercise_window, exercises as said};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::{exercise_window, exercises as said};
 use eframe::egui::Event;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;

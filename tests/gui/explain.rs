@@ -7,10 +7,10 @@ use camera_lab::gui::model::explained::matrices::{Matrices, Reading};
 use camera_lab::gui::model::layout::{Side, Tab};
 use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{LaunchOptions, Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::explain::texts;
 use camera_lab::numbers::{DecimalMark, without_rests};
 use camera_lab::scene;
+use camera_lab_words::Lang;
+use camera_lab_words::why::explain::texts;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -311,7 +311,7 @@ fn the_entries_of_m_m_light_up_translation_rotation_and_scale() {
 #[test]
 fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
     let mut window = with_object(Lang::PtBr);
-    let t = camera_lab::i18n::window::scenes::texts(Lang::PtBr);
+    let t = camera_lab_words::window::scenes::texts(Lang::PtBr);
     let places = ["linha 1, coluna 1", "linha 2, coluna 2", "linha 2, coluna 4", "linha 4, coluna 4"]
         .map(|place| entry(&window, &format!("M_m, {place}:")));
     let count = |window: &Window| places.map(|place| painted(window, place));

@@ -6,10 +6,10 @@ use std::fs;
 
 use camera_lab::camera::{Decomposition, Parameters, ViewWindow};
 use camera_lab::figure::Explanation;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::explain::texts;
-use camera_lab::i18n::window::canvas;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
+use camera_lab_words::why::explain::texts;
+use camera_lab_words::window::canvas;
 use eframe::egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
 

@@ -16,9 +16,9 @@ use camera_lab::figure::ShownStep;
 use camera_lab::gui::learn::exercises::state::{Checked, Chosen, Described, Typed, joined};
 use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::View;
+use camera_lab_words::Lang;
 use glam::{DMat4, DVec3};
 
 use super::pictures::write;
@@ -157,7 +157,7 @@ fn of_the_whole_window() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let path = folder.join("assets/figures/corridor.toml");
     for (lang, code) in [(Lang::En, "en"), (Lang::PtBr, "pt-BR")] {
-        let (figure, file) = camera_lab::files::open_figure(&path).unwrap().at(&path);
+        let (figure, file) = camera_lab_files::open_figure(&path).unwrap().at(&path);
         let mut state =
             State::new(Start { figure, file: Some(file), lang, allow_files: false, lesson: None, later: None })
                 .unwrap();

@@ -5,9 +5,9 @@
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::{Explanation, NamedPoint};
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::texts;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::{Probe, View};
+use camera_lab_words::Lang;
+use camera_lab_words::window::texts;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect};
 use egui_kittest::Harness;

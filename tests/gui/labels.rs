@@ -4,9 +4,9 @@
 
 use camera_lab::camera::Parameters;
 use camera_lab::figure::{Comparison, Labels, Measure, NotePlace, Outside};
-use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::{LabelPlace, View};
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::Queryable;

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use camera_lab::gui::model::message::Message;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::texts;
+use camera_lab_words::Lang;
+use camera_lab_words::window::texts;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, NodeT, Queryable};
 
@@ -73,7 +73,7 @@ fn what_was_said_last_is_said_in_the_language_of_now() {
 
     // Errors carry what went wrong, not the words for it.
     let path = std::path::PathBuf::from("/no such figure.toml");
-    let error = camera_lab::files::open_figure(&path).expect_err("it is not there");
+    let error = camera_lab_files::open_figure(&path).expect_err("it is not there");
     window.app_mut().state.model.say(Message::File(path, error));
     window.run();
     assert!(window.says("there is no such file or directory"));

@@ -2,8 +2,8 @@
 
 use camera_lab::camera::{ImageSize, LensForm};
 use camera_lab::figure::write::to_toml;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::lens::texts;
+use camera_lab_words::Lang;
+use camera_lab_words::window::lens::texts;
 
 use super::window::Window;
 

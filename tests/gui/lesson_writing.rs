@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use camera_lab::exercises::{Ask, judge_answer, read_answer};
 use camera_lab::figure::Bilingual;
-use camera_lab::files::read_lesson;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::lesson_tasks as tasks;
-use camera_lab::i18n::learn::lessons as words;
 use camera_lab::lessons::{Lesson, OpenLesson, Task, shipped, with_step};
-use camera_lab::share::{self, Held};
+use camera_lab_files::read_lesson;
+use camera_lab_files::share::{self, Held};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::lesson_tasks as tasks;
+use camera_lab_words::learn::lessons as words;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -202,7 +202,7 @@ fn a_text_that_is_wrong_is_told_and_not_lost() {
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
-    window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
+    window.click(camera_lab_words::window::texts(Lang::En).dont_save);
     assert!(window.state().learn.lesson.is_none());
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
 }

@@ -9,11 +9,11 @@ use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
-use camera_lab::i18n::learn::exercises::choice_of;
-use camera_lab::i18n::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
-use camera_lab::i18n::why::notes::line;
-use camera_lab::i18n::{Lang, told};
 use camera_lab::lessons::{OpenLesson, Task, shipped};
+use camera_lab_words::learn::exercises::choice_of;
+use camera_lab_words::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
+use camera_lab_words::why::notes::line;
+use camera_lab_words::{Lang, told};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{By, Queryable as _};
@@ -456,7 +456,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     window.run();
     // The file is known now.
     record(&mut window);
-    let (lesson, text) = camera_lab::files::read_lesson(&file).unwrap();
+    let (lesson, text) = camera_lab_files::read_lesson(&file).unwrap();
     assert_eq!((lesson.id.as_str(), lesson.steps.len()), ("mine", 2));
     assert_eq!(lesson.steps[1].figure.camera, second);
     let added = text.rsplit("[[step]]").next().unwrap();
@@ -487,7 +487,7 @@ fn links_of_a_text_open_pages_and_no_files() {
     let text = "id = \"x\"\ntitle = \"T\"\n[[step]]\ntitle = \"One\"\n\
         text = \"[here](file:///etc/passwd) and [there](https://example.org/)\"\n";
     std::fs::write(&path, text).unwrap();
-    let (lesson, _) = camera_lab::files::read_lesson(&path).unwrap();
+    let (lesson, _) = camera_lab_files::read_lesson(&path).unwrap();
     let figure = (*lesson.steps[0].figure).clone();
     let lesson = Some(OpenLesson { lesson: lesson.into(), path: Some(path), step: 0 });
     let state = State::new(Start { figure, lang: Lang::En, lesson, ..Start::default() }).unwrap();
@@ -507,7 +507,7 @@ fn links_of_a_text_open_pages_and_no_files() {
     };
     assert_eq!(opened("here"), [""; 0]);
     assert_eq!(opened("there"), ["https://example.org/"]);
-    assert!(window.says(camera_lab::i18n::window::texts(Lang::En).link_refused));
+    assert!(window.says(camera_lab_words::window::texts(Lang::En).link_refused));
 }
 
 #[test]

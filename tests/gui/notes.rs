@@ -5,10 +5,10 @@ use camera_lab::figure::NamedPoint;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::model::layout::{Side, Tab};
 use camera_lab::gui::model::scene_tree::Selected;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::explain::texts;
-use camera_lab::i18n::why::notes::note;
 use camera_lab::scene::{ObjectSpec, Shape};
+use camera_lab_words::Lang;
+use camera_lab_words::why::explain::texts;
+use camera_lab_words::why::notes::note;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -204,7 +204,7 @@ fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
         window.key(Key::F1);
         assert_eq!(shown(&window), Some(note), "{label}");
     };
-    let t = camera_lab::i18n::why::homogeneous::texts(Lang::En);
+    let t = camera_lab_words::why::homogeneous::texts(Lang::En);
     ask(Explanation::Homogeneous, Role::Slider, t.share, "5.6");
     ask(Explanation::Homogeneous, Role::CheckBox, t.vanishing, "ideal-point");
     ask(Explanation::Homogeneous, Role::DisclosureTriangle, t.plane_title, "w");
@@ -226,7 +226,7 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
     state.model.tree.select(Some(Selected::Object("caixa".to_owned())));
     state.model.settings.tab = Tab::Scene;
     window.run();
-    let t = camera_lab::i18n::window::scenes::texts(Lang::PtBr);
+    let t = camera_lab_words::window::scenes::texts(Lang::PtBr);
     for (name, note) in [(t.translate, "translation"), (t.rotate, "rotation"), (t.scale, "scale")] {
         window.field(&format!("{name} z")).focus();
         window.run();

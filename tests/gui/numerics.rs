@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use camera_lab::camera::Camera;
-use camera_lab::i18n::Lang;
 use camera_lab::numerics::{Effort, OWN, Study};
+use camera_lab_words::Lang;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;

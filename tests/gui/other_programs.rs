@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use camera_lab::files;
 use camera_lab::gui::app::file_flow::questions::Dialog;
-use camera_lab::i18n::Lang;
+use camera_lab_files as files;
+use camera_lab_words::Lang;
 use eframe::egui::{Event, Key, Modifiers};
 
 use super::files::Folder;

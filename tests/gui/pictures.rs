@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use camera_lab::appearance::Theme;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
+use camera_lab_words::Lang;
 use eframe::egui::Key;
 use image::RgbaImage;
 

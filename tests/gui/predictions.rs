@@ -3,10 +3,10 @@
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::learn::{exercise_window, exercises};
-use camera_lab::i18n::{Lang, told};
 use camera_lab::lessons::{Task, shipped};
 use camera_lab::views::View;
+use camera_lab_words::learn::{exercise_window, exercises};
+use camera_lab_words::{Lang, told};
 use eframe::egui::{Key, Modifiers, Pos2, pos2};
 use egui_kittest::kittest::Queryable as _;
 use glam::{DVec2, DVec3};
@@ -178,7 +178,7 @@ fn predicting() -> Window {
 #[test]
 fn an_operation_asks_first_where_a_point_goes_and_compares() {
     let mut window = predicting();
-    let t = camera_lab::i18n::window::predict::texts(Lang::En);
+    let t = camera_lab_words::window::predict::texts(Lang::En);
     let camera = window.state().model.desk.shown.figure().camera;
     window.harness.get_by_label(&format!("{} +", en::WINDOW.azimuth)).click();
     window.run();
@@ -216,7 +216,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
 #[test]
 fn a_zoom_asks_for_sizes_and_says_by_how_much() {
     let mut window = predicting();
-    let t = camera_lab::i18n::window::predict::texts(Lang::En);
+    let t = camera_lab_words::window::predict::texts(Lang::En);
     window.harness.get_by_label(&format!("{} +", en::WINDOW.zoom)).click();
     window.run();
     window.harness.get_by_label(t.smaller).click();

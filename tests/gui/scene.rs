@@ -4,8 +4,8 @@ use camera_lab::appearance::{Filter, TextureReveal, Wrap};
 use camera_lab::figure::ShadowReveal;
 use camera_lab::figure::read::parse;
 use camera_lab::gui::model::scene_tree::Selected;
-use camera_lab::i18n::Lang;
 use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shadows, Shape, TextureSource};
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::kittest::Queryable;
@@ -199,7 +199,7 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     assert!(window.says("allowed: whole numbers from 64 to 4096") || window.says("64"));
     assert_eq!(shadows(&window).map, 256);
     window.key(Key::Escape);
-    let t = camera_lab::i18n::window::scenes::texts(Lang::En);
+    let t = camera_lab_words::window::scenes::texts(Lang::En);
     window.pick(t.shadow_reveal, t.shadow_of_light);
     assert_eq!(window.state().model.desk.shown.figure().reveal.shadows, Some(ShadowReveal::Map));
     window.click(en::SCENES.shadows);
@@ -568,7 +568,7 @@ fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
 fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
     let folder = Folder::new("texture");
     for lang in [Lang::En, Lang::PtBr] {
-        let t = camera_lab::i18n::window::scenes::texts(lang);
+        let t = camera_lab_words::window::scenes::texts(lang);
         let mut window = Window::scene(lang);
         window.app_mut().state.model.desk.shown.edit(|figure| {
             figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];
@@ -608,7 +608,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
         let mut image = image::RgbImage::new(4, 2);
         image.put_pixel(0, 0, image::Rgb([255, 0, 0]));
         image.save(&missing).expect("a folder of the test");
-        window.click(camera_lab::i18n::window::texts(lang).reload);
+        window.click(camera_lab_words::window::texts(lang).reload);
         for _ in 0..20 {
             window.run();
         }

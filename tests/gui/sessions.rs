@@ -6,16 +6,16 @@ use std::time::Duration;
 
 use camera_lab::camera::{Convention, Operation, Parameters};
 use camera_lab::figure::{Measure, Measured};
-use camera_lab::files::FileError;
 use camera_lab::geometry::Angle;
 use camera_lab::gui;
 use camera_lab::gui::app::file_flow;
 use camera_lab::gui::model::action::AfterSave;
 use camera_lab::gui::model::message::Message;
 use camera_lab::gui::{LaunchOptions, Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
+use camera_lab_files::FileError;
+use camera_lab_words::Lang;
+use camera_lab_words::window::texts;
 use eframe::egui::{Key, Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 

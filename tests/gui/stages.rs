@@ -5,10 +5,10 @@
 use camera_lab::appearance::Visibility;
 use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::stages::texts;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
+use camera_lab_words::why::stages::texts;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 

@@ -2,10 +2,10 @@
 
 use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::pipeline::Stage;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -187,7 +187,7 @@ fn the_strip_says_the_same_numbers_while_it_shows_a_stage() {
 fn stages_are_reached_shown_and_explained_by_keyboard() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = with_house(lang);
-        let name = camera_lab::i18n::why::pipeline::stage(lang, Stage::Clip);
+        let name = camera_lab_words::why::pipeline::stage(lang, Stage::Clip);
         cell(&window, name).focus();
         window.run();
         assert!(cell(&window, name).is_focused());
@@ -197,10 +197,10 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
         assert_eq!(window.state().model.shown_stage(), None, "Space");
         // Tab moves on to the next stage.
         window.key(Key::Tab);
-        assert!(cell(&window, camera_lab::i18n::why::pipeline::stage(lang, Stage::Oblique)).is_focused());
+        assert!(cell(&window, camera_lab_words::why::pipeline::stage(lang, Stage::Oblique)).is_focused());
         window.key(Key::F1);
         assert_eq!(window.state().model.explained.shown(), Explanation::Notes);
-        assert_eq!(window.state().explain.notes.chosen, camera_lab::i18n::why::notes::of_stage(Stage::Oblique));
+        assert_eq!(window.state().explain.notes.chosen, camera_lab_words::why::notes::of_stage(Stage::Oblique));
     }
 }
 
@@ -214,7 +214,7 @@ fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
     window.explain(Explanation::Stages);
     let drawn = window.app_mut().canvas.drawn()[View::World.index()];
     assert!(drawn >= before);
-    let clipping = format!("7. {}", camera_lab::i18n::why::pipeline::stage(Lang::En, Stage::Clip));
+    let clipping = format!("7. {}", camera_lab_words::why::pipeline::stage(Lang::En, Stage::Clip));
     window.click(&clipping);
     assert_eq!(window.state().model.shown_stage(), Some(Stage::Clip));
     assert!(window.app_mut().canvas.drawn()[View::World.index()] > drawn, "cuts are marked there");

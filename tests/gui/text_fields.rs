@@ -5,8 +5,8 @@ use std::path::Path;
 
 use camera_lab::figure::Explanation;
 use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
-use camera_lab::i18n::Lang;
 use camera_lab::limits::{MAX_EXPRESSION, MAX_TYPED, MAX_TYPED_NAME};
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;

@@ -3,9 +3,9 @@
 use std::fs;
 
 use camera_lab::figure::Bilingual;
-use camera_lab::files::read_lesson;
 use camera_lab::gui::app::file_flow::questions::Dialog;
-use camera_lab::i18n::Lang;
+use camera_lab_files::read_lesson;
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;

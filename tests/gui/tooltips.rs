@@ -1,7 +1,7 @@
 //! What is said when the pointer rests on something.
 
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::texts;
+use camera_lab_words::Lang;
+use camera_lab_words::window::texts;
 use eframe::egui::{Key, Rect};
 
 use super::window::Window;

@@ -5,12 +5,12 @@
 use camera_lab::figure::Explanation;
 use camera_lab::figure::TriangleStep;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::triangle::{step, texts};
 use camera_lab::picture::FollowedTriangle;
 use camera_lab::progress::at_once;
 use camera_lab::scene::Preset;
 use camera_lab::views::{Request, Size, TriangleOverlay, View};
+use camera_lab_words::Lang;
+use camera_lab_words::why::triangle::{step, texts};
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable as _;
 
@@ -33,7 +33,7 @@ fn staged(lang: Lang) -> Window {
 fn overlay(window: &Window) -> TriangleOverlay {
     let state = window.state();
     let size = Size { width: 640, height: 480, scale: 1.0 };
-    let labels = camera_lab::i18n::pictures::labels(Lang::En);
+    let labels = camera_lab_words::pictures::labels(Lang::En);
     let (figure, camera) = (state.model.desk.shown.figure(), state.model.desk.shown.camera());
     let request = Request::of(figure, View::Image, camera, state.model.scene_cache.scene(), labels, size);
     at_once(FollowedTriangle::default().overlay(&request)).unwrap().as_ref().clone()

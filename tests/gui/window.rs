@@ -6,9 +6,9 @@ use camera_lab::figure::Explanation;
 use camera_lab::gui::kit::theme;
 use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{App, Start, State};
-use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, Shape, Ui, UiBuilder, Vec2};
 use egui_kittest::kittest::Queryable;
@@ -26,7 +26,7 @@ pub(crate) struct Window {
 
 /// The names of an explanation's question and of itself in the window.
 pub(crate) fn names(lang: Lang, explanation: Explanation) -> [&'static str; 2] {
-    let t = camera_lab::i18n::why::explain::texts(lang);
+    let t = camera_lab_words::why::explain::texts(lang);
     match explanation {
         Explanation::Matrices => [t.question_where, t.matrices],
         Explanation::Point => [t.question_where, t.point],
@@ -48,7 +48,7 @@ pub(crate) fn names(lang: Lang, explanation: Explanation) -> [&'static str; 2] {
 
 /// The state of a window with a figure file, and only one view in it.
 pub(crate) fn opened(path: &std::path::Path, view: View) -> State {
-    let opened = camera_lab::files::open_figure(path).expect("a figure file");
+    let opened = camera_lab_files::open_figure(path).expect("a figure file");
     let (figure, file) = opened.at(path);
     let mut state = State::new(Start { figure, file: Some(file), allow_files: false, ..Start::default() })
         .expect("a possible camera");
@@ -225,7 +225,7 @@ impl Window {
 
     /// Unfolds what is behind *More*, by its name.
     pub(crate) fn more(&mut self, what: &str) {
-        let more = camera_lab::i18n::window::texts(self.state().model.settings.lang).more;
+        let more = camera_lab_words::window::texts(self.state().model.settings.lang).more;
         self.click(&format!("{more}: {what}"));
     }
 

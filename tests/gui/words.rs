@@ -2,10 +2,10 @@
 
 /// English.
 pub(crate) mod en {
-    use camera_lab::i18n::learn::{exercise_window, lessons};
-    use camera_lab::i18n::why::{conventions, dialects, explain, explain_point, homogeneous, numerics, order, stages};
-    use camera_lab::i18n::window::{canvas, coach, compare, gallery, labels, scenes};
-    use camera_lab::i18n::{Lang, families, window};
+    use camera_lab_words::learn::{exercise_window, lessons};
+    use camera_lab_words::why::{conventions, dialects, explain, explain_point, homogeneous, numerics, order, stages};
+    use camera_lab_words::window::{canvas, coach, compare, gallery, labels, scenes};
+    use camera_lab_words::{Lang, families, window};
 
     pub(crate) const CANVAS: &canvas::Texts = canvas::texts(Lang::En);
     pub(crate) const COACH: &coach::Texts = coach::texts(Lang::En);
@@ -29,9 +29,9 @@ pub(crate) mod en {
 
 /// Brazilian Portuguese.
 pub(crate) mod pt {
-    use camera_lab::i18n::why::{conventions, dialects, numerics};
-    use camera_lab::i18n::window::{canvas, compare, gallery, scenes};
-    use camera_lab::i18n::{Lang, window};
+    use camera_lab_words::why::{conventions, dialects, numerics};
+    use camera_lab_words::window::{canvas, compare, gallery, scenes};
+    use camera_lab_words::{Lang, window};
 
     pub(crate) const CANVAS: &canvas::Texts = canvas::texts(Lang::PtBr);
     pub(crate) const COMPARE: &compare::Texts = compare::texts(Lang::PtBr);

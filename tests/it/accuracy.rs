@@ -6,11 +6,11 @@ use std::sync::OnceLock;
 
 use camera_lab::appearance::Filter;
 use camera_lab::figure::{ShadowReveal, read};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::numerics as words;
 use camera_lab::numerics::{Effort, Findings, OWN, Row, Study, run};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::scene::{Shadows, TextureSource};
+use camera_lab_words::Lang;
+use camera_lab_words::why::numerics as words;
 
 use crate::common::program::Bench;
 

@@ -5,10 +5,10 @@
 use camera_lab::appearance::{Shading, Visibility};
 use camera_lab::camera::Camera;
 use camera_lab::figure::{Depth, Figure};
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::scene::Preset;
 use camera_lab::views::{Finish, Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::{Lang, pictures::labels};
 
 fn request(visibility: Visibility, depth: Depth) -> Request {
     let mut figure = Figure::default();

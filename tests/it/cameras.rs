@@ -4,9 +4,9 @@
 
 use camera_lab::camera::{Camera, Viewport};
 use camera_lab::figure::{Figure, View, read};
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::Renderer;
 use camera_lab::views::{Request, Size, camera_at};
+use camera_lab_words::{Lang, pictures::labels};
 use glam::DVec3;
 
 use crate::common::program::Bench;

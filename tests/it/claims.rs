@@ -8,12 +8,13 @@ use std::sync::LazyLock;
 use camera_lab::camera::Program;
 use camera_lab::exercises::families;
 use camera_lab::export::format::PictureFormat;
-use camera_lab::files::SHIPPED_FIGURES;
-use camera_lab::i18n::{Lang, window};
 use camera_lab::lessons::shipped;
 use camera_lab::numerics::Study;
+use camera_lab_files::SHIPPED_FIGURES;
+use camera_lab_words::{Lang, window};
 
 use crate::common::program::Bench;
+use crate::words::{files_below, words};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -144,42 +145,10 @@ fn numbers_of_things_are_those_of_the_program() {
     assert!(compared >= 8, "only {compared} numbers were compared");
 }
 
-/// The strings that stand as a pair, `"English", "Português"`, in a source.
-fn pairs(source: &str) -> Vec<[String; 2]> {
-    // Whatever lies between quotes, in order, with the code before each.
-    let mut parts = Vec::new();
-    let (mut text, mut code, mut quoted, mut escaped) = (String::new(), String::new(), false, false);
-    for letter in source.chars() {
-        match letter {
-            '"' if !escaped => {
-                if quoted {
-                    parts.push((std::mem::take(&mut code), std::mem::take(&mut text)));
-                }
-                quoted = !quoted;
-            }
-            _ if quoted => text.push(letter),
-            _ => code.push(letter),
-        }
-        escaped = letter == '\\' && !escaped;
-    }
-    let pair = |both: &[(String, String)]| (both[1].0.trim() == ",").then(|| [both[0].1.clone(), both[1].1.clone()]);
-    parts.windows(2).filter_map(pair).collect()
-}
-
-fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).expect("a folder can be read").flatten().map(|entry| entry.path());
-    entries
-        .flat_map(|path| if path.is_dir() { files_below(&path, ending) } else { vec![path] })
-        .filter(|path| path.to_string_lossy().ends_with(ending))
-        .collect()
-}
-
 /// Every text of the window, and every title of a lesson, an exercise, a figure or a reference page.
 fn names(lang: Lang) -> BTreeSet<String> {
     let root = Path::new(ROOT);
     let read = |path: PathBuf| std::fs::read_to_string(path).expect("a source can be read");
-    let texts = files_below(&root.join("src/i18n"), ".rs").into_iter().flat_map(|path| pairs(&read(path)));
-    let texts = texts.map(|[en, pt]| if lang == Lang::En { en } else { pt });
     let (key, page) = if lang == Lang::En { ("en = ", "en.md") } else { ("pt-BR = ", "pt-BR.md") };
     let titles = files_below(&root.join("assets"), ".toml").into_iter().flat_map(|path| {
         let text = read(path);
@@ -191,7 +160,7 @@ fn names(lang: Lang) -> BTreeSet<String> {
         let headings = text.lines().filter(|line| line.starts_with('#'));
         headings.filter_map(|line| Some(line.split_once(": ")?.1.to_owned())).collect::<Vec<_>>()
     });
-    let known = texts.chain(titles).chain(headings);
+    let known = words(lang).into_iter().chain(titles).chain(headings);
     known.map(|name| name.trim_end_matches(['…', ':', '▾']).trim().to_lowercase()).collect()
 }
 
@@ -399,6 +368,4 @@ fn a_claim_that_is_wrong_is_found() {
     assert_eq!(number("Eighteen", Lang::En), Some(18));
     assert_eq!(number("dezoito", Lang::PtBr), Some(18));
     assert_eq!(number("one", Lang::En), None);
-    let source = r#"save: "Save \"it\"", "Gravar"; pick!(lang; "a", "b") "lone" ; "c""#;
-    assert_eq!(pairs(source), [["Save \\\"it\\\"", "Gravar"], ["a", "b"]]);
 }

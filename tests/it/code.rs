@@ -11,8 +11,8 @@ use camera_lab::camera::{
 use camera_lab::explain::Setting;
 use camera_lab::explain::code::{CodeConvention, CodeTarget};
 use camera_lab::explain::vocabulary::{CameraNumber, Limitation, Line, Vocabulary};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::code as texts;
+use camera_lab_words::Lang;
+use camera_lab_words::why::code as texts;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 

@@ -7,12 +7,12 @@ use std::collections::BTreeSet;
 use camera_lab::camera::Camera;
 use camera_lab::figure::variation::VariedValue;
 use camera_lab::figure::{Comparison, Figure, Show, View, read, varied, words, write};
-use camera_lab::i18n::{Lang, messages, pictures::labels};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::progress::at_once;
-use camera_lab::share;
 use camera_lab::text::runs;
 use camera_lab::views::{Finish, Request, Size, caption, overlay};
+use camera_lab_files::share;
+use camera_lab_words::{Lang, messages, pictures::labels};
 
 use crate::cli::pixels;
 use crate::common::program::Bench;

@@ -9,13 +9,13 @@ use camera_lab::camera::{Camera, Convention, Operation, Projection};
 use camera_lab::drawing::{Anchor, Base, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::figure::{Measure, Measured};
-use camera_lab::files::{FigureFiles, FileAccess, open_figure};
 use camera_lab::geometry::Angle;
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
 use camera_lab::text::{measure, x_height};
 use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{self, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
+use camera_lab_files::{FigureFiles, FileAccess, open_figure};
+use camera_lab_words::{Lang, pictures};
 use glam::{DVec2, DVec3, DVec4};
 
 use crate::views::draw;

@@ -5,12 +5,12 @@
 use camera_lab::appearance::{Rgba, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::{Depth, Figure, Reveal, recommended_camera};
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::pipeline::{Frame, Options, Pipeline, Target};
 use camera_lab::progress::Progress;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Preset, no_files};
 use camera_lab::views::{self, Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
+use camera_lab_words::{Lang, pictures};
 use glam::DVec2;
 
 const SIZE: Size = Size { width: 320, height: 240, scale: 1.0 };

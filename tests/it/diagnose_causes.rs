@@ -6,14 +6,14 @@
 use camera_lab::appearance::Style;
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::figure::{Figure, Reveal};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::coach;
 use camera_lab::numbers::random::Random;
 use camera_lab::numerics::diagnosis::{Cause, Diagnosis, ImageSpec};
 use camera_lab::pipeline::{Target, draw};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape, build, no_files};
+use camera_lab_words::Lang;
+use camera_lab_words::window::coach;
 use glam::DVec3;
 
 const IMAGE: ImageSize = ImageSize { width: 160, height: 120 };

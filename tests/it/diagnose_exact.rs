@@ -2,8 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::window::coach;
+use camera_lab_words::Lang;
+use camera_lab_words::window::coach;
 use serde_json::Value;
 
 use crate::common::program::Bench;

@@ -7,9 +7,9 @@ use std::fmt::Write as _;
 
 use camera_lab::camera::Projection;
 use camera_lab::exercises::{Exercise, Fact, check, entry, families};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::exercises as said;
 use camera_lab::lessons::{Task, shipped};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::exercises as said;
 use glam::{DMat3, DVec3};
 
 use super::exercise_slips::typed;

@@ -4,8 +4,8 @@
 use std::cell::Cell;
 
 use camera_lab::exercises::{Answer, Entry, Exercise, Free, Judged, check_beside, entry, read_answer};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::exercises as said;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::exercises as said;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 

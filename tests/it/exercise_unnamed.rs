@@ -4,7 +4,7 @@
 
 use camera_lab::camera::Projection;
 use camera_lab::exercises::{check, entry};
-use camera_lab::i18n::Lang;
+use camera_lab_words::Lang;
 use glam::{DMat3, DQuat, DVec3, DVec4};
 
 use super::exercise_verdicts::{exercise, is_one_of, right, square, text, verdict};

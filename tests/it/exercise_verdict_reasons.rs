@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::exercises::Fact;
-use camera_lab::i18n::Lang;
+use camera_lab_words::Lang;
 use glam::DVec3;
 
 use super::exercise_verdicts::{exercise, right, square, text, verdict};

@@ -4,10 +4,10 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::exercises::{Answer, Exercise, Free, Judged, Table, check_beside, entry, read_answer};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::{exercise_messages, exercises as said};
 use camera_lab::inspect::quantity::QuantityPath;
 use camera_lab::lessons::lesson_of;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::{exercise_messages, exercises as said};
 use glam::{DMat4, DVec3};
 
 /// The exercise of a family.
@@ -499,7 +499,7 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     assert!(alone.contains("The solution begins with") && after.contains("The steps before are right"), "{after}");
     // What comes first is the sentence to keep, and the step that says it.
     let way = lesson_of("ndc").unwrap();
-    let sentence = camera_lab::i18n::told(Lang::En, way.lesson.sentence.as_ref().unwrap()).trim();
+    let sentence = camera_lab_words::told(Lang::En, way.lesson.sentence.as_ref().unwrap()).trim();
     assert!(alone.starts_with(sentence) && alone.contains(&format!("step {}", way.step + 1)), "{alone}");
     // Where nothing is known something is said.
     for (id, name, answer) in [("1-I", "height", "7777"), ("order", "first", "rotate"), ("inside", "plane", "none")] {

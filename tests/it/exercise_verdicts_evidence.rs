@@ -5,8 +5,8 @@
 use camera_lab::camera::{Parameters, Projection, ViewWindow};
 use camera_lab::exercises::{Answer, Expected, Judged, entry, read_answer};
 use camera_lab::expression::{Dimension, evaluate};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::exercises as said;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::exercises as said;
 use glam::DVec3;
 
 use super::exercise_verdicts::{exercise, right, text, together, told, verdict};

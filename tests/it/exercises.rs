@@ -9,11 +9,11 @@ use camera_lab::exercises::{
     Answer, Ask, Entry, Exercise, Expected, Free, Kind, Mistake, Nature, Slip, Slips, Table, check, entries, entry,
     judge_answer,
 };
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::exercise_messages;
-use camera_lab::i18n::learn::exercises as texts;
-use camera_lab::i18n::learn::exercises::typed_choice;
 use camera_lab::numbers::exact_form;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::exercise_messages;
+use camera_lab_words::learn::exercises as texts;
+use camera_lab_words::learn::exercises::typed_choice;
 
 /// How many seeds of each family are tried; more by `EXERCISE_SEEDS=10000 cargo test --release --test it exercises`.
 fn seeds() -> u64 {
@@ -437,7 +437,7 @@ fn exercise_5_1_is_judged_as_a_teacher_would() {
 #[test]
 fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answer() {
     for (id, name) in [("0-5.1", "exercise-5.1"), ("0-5.2", "exercise-5.2"), ("0-5.3", "exercise-5.3")] {
-        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let shipped = camera_lab_files::ShippedFigure::named(name).unwrap();
         let shown = camera_lab::figure::read::parse(&shipped.text()).unwrap();
         let exercise = entry(id).unwrap().exercise(1, &Free::new());
         let given = &exercise.subject.figure;
@@ -475,7 +475,7 @@ fn statements_say_where_the_notes_have_it_otherwise() {
     ] {
         let exercise = entry(id).unwrap().exercise(3, &Free::new());
         for (lang, word, mark) in [(Lang::En, en, "≠ notes: "), (Lang::PtBr, pt, "≠ notas: ")] {
-            let said = camera_lab::i18n::learn::exercises::assumptions(lang, &exercise);
+            let said = camera_lab_words::learn::exercises::assumptions(lang, &exercise);
             assert!(said.iter().any(|text| text.starts_with(mark) && text.contains(word)), "{id}: {said:?}");
         }
     }
@@ -486,7 +486,7 @@ fn calls_of_functions_are_written_as_code_in_both_languages() {
     let mut calls = BTreeSet::new();
     for lang in [Lang::En, Lang::PtBr] {
         all_of(6, |_, exercise| {
-            for paragraph in camera_lab::i18n::learn::exercises::statement(lang, exercise) {
+            for paragraph in camera_lab_words::learn::exercises::statement(lang, exercise) {
                 for call in paragraph.split("gl").skip(1) {
                     let Some((name, rest)) = call.split_once('(') else { continue };
                     let arguments = rest.split(')').next().unwrap();

@@ -8,13 +8,13 @@ use camera_lab::appearance::{Rgba, Theme};
 use camera_lab::camera::Camera;
 use camera_lab::drawing::Drawing;
 use camera_lab::figure::read::parse;
-use camera_lab::files::{SHIPPED_FIGURES, ShippedFigure, Topic};
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::no_files;
 use camera_lab::text::measure;
 use camera_lab::views::{Palette, Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
+use camera_lab_files::{SHIPPED_FIGURES, ShippedFigure, Topic};
+use camera_lab_words::{Lang, pictures};
 
 use crate::common::picture::assert_picture;
 

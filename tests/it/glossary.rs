@@ -59,14 +59,16 @@ fn files_below(folder: &str, ends: &str) -> Vec<PathBuf> {
 /// The language of a file, if it has one only.
 fn language(path: &Path) -> Option<&'static str> {
     let name = path.file_name().unwrap().to_string_lossy();
+    let is_below = |folder: &str| path.starts_with(Path::new(ROOT).join(folder));
     match () {
         () if name.ends_with("en.md")
-            || path.parent().is_some_and(|folder| folder.ends_with("cli/args"))
+            || is_below("src/cli/args")
+            || is_below("assets/words/en")
             || name == "README.md" =>
         {
             Some("en")
         }
-        () if name.ends_with("pt-BR.md") => Some("pt"),
+        () if name.ends_with("pt-BR.md") || is_below("assets/words/pt-BR") => Some("pt"),
         () => None,
     }
 }
@@ -145,7 +147,8 @@ fn texts_say_what_the_glossary_says() {
             ("", "README.pt-BR.md"),
         ])
         .flat_map(|(folder, ends)| files(folder, ends))
-        .chain(files_below("src/i18n", ".rs"))
+        .chain(files_below("crates/words/src", ".rs"))
+        .chain(files_below("assets/words", ".toml"))
         // The words of other books are what the search is for.
         .filter(|path| !path.ends_with("window/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))

@@ -7,8 +7,8 @@ use camera_lab::camera::{
 };
 use camera_lab::exercises::Mistake;
 use camera_lab::figure::read;
-use camera_lab::i18n::learn::exercises;
-use camera_lab::i18n::{Lang, messages, window};
+use camera_lab_words::learn::exercises;
+use camera_lab_words::{Lang, messages, window};
 
 use crate::common::camera::camera;
 use crate::common::program::Bench;

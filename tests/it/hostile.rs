@@ -241,7 +241,7 @@ fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
 fn what_is_wrong_with_a_link_is_said_of_the_figure_in_it() {
     let bench = Bench::new("link-faults");
     let link = |text: &str| {
-        camera_lab::share::link("https://example.org/lab/", camera_lab::share::Held::Figure, text).unwrap()
+        camera_lab_files::share::link("https://example.org/lab/", camera_lab_files::share::Held::Figure, text).unwrap()
     };
     let long = "# x\n".repeat(40);
     for lang in LANGS {

@@ -7,12 +7,12 @@ use camera_lab::drawing::{Drawing, Label};
 use camera_lab::figure::read::parse;
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, NotePlace};
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::progress::Progress;
 use camera_lab::views::{
     LabelPlace, Request, SharedScene, Shot, Size, View, note_place, pick, scene_of, unknown_labels,
 };
+use camera_lab_words::{Lang, pictures};
 use glam::{DVec2, DVec3};
 
 use crate::common::program::Bench;
@@ -150,7 +150,7 @@ fn names_are_the_same_in_both_languages() {
 
 #[test]
 fn a_name_that_no_label_has_is_told_with_the_one_that_was_meant_and_those_of_the_pictures_are_known() {
-    let shipped = camera_lab::files::SHIPPED_FIGURES.iter().map(|figure| figure.text());
+    let shipped = camera_lab_files::SHIPPED_FIGURES.iter().map(|figure| figure.text());
     for text in shipped {
         let Ok(figure) = parse(&text) else { continue };
         if !text.contains("mesh") {

@@ -4,7 +4,7 @@
 
 use std::process::Command;
 
-use camera_lab::share;
+use camera_lab_files::share;
 
 use crate::common::program::Bench;
 

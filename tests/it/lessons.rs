@@ -8,14 +8,14 @@ use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, WorldPart, read};
 use camera_lab::formula;
 use camera_lab::handout::{self, HandoutOptions};
-use camera_lab::i18n::learn::{exercise_sheet, lessons as words};
-use camera_lab::i18n::pictures::labels;
-use camera_lab::i18n::why::notes;
-use camera_lab::i18n::{Lang, messages, told};
 use camera_lab::lessons::{Link, Seen, Subject, Task, families_of, lesson_of, objects_named, parse, shipped};
 use camera_lab::picture::Paragraph;
 use camera_lab::scene::no_files;
 use camera_lab::views::{Request, SharedScene, Size, View, Views, scene_of};
+use camera_lab_words::learn::{exercise_sheet, lessons as words};
+use camera_lab_words::pictures::labels;
+use camera_lab_words::why::notes;
+use camera_lab_words::{Lang, messages, told};
 
 use crate::common::program::Bench;
 use crate::views::draw;
@@ -63,11 +63,11 @@ fn a_step_has_all_of_the_steps_before_but_what_it_changes() {
     let Some(Task::Question(entry)) = &two.task else { panic!("a question") };
     let exercise = entry.exercise(0, &Default::default());
     let ask = &exercise.asks[0];
-    assert_eq!(camera_lab::i18n::learn::exercises::ask(Lang::En, &exercise, ask), "Is F 2?");
+    assert_eq!(camera_lab_words::learn::exercises::ask(Lang::En, &exercise, ask), "Is F 2?");
     assert!(exercises::check(entry, &exercise, ask, "yes").unwrap().right);
     let wrong = exercises::check(entry, &exercise, ask, "no").unwrap();
     assert!(!wrong.right);
-    assert!(camera_lab::i18n::learn::exercises::diagnosis(Lang::En, ask, &wrong).unwrap().contains("It is."));
+    assert!(camera_lab_words::learn::exercises::diagnosis(Lang::En, ask, &wrong).unwrap().contains("It is."));
 }
 
 #[test]
@@ -214,7 +214,7 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
                     let exercise = entry.exercise(0, &Default::default());
                     let ask = &exercise.asks[0];
                     let right = exercise_sheet::answer(Lang::En, ask);
-                    let right = camera_lab::i18n::learn::exercises::typed_choice(ask, &right).to_owned();
+                    let right = camera_lab_words::learn::exercises::typed_choice(ask, &right).to_owned();
                     assert!(exercises::check(entry, &exercise, ask, &right).unwrap().right, "{place}: {right}");
                     let (Expected::Choice(right, ..), Kind::Choice(choices)) = (ask.expected(), &ask.kind) else {
                         continue;
@@ -223,7 +223,7 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
                         let judged = exercises::check(entry, &exercise, ask, wrong).unwrap();
                         for lang in [Lang::En, Lang::PtBr] {
                             let said =
-                                camera_lab::i18n::learn::exercises::diagnosis(lang, ask, &judged).unwrap_or_default();
+                                camera_lab_words::learn::exercises::diagnosis(lang, ask, &judged).unwrap_or_default();
                             assert!(said.chars().count() > 20, "{place}: {wrong} has no message");
                         }
                     }

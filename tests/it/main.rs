@@ -78,3 +78,4 @@ mod vectors;
 mod views;
 mod views_pictures;
 mod voice;
+mod words;

@@ -6,11 +6,11 @@ use std::path::Path;
 
 use camera_lab::camera::Camera;
 use camera_lab::figure::read::parse;
-use camera_lab::files::{FigureFiles, FileAccess, SHIPPED_FIGURES};
-use camera_lab::i18n::{Lang, messages, pictures};
 use camera_lab::pipeline::{Frame, OverBudget};
 use camera_lab::progress::Progress;
 use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
+use camera_lab_files::{FigureFiles, FileAccess, SHIPPED_FIGURES};
+use camera_lab_words::{Lang, messages, pictures};
 
 use crate::common::program::{Bench, Run};
 

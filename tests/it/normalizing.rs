@@ -10,10 +10,10 @@ use camera_lab::camera::{Camera, Decomposition, Parameters, Projection, ViewWind
 use camera_lab::export::animation::AnimationFormat;
 use camera_lab::figure::Figure;
 use camera_lab::figure::ShownStep;
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Animation, PictureError, Renderer};
 use camera_lab::progress::{Activity, Progress};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::{Lang, pictures::labels};
 use glam::{DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 

@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 
 use camera_lab::camera::{Freedom, OPERATIONS, Step};
 use camera_lab::explain::{Axis, Component, Matrix, Symbol};
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::notes::{
+use camera_lab::pipeline::Stage;
+use camera_lab_words::Lang;
+use camera_lab_words::why::notes::{
     Note, Piece, note, notes, of_equation, of_matrix, of_operation, of_stage, of_step, of_symbol, plain,
 };
-use camera_lab::pipeline::Stage;
 
 const BOTH: [Lang; 2] = [Lang::En, Lang::PtBr];
 

@@ -8,13 +8,13 @@ use std::sync::Arc;
 use camera_lab::appearance::Rgba;
 use camera_lab::camera::{Camera, ImageSize, Parameters, ViewWindow, Viewport};
 use camera_lab::figure::Figure;
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::TrianglePixels;
 use camera_lab::pipeline::Target;
 use camera_lab::pipeline::one_triangle::one_triangle;
 use camera_lab::progress::at_once;
 use camera_lab::scene::{Mesh, Object, ObjectPaint, Scene};
 use camera_lab::views::{Request, SharedScene, Size, View};
+use camera_lab_words::{Lang, pictures::labels};
 use glam::{DMat4, DVec3};
 
 /// At the origin, looking along −z; window ±1 on F = 1, B = 9: the planes are |x| = d, |y| = d.

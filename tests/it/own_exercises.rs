@@ -6,10 +6,10 @@
 use std::path::Path;
 
 use camera_lab::exercises::{Free, check, own};
-use camera_lab::files::{FileError, read_exercises};
-use camera_lab::i18n::learn::exercises as texts;
-use camera_lab::i18n::{Lang, messages};
 use camera_lab::limits::MAX_OWN_EXERCISES;
+use camera_lab_files::{FileError, read_exercises};
+use camera_lab_words::learn::exercises as texts;
+use camera_lab_words::{Lang, messages};
 
 use crate::common::program::Bench;
 

@@ -5,13 +5,13 @@
 use camera_lab::camera::Camera;
 use camera_lab::exercises::{self, Guess, Progress};
 use camera_lab::figure::FigureError;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::{exercise_messages, exercises as said};
-use camera_lab::i18n::pictures::labels;
 use camera_lab::lessons::{See, Task, parse, shipped};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::no_files;
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::{exercise_messages, exercises as said};
+use camera_lab_words::pictures::labels;
 use tiny_skia::PremultipliedColorU8;
 use toml_edit::{DocumentMut, Value};
 

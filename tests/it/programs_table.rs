@@ -4,8 +4,8 @@
 
 use camera_lab::camera::{Axes, Camera, MatrixKind, Ndc, Order, Parameters, Program, Stated, read_cameras, recognise};
 use camera_lab::explain::code::CodeTarget;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::why::conventions::{axes_row, axes_table};
+use camera_lab_words::Lang;
+use camera_lab_words::why::conventions::{axes_row, axes_table};
 use glam::{DMat4, DVec3};
 
 use crate::common::program::Bench;

@@ -8,12 +8,12 @@ use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, read, recommended_camera};
-use camera_lab::files::{FigureFiles, FileAccess, open_figure};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
     Light, LightKind, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
     build, no_files, primitives,
 };
+use camera_lab_files::{FigureFiles, FileAccess, open_figure};
 use glam::{DMat4, DQuat, DVec3};
 
 fn build_objects(objects: Vec<ObjectSpec>) -> Result<Scene, SceneError> {

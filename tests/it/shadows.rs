@@ -11,8 +11,6 @@ use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::{Area, ShadowMap, SurfaceLight};
 use camera_lab::figure::Figure;
 use camera_lab::figure::read::parse;
-use camera_lab::files::SHIPPED_FIGURES;
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::pipeline::canonical::clipped_scene;
 use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
@@ -22,6 +20,8 @@ use camera_lab::pipeline::{Frame, Pipeline, Scenes, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, LightKind, ObjectPaint, Pictured, Scene, Shadows, build, no_files};
 use camera_lab::views::{Palette, Request, ShadowTruth, SharedScene, Size, View};
+use camera_lab_files::SHIPPED_FIGURES;
+use camera_lab_words::{Lang, pictures};
 use glam::DVec3;
 use rayon::prelude::*;
 

@@ -10,9 +10,9 @@ use proptest::prelude::*;
 use camera_lab::exercises::{Exercise, Free, OwnTexts, entries, own};
 use camera_lab::figure::Bilingual;
 use camera_lab::formula;
-use camera_lab::i18n::Lang;
-use camera_lab::i18n::learn::{exercise_sheet as sheet, exercises as texts};
-use camera_lab::i18n::why::notes::{Piece, notes};
+use camera_lab_words::Lang;
+use camera_lab_words::learn::{exercise_sheet as sheet, exercises as texts};
+use camera_lab_words::why::notes::{Piece, notes};
 
 use crate::common::program::Bench;
 

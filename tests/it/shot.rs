@@ -5,13 +5,13 @@
 use camera_lab::camera::{Camera, Convention, Operation, Parameters};
 use camera_lab::figure::{Figure, Observers, Show, View, read, show_with, write};
 use camera_lab::geometry::Angle;
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Composite, Pixels, Renderer};
 use camera_lab::progress::at_once;
-use camera_lab::share;
 use camera_lab::stage::Stage;
 use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{Finish, Picture, Request, SharedScene, Shot, Size, Views};
+use camera_lab_files::share;
+use camera_lab_words::{Lang, pictures::labels};
 use proptest::prelude::*;
 
 use crate::cli::pixels;
@@ -164,11 +164,11 @@ fn what_cannot_be_shown_is_told_by_line_key_and_what_is_allowed() {
         ("[show.answer]\nnear = -3", &["[show.answer]", "near"]),
     ] {
         let error = read::parse(&format!("[show]\n{text}\n")).unwrap_err();
-        let said = camera_lab::i18n::messages::figure(Lang::En, &error);
+        let said = camera_lab_words::messages::figure(Lang::En, &error);
         for part in parts {
             assert!(said.contains(part), "{text}: {said} lacks {part}");
         }
-        let said = camera_lab::i18n::messages::figure(Lang::PtBr, &error);
+        let said = camera_lab_words::messages::figure(Lang::PtBr, &error);
         assert!(said.contains("linha"), "{said}");
     }
 }

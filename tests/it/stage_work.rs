@@ -6,12 +6,12 @@ use camera_lab::appearance::{Rgba, Shading};
 use camera_lab::camera::Camera;
 use camera_lab::clock;
 use camera_lab::figure::{Depth, Figure, StagePicture};
-use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Stage, StageReport, Target};
 use camera_lab::progress::at_once;
 use camera_lab::scene::Preset;
 use camera_lab::views::{Finish, Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::{Lang, pictures::labels};
 
 const SIDE: u32 = 200;
 

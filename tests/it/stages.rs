@@ -4,9 +4,9 @@
 
 use camera_lab::camera::Camera;
 use camera_lab::figure::read::parse;
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::{Lang, pictures};
 
 use crate::common::rendered::assert_rendered;
 

@@ -5,12 +5,12 @@ use camera_lab::appearance::{Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::figure::Figure;
 use camera_lab::geometry::Angle;
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::numbers::random::Random;
 use camera_lab::progress::Progress;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{ObjectSpec, Preset, SceneSpec, Shape, no_files};
 use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
+use camera_lab_words::{Lang, pictures};
 use glam::{DMat4, DVec3};
 
 /// What was tried.

@@ -6,7 +6,6 @@ use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Occlusion, Rgba, Shad
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::drawing::{Drawing, StrokeSet, Surface};
 use camera_lab::figure::read::parse;
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::pipeline::stroke_order::painted_runs;
 use camera_lab::pipeline::stroke_runs::{Run, occlusions, stroke_runs};
@@ -14,6 +13,7 @@ use camera_lab::pipeline::{Output, Reason, Stage, Target, draw};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Line, Object, ObjectPaint, Scene, no_files, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_words::{Lang, pictures};
 use glam::{DMat4, DVec3};
 
 use crate::common::scenes::{cube, object, shading};

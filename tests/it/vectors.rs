@@ -13,11 +13,11 @@ use camera_lab::export::format::PictureFormat;
 use camera_lab::export::vector::Letters;
 use camera_lab::figure::read::parse;
 use camera_lab::figure::{Figure, update};
-use camera_lab::files::{FigureFiles, FileAccess, SHIPPED_FIGURES, figure_from};
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::{Composite, Faces, FileOptions, Metadata, PictureFile, Renderer, file};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+use camera_lab_files::{FigureFiles, FileAccess, SHIPPED_FIGURES, figure_from};
+use camera_lab_words::{Lang, pictures};
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
@@ -141,7 +141,7 @@ fn poppler_shows_what_pixels_show_and_finds_every_name() {
     }
     let bench = Bench::new("vectors-poppler");
     for name in ["primitives", "pyramid", "ndc-cube", "exercise-5.3", "painter", "clipping", "gouraud", "culled"] {
-        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let shipped = camera_lab_files::ShippedFigure::named(name).unwrap();
         let figure = parse(&shipped.text()).unwrap();
         for view in View::ALL {
             let sheet = sheet(&figure, Views::One(view), &request(&figure, SIZE));
@@ -327,7 +327,7 @@ fn words_about_the_picture_are_in_the_file() {
 fn areas_have_no_gaps_between_neighbours_at_any_zoom() {
     let bench = bench_with_fonts("vectors-areas");
     for (name, shading) in [("cube", Shading::Flat), ("primitives", Shading::Flat), ("house", Shading::Flat)] {
-        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let shipped = camera_lab_files::ShippedFigure::named(name).unwrap();
         let mut figure = parse(&shipped.text()).unwrap();
         figure.style.shading = shading;
         let request = request(&figure, SIZE);

@@ -5,12 +5,12 @@ use camera_lab::appearance::{Shading, Theme};
 use camera_lab::camera::{Camera, Convention, Ndc, Operation, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::{Anchor, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
-use camera_lab::i18n::{Lang, pictures};
 use camera_lab::scene::Preset as ScenePreset;
 use camera_lab::text::{measure, x_height};
 use camera_lab::views::handles::handles;
 use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{self, Ghost, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
+use camera_lab_words::{Lang, pictures};
 use glam::{DVec2, DVec3, DVec4};
 
 /// Pictures of a figure, without the image on the view window.

@@ -10,7 +10,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use camera_lab::i18n::Lang;
+use camera_lab_words::Lang;
+
+use crate::words::words;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -54,38 +56,9 @@ fn keyed_page(path: &str) -> String {
     prose(&text.lines().map(told).collect::<Vec<_>>().join("\n"))
 }
 
-/// String literals of Rust with several words, outside of tests and comments.
-fn literals(source: &str) -> Vec<String> {
-    let source = source.split("#[cfg(test)]").next().unwrap();
-    let lines = source.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
-    let (mut texts, mut text, mut escaped) = (Vec::new(), None::<String>, false);
-    for letter in lines.chars() {
-        match (&mut text, letter) {
-            (None, '"') => text = Some(String::new()),
-            (Some(inner), _) if escaped => {
-                inner.push(if letter == 'n' { '\n' } else { letter });
-                escaped = false;
-            }
-            (Some(_), '\\') => escaped = true,
-            (Some(_), '"') => texts.extend(text.take()),
-            (Some(inner), _) => inner.push(letter),
-            (None, _) => {}
-        }
-    }
-    texts.into_iter().filter(|text| text.split_whitespace().nth(1).is_some()).collect()
-}
-
-/// Whether a text is in Portuguese: by letters or small words that English doesn't have.
-fn is_portuguese(text: &str) -> bool {
-    let words = ["de", "do", "da", "os", "uma", "não", "para", "com", "por", "que"];
-    text.chars().any(|c| "ãõçáéíóúâêôÃÕÇÁÉÍÓÚÂÊÔ".contains(c)) || words_of(text).any(|word| words.contains(&word))
-}
-
 /// The texts of the window, the command line and messages.
 fn window(lang: Lang) -> String {
-    let sources = files("src/i18n", ".rs").into_iter().map(|path| fs::read_to_string(path).unwrap());
-    let texts = sources.flat_map(|source| literals(&source));
-    prose(&texts.filter(|text| is_portuguese(text) == (lang == Lang::PtBr)).collect::<Vec<_>>().join("\n\n"))
+    prose(&words(lang).join("\n\n"))
 }
 
 /// The texts of the lessons.
@@ -344,7 +317,16 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
             ),
             (
                 "doc comments",
-                ["crates/engine/src", "crates/figures/src", "crates/teaching/src", "src"].map(docs).join("\n"),
+                [
+                    "crates/engine/src",
+                    "crates/figures/src",
+                    "crates/teaching/src",
+                    "crates/words/src",
+                    "crates/files/src",
+                    "src",
+                ]
+                .map(docs)
+                .join("\n"),
                 Bounds { person: 0.0, ..NATIVE },
             ),
         ],
@@ -395,6 +377,4 @@ fn habits_of_a_translation_are_found() {
     let strange = "Onde seu arquivo não existe, isso é dito; sua cópia fica em seu lugar.";
     assert_eq!(faults("", strange, Lang::PtBr, &NATIVE_PT).len(), 4);
     assert_eq!(prose("Read `where`, $if$ and [this](where.md)."), "Read  X ,  X  and [this] .");
-    assert_eq!(literals("// \"no text\"\nlet a = \"two \\\"words\\\"\"; b(\"one\")"), ["two \"words\""]);
-    assert!(is_portuguese("o plano de fundo") && !is_portuguese("the back plane"));
 }

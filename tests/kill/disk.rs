@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use camera_lab::files::{FileError, Overwrite, save};
+use camera_lab_files::{FileError, Overwrite, save};
 
 use crate::Folder;
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime};
 
-use camera_lab::files::{Overwrite, save};
+use camera_lab_files::{Overwrite, save};
 
 use crate::{Folder, Victim, moments, no_program_starts, time_to_kill, wait_for};
 

@@ -8,8 +8,8 @@ use super::words::{LangArg, TableFormat};
 use crate::cli::Failure;
 use crate::exercises::Free;
 use crate::expression::{self, Dimension};
-use crate::i18n::learn::exercise_messages as said;
-use crate::i18n::{Lang, command_line as texts, messages};
+use camera_lab_words::learn::exercise_messages as said;
+use camera_lab_words::{Lang, command_line as texts, messages};
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExerciseArgs {

@@ -9,9 +9,9 @@ use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
 use crate::cli::Failure;
 use crate::figure::words::Words;
 use crate::figure::{Show, show_with};
-use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::MAX_SIDE;
 use crate::sanitize::escaped;
+use camera_lab_words::{Lang, command_line as texts, messages};
 
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
 

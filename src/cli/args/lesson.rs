@@ -9,9 +9,9 @@ use super::words::{LangArg, TableFormat, one_of, word_of};
 use crate::cli::Failure;
 use crate::export::format::PictureFormat;
 use crate::figure::words::Words;
-use crate::i18n::Lang;
-use crate::i18n::learn::lessons as texts;
 use crate::views::Views;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::lessons as texts;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LessonArgs {

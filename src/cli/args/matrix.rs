@@ -7,8 +7,8 @@ use clap::Args;
 use super::words::{TableFormat, one_of};
 use crate::camera::{Axes, MatrixKind, Ndc};
 use crate::cli::args::figure::FigureArgs;
-use crate::i18n::Lang;
-use crate::i18n::why::conventions;
+use camera_lab_words::Lang;
+use camera_lab_words::why::conventions;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct MatrixArgs {

@@ -28,11 +28,11 @@ use crate::cli::args::words::{DataFormat, Format, LangArg, TableFormat, one_of};
 use crate::explain::code::CodeTarget;
 use crate::export::format::PictureFormat;
 use crate::expression::{self, Dimension};
-use crate::i18n::{Lang, command_line as texts, families};
 use crate::limits::{MAX_FRAMES, MEASURED_SECONDS, STEP_SECONDS};
 use crate::numerics::Study;
 use crate::sanitize;
 use crate::views::{View, Views};
+use camera_lab_words::{Lang, command_line as texts, families};
 
 /// An interactive laboratory for the virtual camera of computer graphics.
 #[derive(Debug, Parser)]

@@ -12,11 +12,11 @@ use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
 use crate::export::vector::Letters;
 use crate::figure::words::THEMES;
-use crate::i18n::{Lang, command_line as texts};
 use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE};
 use crate::picture::{ExportSpec, Faces, FileOptions, OnPaper, PER_INCH, SheetSize};
 use crate::sanitize;
 use crate::views::Views;
+use camera_lab_words::{Lang, command_line as texts};
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct OutputArgs {

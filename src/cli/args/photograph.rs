@@ -9,8 +9,8 @@ use super::words::TableFormat;
 use crate::camera::{PhotographLine, PhotographMarks, WorldAxis};
 use crate::cli::Failure;
 use crate::cli::args::figure::FigureArgs;
-use crate::i18n::Lang;
-use crate::i18n::why::photograph as texts;
+use camera_lab_words::Lang;
+use camera_lab_words::why::photograph as texts;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct PhotographArgs {

@@ -9,10 +9,10 @@ use crate::cli::Failure;
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::output::OutputArgs;
 use crate::figure::variation::Variation;
-use crate::i18n::{Lang, families};
 use crate::limits::MAX_FAMILY;
 use crate::sanitize::escaped;
 use crate::views::{View, Views};
+use camera_lab_words::{Lang, families};
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SheetArgs {

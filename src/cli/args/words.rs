@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::figure::words::{self, Words};
-use crate::i18n::Lang;
+use camera_lab_words::Lang;
 
 /// A parser of an argument that is one of `values`, each by its name.
 pub(in crate::cli) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(

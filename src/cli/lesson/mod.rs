@@ -19,10 +19,7 @@ use crate::cli::lesson::step_pictures::{Found, composite, files_of, scene, size_
 use crate::exercises::Entry;
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
-use crate::files::{self, FileError};
 use crate::handout::{self, HandoutOptions, Scenes, views_of};
-use crate::i18n::learn::lessons as texts;
-use crate::i18n::{Lang, command_line, messages, pictures};
 use crate::inspect::json_text;
 use crate::lessons::{
     Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercises_of, families_of,
@@ -32,7 +29,10 @@ use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
-use crate::share;
+use camera_lab_files::share;
+use camera_lab_files::{self as files, FileError};
+use camera_lab_words::learn::lessons as texts;
+use camera_lab_words::{Lang, command_line, messages, pictures};
 
 /// Runs the command. For `play`, returns the options with which the window opens.
 pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>, Failure> {
@@ -243,7 +243,7 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
                     let count = steps_of(&id).unwrap_or_default();
                     faults.push((part, Box::new(move |key| texts::no_step_of(lang, key, step + 1, count))));
                 }
-                Link::Note(id) if crate::i18n::why::notes::note(lang, &id).is_none() => {
+                Link::Note(id) if camera_lab_words::why::notes::note(lang, &id).is_none() => {
                     faults.push((part, Box::new(move |key| texts::no_note(lang, key, &id))));
                 }
                 _ => {}

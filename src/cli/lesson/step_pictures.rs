@@ -9,16 +9,16 @@ use crate::cli::args::words::written;
 use crate::cli::render::no_picture;
 use crate::cli::{Failure, say};
 use crate::figure::Figure;
-use crate::files::{FigureFiles, FileAccess};
 use crate::handout::{NoPicture, Scenes, picture, views_of};
-use crate::i18n::learn::lessons as texts;
-use crate::i18n::{Lang, messages};
 use crate::lessons::{Lesson, Step};
 use crate::picture::{Composite, gap};
 use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Size, Views, scene_of};
+use camera_lab_files::{FigureFiles, FileAccess};
+use camera_lab_words::learn::lessons as texts;
+use camera_lab_words::{Lang, messages};
 
 /// The size of a picture of a step if none is given, or of each of several.
 const SIZE: ImageSize = ImageSize { width: 640, height: 480 };

@@ -7,7 +7,7 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 use crate::gui::app::state::State;
 use crate::gui::model::Model;
 use crate::gui::model::command::Command;
-use crate::i18n::window::Texts;
+use camera_lab_words::window::Texts;
 pub use table::MENUS;
 
 /// A menu: its title, and its commands in groups with lines between them.
@@ -144,9 +144,9 @@ mod tests {
     use crate::gui::kit::keys;
     use crate::gui::model::command::WITHOUT_VALUE;
     use crate::gui::model::layout::{ObserverChange, Tab};
-    use crate::i18n::{Lang, window};
     use crate::views::observer::Viewpoint;
     use crate::views::{Arrangement, View};
+    use camera_lab_words::{Lang, window};
 
     #[test]
     fn every_command_has_one_row() {

@@ -30,13 +30,13 @@ use crate::gui::model::action::AfterSave;
 use crate::gui::model::command::Command;
 use crate::gui::model::document::source::Source;
 use crate::gui::platform::native::Wanted;
-use crate::i18n::learn::{exercise_window, lessons};
-use crate::i18n::window::gallery as gallery_words;
-use crate::i18n::window::{self, Texts};
-use crate::i18n::window::{canvas, scenes, sharing};
 use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
+use camera_lab_words::learn::{exercise_window, lessons};
+use camera_lab_words::window::gallery as gallery_words;
+use camera_lab_words::window::{self, Texts};
+use camera_lab_words::window::{canvas, scenes, sharing};
 
 /// Shows the open question, if any, and acts on the answer. Returns a command to perform.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {

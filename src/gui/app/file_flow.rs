@@ -24,7 +24,6 @@ use eframe::egui::{self, ViewportCommand};
 use crate::export::format::PictureFormat;
 use crate::figure::read::parse;
 use crate::figure::update;
-use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, texture};
 use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, Theirs, TitleForm};
@@ -45,6 +44,7 @@ use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
+use camera_lab_files::{self as files, FileChange, FileError, Overwrite, disk};
 
 /// Does the `next` action, after asking about all losses: text of a lesson that can't be saved, and changes of the
 /// figure. Every action that replaces or closes a document comes through here.

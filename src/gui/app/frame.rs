@@ -28,7 +28,7 @@ use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session::Kept;
 use crate::gui::storage::session_news;
 use crate::gui::why;
-use crate::i18n::window::{self, Texts};
+use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.
 const NARROW: f32 = 960.0;

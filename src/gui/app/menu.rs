@@ -12,8 +12,8 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::command::Command;
-use crate::i18n::window::{self, Texts};
 use crate::sanitize::escaped;
+use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, the menus have no room beside the switches, as on a telephone held upright.
 pub(in crate::gui) const PHONE: f32 = 600.0;

@@ -15,8 +15,8 @@ use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::command::Command;
 use crate::gui::pictures::annotations::Annotations;
-use crate::i18n::learn::lessons;
-use crate::i18n::{told, window};
+use camera_lab_words::learn::lessons;
+use camera_lab_words::{told, window};
 
 /// Duration of the display of the keys, in seconds, and of its fading.
 const SHOWN: f64 = 8.0;

@@ -7,7 +7,6 @@ use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, Widg
 use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
 use crate::figure::Explanation;
-use crate::files::SHIPPED_FIGURES;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::search_state::Search;
@@ -25,17 +24,18 @@ use crate::gui::model::action::AfterSave;
 use crate::gui::model::command::Command;
 use crate::gui::model::layout::{Side, Tab};
 use crate::gui::why;
-use crate::i18n::learn::exercises as exercise_words;
-use crate::i18n::why::{explain as explain_words, notes};
-use crate::i18n::window::cameras;
-use crate::i18n::window::coach as coach_words;
-use crate::i18n::window::photograph;
-use crate::i18n::window::predict;
-use crate::i18n::window::search as words;
-use crate::i18n::window::search::{also_called, folded, has_words};
-use crate::i18n::{Lang, told, window};
 use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
+use camera_lab_files::SHIPPED_FIGURES;
+use camera_lab_words::learn::exercises as exercise_words;
+use camera_lab_words::why::{explain as explain_words, notes};
+use camera_lab_words::window::cameras;
+use camera_lab_words::window::coach as coach_words;
+use camera_lab_words::window::photograph;
+use camera_lab_words::window::predict;
+use camera_lab_words::window::search as words;
+use camera_lab_words::window::search::{also_called, folded, has_words};
+use camera_lab_words::{Lang, told, window};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::camera::CameraError;
 use crate::figure::Figure;
-use crate::files::{SourceFile, figure_from};
 use crate::gui::Start;
 use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::search_state::Search;
@@ -23,8 +22,9 @@ use crate::gui::pictures::annotations::Annotations;
 use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::storage::recent::Recent;
 use crate::gui::why::state::explain::Explain;
-use crate::share::ShareError;
 use crate::views::{View, Views};
+use camera_lab_files::share::ShareError;
+use camera_lab_files::{SourceFile, figure_from};
 
 /// Everything the window knows.
 #[derive(Debug)]

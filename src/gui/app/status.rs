@@ -6,7 +6,7 @@ use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::message::Message;
-use crate::i18n::window;
+use camera_lab_words::window;
 
 /// The latest message, shortened to the available room.
 pub fn news(ui: &mut egui::Ui, model: &Model) {

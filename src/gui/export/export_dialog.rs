@@ -15,11 +15,11 @@ use crate::gui::kit::form::{choice, choice_row, complaint, row};
 use crate::gui::kit::number_field::{self, FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::i18n::window::Texts;
-use crate::i18n::{families, pictures};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Faces;
 use crate::views::{View, Views};
+use camera_lab_words::window::Texts;
+use camera_lab_words::{families, pictures};
 
 /// The width of the settings, of the preview beside them and of both with the gap, in points.
 const SETTINGS: f32 = 360.0;

@@ -7,9 +7,9 @@ use crate::gui::kit::form::{choice, choice_row, row};
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::families;
-use crate::i18n::window::Texts;
 use crate::limits::MAX_TYPED_NAME;
+use camera_lab_words::families;
+use camera_lab_words::window::Texts;
 
 /// The rows of the dialog, with those of the values once something varies. `enter` becomes true if Enter is pressed in
 /// the values.

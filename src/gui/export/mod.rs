@@ -20,14 +20,12 @@ use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::figure::variation::{Variation, VariationError, variants};
-use crate::files::{self, FigureFiles, FileError, LeftOut, Overwrite};
 use crate::gui::background::worker::{Running, Worker};
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::model::Model;
 use crate::gui::model::export_error::ExportError;
 use crate::gui::model::handout::Job;
 use crate::gui::model::message::Shortfall;
-use crate::i18n::{Lang, pictures};
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{
@@ -36,6 +34,8 @@ use crate::picture::{
 };
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
+use camera_lab_files::{self as files, FigureFiles, FileError, LeftOut, Overwrite};
+use camera_lab_words::{Lang, pictures};
 
 /// The export settings: pictures, size, theme.
 #[derive(Clone, Copy, Debug, PartialEq)]

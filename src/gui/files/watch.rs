@@ -6,10 +6,10 @@ use std::time::Duration;
 use eframe::egui;
 
 use crate::clock;
-use crate::files::{FileChange, Stamp, look};
 use crate::gui::background::worker::Worker;
 use crate::gui::model::document::Document;
 use crate::progress::Progress;
+use camera_lab_files::{FileChange, Stamp, look};
 
 /// A watched file.
 struct Watched {

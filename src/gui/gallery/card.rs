@@ -10,15 +10,15 @@ use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::{Bilingual, Figure};
-use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
 use crate::gui::model::document::source::Source;
-use crate::i18n::{Lang, messages, pictures, told, window};
 use crate::lessons::parse_bytes;
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
+use camera_lab_words::{Lang, messages, pictures, told, window};
 
 /// The size of a small picture in pixels.
 pub(super) const SIZE: Size = Size { width: 192, height: 144, scale: 1.0 };
@@ -223,8 +223,8 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::testing::{Directory, Stall};
     use crate::progress::at_once;
+    use crate::testing::{Directory, Stall};
 
     #[test]
     fn a_lesson_has_the_card_of_its_first_step() {

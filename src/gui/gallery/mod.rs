@@ -12,11 +12,11 @@ use eframe::egui::{Context, TextureHandle, TextureOptions};
 use self::card::{CardJob, CardOutcome, CardText, work};
 use crate::appearance::Theme;
 use crate::clock;
-use crate::files::SHIPPED_FIGURES;
 use crate::gui::background::worker::Worker;
 use crate::gui::model::document::source::Source;
-use crate::i18n::window::search::{folded, has_words};
-use crate::i18n::{Lang, messages};
+use camera_lab_files::SHIPPED_FIGURES;
+use camera_lab_words::window::search::{folded, has_words};
+use camera_lab_words::{Lang, messages};
 pub use card::figures_in;
 pub(super) use show::{Chosen, show};
 

@@ -12,18 +12,18 @@ use eframe::egui::{
 use super::card::SIZE;
 use super::{Gallery, Part};
 use crate::appearance::Theme;
-use crate::files::{ShippedFigure, Topic};
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::document::source::Source;
-use crate::i18n::window::gallery as words;
-use crate::i18n::window::gallery::Texts;
-use crate::i18n::window::search::also_called;
-use crate::i18n::{Lang, window};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
+use camera_lab_files::{ShippedFigure, Topic};
+use camera_lab_words::window::gallery as words;
+use camera_lab_words::window::gallery::Texts;
+use camera_lab_words::window::search::also_called;
+use camera_lab_words::{Lang, window};
 
 /// An action after a frame.
 pub(in crate::gui) enum Chosen {

@@ -9,10 +9,10 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::coach::Advice;
-use crate::i18n::window::Texts;
-use crate::i18n::window::coach as words;
 use crate::numerics::diagnosis::{IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
+use camera_lab_words::window::Texts;
+use camera_lab_words::window::coach as words;
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 720.0;

@@ -15,11 +15,11 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor};
-use crate::i18n::messages;
-use crate::i18n::window::Texts;
-use crate::i18n::window::compare as words;
-use crate::i18n::window::compare::Texts as Words;
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
+use camera_lab_words::messages;
+use camera_lab_words::window::Texts;
+use camera_lab_words::window::compare as words;
+use camera_lab_words::window::compare::Texts as Words;
 
 /// Shows the dialog in a movable window of its own. The pictures beside it show the choice, and stay usable. Returns
 /// the form while it stays open. While the user `draws` on the views, Esc is for that.

@@ -6,10 +6,10 @@ use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
 use crate::gui::model::Model;
 use crate::gui::model::explained::conventions::Conventions;
-use crate::i18n::why::conventions;
-use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
 use crate::numbers::{self, DecimalMark, without_rests};
+use camera_lab_words::why::conventions;
+use camera_lab_words::window::{self, Texts};
 
 /// The numbers of the figure in a convention of NDC.
 pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
@@ -307,7 +307,7 @@ mod tests {
     }
 
     fn window_texts() -> &'static Texts {
-        window::texts(crate::i18n::Lang::En)
+        window::texts(camera_lab_words::Lang::En)
     }
 
     #[test]

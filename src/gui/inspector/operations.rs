@@ -12,10 +12,10 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::operations::Scrub;
 use crate::gui::model::operations::motion::arrow;
-use crate::i18n::why::notes;
-use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
+use camera_lab_words::why::notes;
+use camera_lab_words::window::{self, Texts};
 
 /// The operation of a slider pulled this far, in degrees, as a power of two, or in scene units. 0 changes nothing.
 fn pulled(freedom: Freedom, pull: f64) -> Operation {

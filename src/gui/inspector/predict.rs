@@ -8,10 +8,10 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{number_field, prose};
 use crate::gui::model::Model;
 use crate::gui::model::operations::predict::{About, Change, Prediction};
-use crate::i18n::learn::exercise_messages;
-use crate::i18n::window::Texts as WindowTexts;
-use crate::i18n::window::predict as words;
-use crate::i18n::window::predict::Texts;
+use camera_lab_words::learn::exercise_messages;
+use camera_lab_words::window::Texts as WindowTexts;
+use camera_lab_words::window::predict as words;
+use camera_lab_words::window::predict::Texts;
 
 /// Writes an operation with its value.
 type Written = fn(Operation, &WindowTexts) -> String;

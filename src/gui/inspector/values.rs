@@ -15,9 +15,9 @@ use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::i18n::why::conventions::differences;
-use crate::i18n::why::{explain, notes};
-use crate::i18n::window::{self, Texts};
+use camera_lab_words::why::conventions::differences;
+use camera_lab_words::why::{explain, notes};
+use camera_lab_words::window::{self, Texts};
 
 /// Shows the numbers.
 pub fn ui(ui: &mut egui::Ui, model: &mut Model) {

@@ -8,8 +8,8 @@ use super::focus::at_right;
 use super::number_field::{self, FieldOutput, NumberField, Step};
 use super::theme;
 use super::tooltip::Explained;
-use crate::i18n::Lang;
-use crate::i18n::window::Texts;
+use camera_lab_words::Lang;
+use camera_lab_words::window::Texts;
 
 /// A group of controls under a title that opens and closes it. Returns the title.
 pub(in crate::gui) fn section(

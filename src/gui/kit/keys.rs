@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, KeyboardShortcut};
 
-use crate::i18n::Lang;
+use camera_lab_words::Lang;
 
 /// The Portuguese names of keys labelled with an English word.
 const IN_PORTUGUESE: [(&str, &str); 10] = [

@@ -12,8 +12,8 @@ use ratex_layout::{LayoutOptions, layout, to_display_list};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 
 use crate::drawing::single;
-use crate::i18n::why::notes::plain;
 use crate::text;
+use camera_lab_words::why::notes::plain;
 
 /// The fonts, by `RaTeX`'s names for them. Formulas that need another one are written as text.
 const FONTS: [(&str, &[u8]); 7] = [
@@ -297,8 +297,8 @@ pub(in crate::gui) fn brackets(ui: &Ui, place: Rect) {
 #[cfg(test)]
 mod tests {
     use super::Ink;
-    use crate::i18n::Lang;
-    use crate::i18n::why::notes::{Piece, notes};
+    use camera_lab_words::Lang;
+    use camera_lab_words::why::notes::{Piece, notes};
 
     #[test]
     fn the_mathematics_of_all_notes_is_set_with_the_fonts_that_are_there() {

@@ -12,11 +12,11 @@ use crate::expression::{self, Dimension, ExpressionProblem};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{theme, tooltip};
-use crate::i18n::why::sources::with_titles;
-use crate::i18n::window::Texts;
-use crate::i18n::{Lang, messages};
 use crate::limits::MAX_EXPRESSION;
 use crate::numbers::{self, round_to};
+use camera_lab_words::why::sources::with_titles;
+use camera_lab_words::window::Texts;
+use camera_lab_words::{Lang, messages};
 
 /// The effect of dragging and of the arrow keys.
 #[derive(Clone, Copy, Debug, PartialEq)]

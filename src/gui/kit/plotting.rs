@@ -9,7 +9,7 @@ use crate::appearance::Rgba;
 use crate::chart::power_of_ten;
 use crate::export::plot::COLORS;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::{Lang, window};
+use camera_lab_words::{Lang, window};
 
 /// A plot that neither moves nor zooms, and shows no coordinates of its own. The values under the pointer appear beside
 /// it.

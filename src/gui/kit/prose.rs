@@ -7,7 +7,7 @@ use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 
 use super::mathematics;
 use super::theme;
-use crate::i18n::why::notes::{line, plain};
+use camera_lab_words::why::notes::{line, plain};
 
 /// Turns symbols such as `M_v` into mathematics. Text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {

@@ -10,8 +10,8 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Event, Id, Key, Margin, Response, TextEdit, Ui};
 
 use super::tooltip;
-use crate::i18n::{Lang, messages};
 use crate::limits::MAX_TYPED;
+use camera_lab_words::{Lang, messages};
 
 /// A field for a text with a greatest number of characters.
 pub(in crate::gui) struct TextField<'t> {

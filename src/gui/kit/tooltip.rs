@@ -3,7 +3,7 @@
 use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
 
 use super::theme;
-use crate::i18n::why::sources::with_titles;
+use camera_lab_words::why::sources::with_titles;
 
 /// The place of the tooltips of a panel.
 #[derive(Clone, Copy)]

@@ -14,8 +14,8 @@ use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::document::Document;
 use crate::gui::model::operations::placing::{Mark, Placing};
-use crate::i18n::learn::{exercise_window, lessons};
 use crate::lessons::Lesson;
+use camera_lab_words::learn::{exercise_window, lessons};
 use exercises::state::Exercises;
 use lesson::state::Playing;
 

@@ -10,13 +10,13 @@ use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, Reveal};
 use crate::gui::background::memo::Latest;
 use crate::gui::model::Model;
-use crate::i18n::window::coach;
 use crate::numerics::diagnosis::{
     Cause, Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
 };
 use crate::numerics::health::{Health, health};
 use crate::progress::Progress;
 use crate::views::SharedScene;
+use camera_lab_words::window::coach;
 
 /// The inputs of the findings.
 #[derive(Clone, Debug, PartialEq)]

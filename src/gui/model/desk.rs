@@ -319,7 +319,7 @@ mod tests {
 
     use super::*;
     use crate::figure::NamedPoint;
-    use crate::files::Renamed;
+    use camera_lab_files::Renamed;
 
     /// An act of the user, with the answer to the question that it raises.
     #[derive(Clone, Copy, Debug)]

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show};
-use crate::files::{Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename};
-use crate::share;
+use camera_lab_files::share;
+use camera_lab_files::{Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename};
 
 /// The edited figure.
 #[derive(Clone, Debug)]

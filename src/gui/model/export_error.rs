@@ -3,11 +3,11 @@
 use crate::camera::CameraError;
 use crate::export::format::PictureFormat;
 use crate::figure::variation::VariationError;
-use crate::files::FileError;
-use crate::i18n::{Lang, families, messages, window};
 use crate::picture::{NoComposite, PictureError};
 use crate::pipeline::OverBudget;
 use crate::scene::SceneError;
+use camera_lab_files::FileError;
+use camera_lab_words::{Lang, families, messages, window};
 
 /// The reason why a picture wasn't written.
 #[derive(Debug, thiserror::Error)]

@@ -1,7 +1,6 @@
 //! A handout to be written: its content, and its file.
 
 use crate::exercises::Exercise;
-use crate::files::{FigureFiles, FileAccess};
 use crate::gui::model::export_error::ExportError;
 use crate::handout::{self, HandoutOptions, NoPicture, Scenes, views_of};
 use crate::lessons::OpenLesson;
@@ -9,6 +8,7 @@ use crate::picture::{Handout, PictureError};
 use crate::progress::Progress;
 use crate::scene::no_files;
 use crate::views::{SharedScene, View, Views, scene_of};
+use camera_lab_files::{FigureFiles, FileAccess};
 
 /// A requested handout.
 #[derive(Clone)]

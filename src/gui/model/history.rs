@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::camera::{Camera, Parameters};
 use crate::figure::{Figure, Screen, Show, ShownTriangle};
-use crate::files::{Renamed, rename};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
+use camera_lab_files::{Renamed, rename};
 
 /// The number of a scene or of a document. Equal numbers mean equal content, without comparing it, which can be large.
 /// Different numbers have no meaning.

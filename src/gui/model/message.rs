@@ -4,17 +4,17 @@
 use std::path::{Path, PathBuf};
 
 use crate::camera::CameraError;
-use crate::files::{FileError, LeftOut};
 use crate::gui::model::export_error::ExportError;
-use crate::i18n::learn::{exercise_messages, lessons};
-use crate::i18n::messages::faults;
-use crate::i18n::why::explain_point;
-use crate::i18n::window::{canvas, compare, scenes, sessions, sharing};
-use crate::i18n::{Lang, messages, window};
 use crate::pipeline::OverBudget;
 use crate::sanitize;
 use crate::scene::{MeshNotice, Preset, SceneError};
 use crate::views::View;
+use camera_lab_files::{FileError, LeftOut};
+use camera_lab_words::learn::{exercise_messages, lessons};
+use camera_lab_words::messages::faults;
+use camera_lab_words::why::explain_point;
+use camera_lab_words::window::{canvas, compare, scenes, sessions, sharing};
+use camera_lab_words::{Lang, messages, window};
 
 /// A message at the bottom of the window.
 #[derive(Debug)]

@@ -11,9 +11,9 @@ use crate::gui::model::Model;
 use crate::gui::model::operations::placing::{Mark, Placing};
 use crate::gui::model::operations::predict::Predict;
 use crate::gui::model::operations::predict::{About, Prediction};
-use crate::i18n::window::predict as words;
 use crate::views::Ghost;
 use crate::views::View;
+use camera_lab_words::window::predict as words;
 
 /// The state of the panel of operations.
 #[derive(Clone, Debug)]

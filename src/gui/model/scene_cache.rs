@@ -14,7 +14,6 @@ use super::history::Revision;
 use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::clock;
 use crate::figure::Figure;
-use crate::files::{self, Carried, FigureFiles, FileAccess};
 use crate::gui::background::memo::Latest;
 use crate::gui::background::worker::Running;
 use crate::progress::Progress;
@@ -25,6 +24,7 @@ use crate::scene::{
     Shape, TextureError, TextureFault, TextureSource, Wanted,
 };
 use crate::views::SharedScene;
+use camera_lab_files::{self as files, Carried, FigureFiles, FileAccess};
 
 /// More vertices and triangles than this take longer to look through than a frame has.
 const HEAVY: usize = 60_000;
@@ -136,7 +136,7 @@ impl Default for Reader {
         let read = Latest::new("meshes", || {
             // A file that stalls mustn't keep the others from being read.
             #[cfg(not(target_arch = "wasm32"))]
-            files::limit_waiting(files::READER_WAIT);
+            files::limit_waiting(files::reader_wait());
             async |file: &SceneFile, progress: &Progress| file.read(progress).await
         });
         Self { read, waiting: Vec::new(), bytes: BTreeMap::new() }
@@ -453,8 +453,8 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::files::SourceFile;
-    use crate::files::testing::{Directory, Stall};
+    use crate::testing::{Directory, Stall};
+    use camera_lab_files::SourceFile;
 
     #[test]
     fn a_stalled_file_keeps_no_other_file_of_the_figure_from_being_read() {

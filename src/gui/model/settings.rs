@@ -3,7 +3,7 @@
 use crate::appearance::Theme;
 use crate::gui::model::explained::conventions::Conventions;
 use crate::gui::model::layout::{Panels, Tab, WindowPlace};
-use crate::i18n::Lang;
+use camera_lab_words::Lang;
 
 /// State of the window, and not of the figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -13,10 +13,10 @@ use crate::gui::model::explained::steps;
 use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Side;
 use crate::gui::model::layout::asked_layout::shown_entry;
-use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
 use crate::views::{Compared, Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
+use camera_lab_words::pictures::labels;
 
 /// The targets of panels in a frame. Each frame begins without any.
 #[derive(Clone, Debug, Default)]
@@ -75,7 +75,7 @@ impl Model {
     pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
         let figure = self.desk.shown.figure();
         let error = figure.compare.as_ref()?.other_side(figure).err()?;
-        Some(crate::i18n::window::compare::impossible(self.settings.lang, &error))
+        Some(camera_lab_words::window::compare::impossible(self.settings.lang, &error))
     }
 
     /// The figure that shows the present screen in any program, with explanations, and with the observers.

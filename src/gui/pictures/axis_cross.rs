@@ -7,9 +7,9 @@ use crate::appearance::Theme;
 use crate::figure::Observer;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::layout::ObserverChange;
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::Palette;
 use crate::views::observer::Viewpoint;
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// The length of an axis that lies in the plane of the picture, in points.
 const LENGTH: f32 = 22.0;

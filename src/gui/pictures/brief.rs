@@ -6,10 +6,10 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{elide, theme};
 use crate::gui::model::Model;
 use crate::gui::model::coach::Advice;
-use crate::i18n::Lang;
-use crate::i18n::window::coach as words;
 use crate::numerics::diagnosis::Diagnosis;
 use crate::numerics::health::Level;
+use camera_lab_words::Lang;
+use camera_lab_words::window::coach as words;
 
 /// The summary of the coach.
 pub(super) struct Brief {

@@ -10,10 +10,10 @@ use crate::figure::{Depth, Explanation};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
-use crate::i18n::why::explain_point;
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
+use camera_lab_words::why::explain_point;
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// The room that a card takes before it has been shown, in points.
 const USUAL: Vec2 = vec2(250.0, 190.0);

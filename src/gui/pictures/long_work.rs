@@ -7,9 +7,9 @@ use eframe::egui::{self, Key, Modifiers};
 use super::Canvas;
 use crate::gui::background::worker::Running;
 use crate::gui::model::Model;
-use crate::i18n::window::canvas as words;
-use crate::i18n::window::{progress, scenes};
 use crate::sanitize;
+use camera_lab_words::window::canvas as words;
+use camera_lab_words::window::{progress, scenes};
 
 /// Work shorter than this isn't reported.
 const MAX_WAIT: Duration = Duration::from_millis(500);
@@ -83,13 +83,13 @@ mod tests {
     use std::path::PathBuf;
 
     use super::*;
-    use crate::files::Overwrite;
     use crate::gui::Start;
     use crate::gui::State;
     use crate::gui::export::{Export, ExportKind, Exported, Exporting, Task};
     use crate::gui::model::export_error::ExportError;
-    use crate::i18n::Lang;
     use crate::progress::{Activity, Progress};
+    use camera_lab_files::Overwrite;
+    use camera_lab_words::Lang;
 
     /// Paints, and doesn't end by itself.
     fn endless() -> impl AsyncFnMut(Task, &Progress) -> Exported {

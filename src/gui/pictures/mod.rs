@@ -62,14 +62,14 @@ use crate::gui::pictures::pointer::picking::{PickRequest, Picker};
 use crate::gui::pictures::pointer::probe_steps::Click;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::pointer::vertex_name::VertexNames;
-use crate::i18n::pictures::labels;
-use crate::i18n::window;
-use crate::i18n::window::canvas as words;
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+use camera_lab_words::pictures::labels;
+use camera_lab_words::window;
+use camera_lab_words::window::canvas as words;
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Time that a frame waits for its pictures. Slower ones appear when they are done.
 const MAX_WAIT: Duration = Duration::from_millis(30);

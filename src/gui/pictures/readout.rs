@@ -7,13 +7,13 @@ use crate::gui::pictures::pointer::handle_drag::point;
 use crate::gui::pictures::pointer::picking::Depths;
 use crate::gui::pictures::pointer::pixel::pixel_of;
 use crate::gui::pictures::pointer::vertex_name::VertexName;
-use crate::i18n::window::canvas::CanvasTexts;
-use crate::i18n::window::scenes::preset_object;
 use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
 use crate::sanitize::escaped;
 use crate::views::depth::DepthReading;
 use crate::views::{Probe, Request};
+use camera_lab_words::window::canvas::CanvasTexts;
+use camera_lab_words::window::scenes::preset_object;
 
 /// A space and the coordinates in it.
 #[derive(Clone, Debug, PartialEq, Eq)]

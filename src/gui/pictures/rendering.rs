@@ -243,9 +243,9 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
     use crate::figure::Figure;
-    use crate::i18n::{Lang, pictures};
     use crate::scene::no_files;
     use crate::views::{SharedScene, Size, View, scene_of};
+    use camera_lab_words::{Lang, pictures};
 
     fn job(side: u32) -> RenderJob {
         let figure = Figure::default();

@@ -11,8 +11,8 @@ use super::readout::Cell;
 use crate::gui::kit::elide;
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::{Arrangement, View};
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Room between two cells, in heights of a line.
 const GAP: f32 = 1.0;

@@ -14,14 +14,14 @@ use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::elide;
 use crate::gui::kit::form::choice;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::Lang;
-use crate::i18n::why::sources::with_titles;
-use crate::i18n::why::{notes, pipeline as words};
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers;
 use crate::picture::RenderReport;
 use crate::pipeline::{Stage, StageReport};
 use crate::views::View;
+use camera_lab_words::Lang;
+use camera_lab_words::why::sources::with_titles;
+use camera_lab_words::why::{notes, pipeline as words};
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// The least width of a cell, in heights of its letters.
 const CELL_WIDTH: f32 = 8.2;

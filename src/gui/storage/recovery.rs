@@ -8,10 +8,10 @@ use crate::clock;
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::storage::session::LeftOver;
-use crate::i18n::Lang;
-use crate::i18n::window;
-use crate::i18n::window::sessions::ago;
 use crate::sanitize;
+use camera_lab_words::Lang;
+use camera_lab_words::window;
+use camera_lab_words::window::sessions::ago;
 
 /// The user's decision about a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,10 +5,10 @@ use eframe::egui::{self, Label, RichText};
 
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::storage::session::{Keeping, News, NewsList};
-use crate::i18n::window::{self, sessions, sharing};
-use crate::i18n::{Lang, messages};
 use crate::limits::MAX_SESSIONS;
 use crate::sanitize;
+use camera_lab_words::window::{self, sessions, sharing};
+use camera_lab_words::{Lang, messages};
 
 /// Shows the lines, if there are any.
 pub fn bar(ui: &mut egui::Ui, lang: Lang, list: &mut NewsList) {

@@ -8,12 +8,12 @@ use std::time::Duration;
 use eframe::egui;
 
 use crate::clock;
-use crate::files::disk::{self, Lock};
-use crate::files::{self, FileError, Overwrite};
 use crate::gui::background::worker::Worker;
 use crate::gui::storage::session::{Keeping, News, aside};
 use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
+use camera_lab_files::disk::{self, Lock};
+use camera_lab_files::{self as files, FileError, Overwrite};
 
 /// The longest wait for a running write before the window closes.
 pub(in crate::gui) const MAX_WAIT: Duration = Duration::from_secs(2);

@@ -9,11 +9,11 @@ use crate::figure::Measured;
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::{Both, Formula as Typeset, Links, chain};
 use crate::gui::model::explained::matrices::Matrices;
-use crate::i18n::Lang;
-use crate::i18n::why::explain as words;
-use crate::i18n::why::explain::Texts;
-use crate::i18n::why::notes;
 use crate::numbers::exact_form;
+use camera_lab_words::Lang;
+use camera_lab_words::why::explain as words;
+use camera_lab_words::why::explain::Texts;
+use camera_lab_words::why::notes;
 
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;

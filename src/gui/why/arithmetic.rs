@@ -11,9 +11,9 @@ use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::why::matrix::digits;
-use crate::i18n::messages;
-use crate::i18n::why::explain_point::Texts;
-use crate::i18n::why::notes;
+use camera_lab_words::messages;
+use camera_lab_words::why::explain_point::Texts;
+use camera_lab_words::why::notes;
 
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;

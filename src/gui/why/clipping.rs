@@ -4,16 +4,16 @@
 use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
-use crate::files::ShippedFigure;
 use crate::gui::kit::form::choice_row;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::explain;
-use crate::i18n::window::gallery;
-use crate::i18n::{told, window};
 use crate::pipeline::divide_before_clip::divided_first;
+use camera_lab_files::ShippedFigure;
+use camera_lab_words::why::explain;
+use camera_lab_words::window::gallery;
+use camera_lab_words::{told, window};
 
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {

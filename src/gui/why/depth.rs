@@ -20,11 +20,11 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::window::{coach as words, compare};
-use crate::i18n::{Lang, window};
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
+use camera_lab_words::window::{coach as words, compare};
+use camera_lab_words::{Lang, window};
 
 /// Height of the plot in points.
 const HEIGHT: f32 = 150.0;
@@ -57,7 +57,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
     let mut format = model.desk.shown.figure().style.depth_format;
     let formats =
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
-    let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(model.settings.lang, name));
+    let names = formats.map(|(_, name)| camera_lab_words::why::numerics::name(model.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     choice_row(ui, t.format, t.format_hint, &mut format, &choices);
     model.desk.shown.set(|figure| &mut figure.style.depth_format, format);
@@ -124,7 +124,7 @@ fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
         });
         ui.end_row();
         for Resolution { format, step, planes } in resolutions {
-            let name = crate::i18n::why::numerics::name(lang, format);
+            let name = camera_lab_words::why::numerics::name(lang, format);
             ui.label(&name);
             ui.label(lang.mark().number(*step, 3));
             let said = words::two_planes(lang, planes.share_through());

@@ -11,9 +11,9 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::stages;
-use crate::i18n::window;
 use crate::views::View;
+use camera_lab_words::why::stages;
+use camera_lab_words::window;
 
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {

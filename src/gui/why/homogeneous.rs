@@ -12,11 +12,11 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::homogeneous;
-use crate::i18n::why::homogeneous::Texts;
-use crate::i18n::window;
 use crate::sanitize;
 use crate::views::{Palette, Probe};
+use camera_lab_words::why::homogeneous;
+use camera_lab_words::why::homogeneous::Texts;
+use camera_lab_words::window;
 
 /// A displayed point, or a direction (w = 0 in the world).
 struct Shown {

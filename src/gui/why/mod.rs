@@ -32,9 +32,9 @@ use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::explained::Question;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::explain;
-use crate::i18n::why::explain::Texts;
-use crate::i18n::window::compare as words;
+use camera_lab_words::why::explain;
+use camera_lab_words::why::explain::Texts;
+use camera_lab_words::window::compare as words;
 pub(super) use triangle::clicked;
 
 /// A name and a hint.

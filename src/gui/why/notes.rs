@@ -14,14 +14,14 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::notes::Notes;
-use crate::i18n::why::explain as words;
-use crate::i18n::why::explain::Texts;
-use crate::i18n::why::notes;
-use crate::i18n::why::notes::{Note, Piece};
-use crate::i18n::why::sources::with_titles;
-use crate::i18n::why::stages as stages_words;
 use crate::limits::MAX_TYPED_NAME;
 use crate::pipeline::Stage;
+use camera_lab_words::why::explain as words;
+use camera_lab_words::why::explain::Texts;
+use camera_lab_words::why::notes;
+use camera_lab_words::why::notes::{Note, Piece};
+use camera_lab_words::why::sources::with_titles;
+use camera_lab_words::why::stages as stages_words;
 
 /// The type size of equations, in points.
 const SIZE: f32 = 14.0;

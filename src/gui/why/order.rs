@@ -22,10 +22,10 @@ use crate::gui::model::message::Message;
 use crate::gui::model::scene_tree::Selected;
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::order::{Order, Own};
-use crate::i18n::why::order as words;
-use crate::i18n::why::order::Texts;
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
+use camera_lab_words::why::order as words;
+use camera_lab_words::why::order::Texts;
 
 /// Shows the part that stays in sight above the list: its object, and the button that applies the list.
 pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {

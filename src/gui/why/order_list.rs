@@ -12,9 +12,9 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::why::state::order::Order;
-use crate::i18n::why::order as words;
-use crate::i18n::why::order::Texts;
-use crate::i18n::window;
+use camera_lab_words::why::order as words;
+use camera_lab_words::why::order::Texts;
+use camera_lab_words::window;
 
 /// Widths, in points: of the dots, of number and symbol, of a button at the right.
 const DOTS: f32 = 14.0;

@@ -16,13 +16,13 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::follow::Space;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::explain_point;
-use crate::i18n::why::explain_point::Texts;
-use crate::i18n::why::notes;
-use crate::i18n::{messages, window};
 use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
 use crate::sanitize::escaped;
 use crate::views::{Probe, shadows_at, texel_at};
+use camera_lab_words::why::explain_point;
+use camera_lab_words::why::explain_point::Texts;
+use camera_lab_words::why::notes;
+use camera_lab_words::{messages, window};
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {

@@ -6,9 +6,9 @@ use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::sources::with_titles;
-use crate::i18n::why::{notes, pipeline, stages};
 use crate::pipeline::Stage;
+use camera_lab_words::why::sources::with_titles;
+use camera_lab_words::why::{notes, pipeline, stages};
 
 /// Shows them.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {

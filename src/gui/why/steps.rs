@@ -22,12 +22,12 @@ use crate::gui::model::explained::steps::{Steps, end_of, step_at, time_of};
 use crate::gui::why::matrix::entries;
 use crate::gui::why::matrix::matrices::{cells, reading};
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::explain as words;
-use crate::i18n::why::explain::Texts;
-use crate::i18n::why::notes;
-use crate::i18n::{Lang, command_line, pictures};
 use crate::numbers::without_rests;
 use crate::views::View;
+use camera_lab_words::why::explain as words;
+use camera_lab_words::why::explain::Texts;
+use camera_lab_words::why::notes;
+use camera_lab_words::{Lang, command_line, pictures};
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {

@@ -12,17 +12,17 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::triangle::Covered;
-use crate::i18n::pictures::labels;
-use crate::i18n::why::notes;
-use crate::i18n::why::triangle as words;
-use crate::i18n::why::triangle::Texts;
-use crate::i18n::{Lang, window};
 use crate::numbers::DecimalMark;
 use crate::picture::TrianglePixels;
 use crate::pipeline::Stage;
 use crate::pipeline::one_triangle::TriangleSteps;
 use crate::views::pick::image_pixel;
 use crate::views::{Labels, Request, Size};
+use camera_lab_words::pictures::labels;
+use camera_lab_words::why::notes;
+use camera_lab_words::why::triangle as words;
+use camera_lab_words::why::triangle::Texts;
+use camera_lab_words::{Lang, window};
 
 /// The context in which a step is written.
 struct Page<'a> {

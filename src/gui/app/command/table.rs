@@ -5,7 +5,6 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 use super::{InBrowser, Menu, Row};
 use crate::appearance;
 use crate::figure::Explanation;
-use crate::files::{self, Overwrite};
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
 use crate::gui::app::state::State;
@@ -20,11 +19,12 @@ use crate::gui::model::action::AfterSave;
 use crate::gui::model::command::Command::{self, *};
 use crate::gui::model::layout::{self, ObserverChange, Panels, Side};
 use crate::gui::model::message::Message;
-use crate::i18n::learn::{handouts, lessons};
-use crate::i18n::window::Texts;
-use crate::i18n::window::{canvas, compare, labels, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
+use camera_lab_files::{self as files, Overwrite};
+use camera_lab_words::learn::{handouts, lessons};
+use camera_lab_words::window::Texts;
+use camera_lab_words::window::{canvas, compare, labels, sharing};
 
 /// A row: command, keys, the names of label and hint, and the effect: a flag, one of several values in the state, or
 /// otherwise a function. The names are those of texts of the window, or of the texts before `::`.

@@ -7,8 +7,8 @@ use crate::gui::app::state::State;
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::action::AfterSave;
-use crate::i18n::window;
 use crate::sanitize;
+use camera_lab_words::window;
 
 /// Shows the bar, if there is something to report.
 pub(crate) fn bar(ui: &mut egui::Ui, state: &mut State) {

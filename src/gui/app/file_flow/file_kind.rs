@@ -7,13 +7,13 @@ use crate::gui::app::file_flow::questions::{Purpose, TEXTURE_ENDINGS};
 use crate::gui::app::state::State;
 use crate::gui::model::action::FileFor;
 use crate::gui::platform::native::{FileQuestion, Wanted};
-use crate::i18n::file_names::name_of_title;
-use crate::i18n::learn::{exercise_window, handouts, lessons};
-use crate::i18n::why::explain;
-use crate::i18n::window::{gallery, photograph, scenes};
-use crate::i18n::{families, told, window};
 use crate::scene::import::MESH_ENDINGS;
 use crate::views::Views;
+use camera_lab_words::file_names::name_of_title;
+use camera_lab_words::learn::{exercise_window, handouts, lessons};
+use camera_lab_words::why::explain;
+use camera_lab_words::window::{gallery, photograph, scenes};
+use camera_lab_words::{families, told, window};
 
 /// A kind of files.
 pub(in crate::gui) struct FileKind {

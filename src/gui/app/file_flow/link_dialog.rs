@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, RichText};
 
 use crate::figure::Figure;
-use crate::files;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::state::State;
@@ -17,12 +16,13 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::message::Message;
-use crate::i18n::messages;
-use crate::i18n::window::Texts;
-use crate::i18n::window::sharing;
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::sanitize;
-use crate::share::{self, Held, ShareError};
+use camera_lab_files as files;
+use camera_lab_files::share::{self, Held, ShareError};
+use camera_lab_words::messages;
+use camera_lab_words::window::Texts;
+use camera_lab_words::window::sharing;
 
 /// Shows the dialog. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {

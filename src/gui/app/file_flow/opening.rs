@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::figure::Photograph;
-use crate::files::{self, FileError, Opened};
 use crate::gui::app::state::State;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
@@ -15,7 +14,8 @@ use crate::gui::model::document::source::Source;
 use crate::gui::model::message::Message;
 use crate::lessons::{Lesson, OpenLesson};
 use crate::scene::{Shape, TextureSource};
-use crate::share;
+use camera_lab_files::share;
+use camera_lab_files::{self as files, FileError, Opened};
 
 /// Puts a mesh file into the scene.
 pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {

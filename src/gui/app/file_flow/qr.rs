@@ -6,7 +6,7 @@ use qrcode::{Color, EcLevel, QrCode};
 use crate::gui::app::file_flow::link_dialog;
 use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::state::State;
-use crate::i18n::window::sharing;
+use camera_lab_words::window::sharing;
 
 /// The free border around the code, in modules, as the standard requires.
 const QUIET: usize = 4;

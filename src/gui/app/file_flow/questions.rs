@@ -21,9 +21,9 @@ use crate::gui::model::history::Revision;
 use crate::gui::model::message::Message;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use crate::gui::storage::session::NewsList;
-use crate::i18n::window::scenes;
-use crate::i18n::{Lang, window};
 use crate::sanitize;
+use camera_lab_words::window::scenes;
+use camera_lab_words::{Lang, window};
 
 /// The purpose of a file.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,12 +8,12 @@ use eframe::egui;
 
 use super::sequence::{Found, Search};
 use crate::clock;
-use crate::files::{self, FileError, Opened};
 use crate::gui::background::worker::{Running, Worker};
 use crate::gui::model::Model;
 use crate::gui::model::history::Revision;
 use crate::lessons::Lesson;
 use crate::progress::Progress;
+use camera_lab_files::{self as files, FileError, Opened};
 
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
@@ -127,12 +127,12 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::files::testing::{Directory, Stall};
     use crate::gui::Start;
     use crate::gui::app::file_flow::questions::Dialog;
     use crate::gui::app::file_flow::{begin, poll};
     use crate::gui::app::state::State;
     use crate::gui::model::action::AfterSave;
+    use crate::testing::{Directory, Stall};
 
     /// Opens a file that takes longer than a frame. Meanwhile the user does something else.
     fn opened_slowly(name: &str, meanwhile: fn(&egui::Context, &mut State)) -> (PathBuf, State) {

@@ -7,12 +7,12 @@ use eframe::egui;
 
 use crate::clock;
 use crate::figure::{Figure, update};
-use crate::files::{self, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 use crate::gui::background::worker::{self, Worker};
 use crate::gui::model::Model;
 use crate::gui::model::action::AfterSave;
 use crate::gui::model::history::Revision;
 use crate::progress::Progress;
+use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 
 /// Time that a frame waits for the file. On a disk of this machine it's written by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 200 });

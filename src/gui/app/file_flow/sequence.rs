@@ -6,13 +6,13 @@
 
 use std::path::Path;
 
-use crate::files::{SHIPPED_FIGURES, open_figure};
 use crate::gui::app::state::State;
 use crate::gui::gallery::figures_in;
 use crate::gui::model::Model;
 use crate::gui::model::document::Document;
 use crate::gui::model::document::source::Source;
 use crate::gui::model::message::Message;
+use camera_lab_files::{SHIPPED_FIGURES, open_figure};
 
 /// The inputs of the search for the next figure.
 #[derive(Clone, Debug)]
@@ -157,9 +157,9 @@ mod tests {
     use eframe::egui;
 
     use super::*;
-    use crate::files::figure_from;
     use crate::gui::Start;
     use crate::gui::app::file_flow::step;
+    use camera_lab_files::figure_from;
 
     #[test]
     fn after_a_figure_whose_folder_cannot_be_looked_into_come_those_of_the_program() {

@@ -4,10 +4,10 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use super::*;
-use crate::files::testing::{Directory, Stall};
 use crate::gui::export::{Export, Exported};
-use crate::i18n::Lang;
 use crate::progress::Progress;
+use crate::testing::{Directory, Stall};
+use camera_lab_words::Lang;
 
 /// The window while `make` writes a picture, and frames of it.
 fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {

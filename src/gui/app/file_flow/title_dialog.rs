@@ -11,10 +11,10 @@ use crate::gui::app::state::State;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::model::Model;
-use crate::i18n::window::{Texts, sharing};
-use crate::i18n::{Lang, told, told_mut};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
+use camera_lab_words::window::{Texts, sharing};
+use camera_lab_words::{Lang, told, told_mut};
 
 /// The answer of the dialog, if the figure is saved with its words.
 pub(in crate::gui) enum Answer {

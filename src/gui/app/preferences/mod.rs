@@ -409,8 +409,8 @@ mod tests {
     use crate::gui::export::family_choice::FamilyChoice;
     use crate::gui::export::{Export, Paper};
     use crate::gui::model::explained::conventions::Conventions;
-    use crate::i18n::Lang;
     use crate::views::Arrangement;
+    use camera_lab_words::Lang;
 
     fn state() -> State {
         State::new(Start::default()).unwrap()

@@ -7,7 +7,6 @@ use std::time::Duration;
 use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
-use crate::files;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::preferences::progress::KeptProgress;
 use crate::gui::app::preferences::{
@@ -18,6 +17,7 @@ use crate::gui::app::state::State;
 use crate::gui::storage::recent::{Recent, merged};
 use crate::gui::storage::session::{Keeping, News};
 use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
+use camera_lab_files as files;
 
 /// The changes of one window.
 #[derive(Clone, Debug, PartialEq)]
@@ -177,9 +177,9 @@ pub(in crate::gui) mod tests {
 
     use super::*;
     use crate::appearance::Theme;
-    use crate::files::disk;
     use crate::gui::Start;
-    use crate::i18n::Lang;
+    use camera_lab_files::disk;
+    use camera_lab_words::Lang;
 
     pub(in crate::gui) struct Folder(pub(in crate::gui) PathBuf);
 

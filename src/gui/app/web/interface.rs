@@ -10,10 +10,10 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::closure::Closure;
 use web_sys::Window;
 
-use crate::files::disk::page;
 use crate::gui::app::file_flow;
 use crate::gui::app::web::{Page, arrive};
-use crate::share::{self, Held};
+use camera_lab_files::disk::page;
+use camera_lab_files::share::{self, Held};
 
 /// Offers the object to the page.
 pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> {

@@ -17,15 +17,15 @@ use web_sys::{HtmlCanvasElement, Window};
 use crate::appearance::Theme;
 use crate::export::format::FIGURE_ENDINGS;
 use crate::figure::Figure;
-use crate::files::disk::page::KEPT;
-use crate::files::{self, SourceFile};
 use crate::gui::app::file_flow;
 use crate::gui::model::action::AfterSave;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
-use crate::i18n::Lang;
 use crate::scene::import::MESH_ENDINGS;
-use crate::share;
+use camera_lab_files::disk::page::KEPT;
+use camera_lab_files::share;
+use camera_lab_files::{self as files, SourceFile};
+use camera_lab_words::Lang;
 
 /// The identifier of the page's canvas for the window.
 const CANVAS: &str = "camera-lab";

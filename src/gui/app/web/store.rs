@@ -9,7 +9,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, Storage, Url};
 
 use crate::clock;
-use crate::files::disk::page::{self, Page};
+use camera_lab_files::disk::page::{self, Page};
 
 /// The prefix of stored names, because other pages of the same address have names of their own.
 const PREFIX: &str = "camera-lab/";

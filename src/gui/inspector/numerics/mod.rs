@@ -15,9 +15,9 @@ use crate::gui::kit::plotting::{color_of, export_button};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
-use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
+use camera_lab_words::why::numerics as words;
 
 /// Interval between looks at the progress.
 const GLANCE: Duration = Duration::from_millis(100);

@@ -5,11 +5,11 @@ use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points};
 
 use crate::chart::{Chart, Look, Series};
 use crate::gui::kit::plotting::{color_of, logarithmic_x, logarithmic_y, still};
-use crate::i18n::Lang;
-use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::charts::Pair;
 use crate::numerics::{Findings, Row};
+use camera_lab_words::Lang;
+use camera_lab_words::why::numerics as words;
 
 /// Distance within which the pointer catches a point, in points.
 const NEAR: f32 = 14.0;

@@ -12,11 +12,11 @@ use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::text_field::KeptLine;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::i18n::window;
-use crate::i18n::window::cameras::{self, Texts};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::escaped;
 use crate::views::{OtherCamera, Palette};
+use camera_lab_words::window;
+use camera_lab_words::window::cameras::{self, Texts};
 
 /// Shows the list, and the buttons that add to it.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList) {

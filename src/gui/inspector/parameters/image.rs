@@ -13,9 +13,9 @@ use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::photograph::PhotographTool;
-use crate::i18n::why::notes;
-use crate::i18n::window::{self, Texts};
 use crate::limits;
+use camera_lab_words::why::notes;
+use camera_lab_words::window::{self, Texts};
 
 const MAX_SIDE: f64 = limits::MAX_SIDE as f64;
 const MAX_OFFSET: f64 = limits::MAX_OFFSET as f64;

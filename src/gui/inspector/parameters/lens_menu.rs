@@ -8,8 +8,8 @@ use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::window::lens::{self, Texts};
 use crate::numbers::EXACT_DIGITS;
+use camera_lab_words::window::lens::{self, Texts};
 
 /// The values of the menu that no camera has.
 #[derive(Clone, Copy, Debug)]

@@ -28,13 +28,13 @@ use crate::gui::model::command::Command;
 use crate::gui::model::explained::matrices::symbols_of;
 use crate::gui::model::layout::Tab;
 use crate::gui::model::photograph::PhotographTool;
-use crate::i18n::Lang;
-use crate::i18n::messages::faults;
-use crate::i18n::why::{explain_point, notes};
-use crate::i18n::window::scenes;
-use crate::i18n::window::{self, Texts};
 use crate::numbers;
 use crate::scene::Preset;
+use camera_lab_words::Lang;
+use camera_lab_words::messages::faults;
+use camera_lab_words::why::{explain_point, notes};
+use camera_lab_words::window::scenes;
+use camera_lab_words::window::{self, Texts};
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {

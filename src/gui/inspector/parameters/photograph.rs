@@ -11,11 +11,11 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor};
 use crate::gui::model::photograph::PhotographTool;
-use crate::i18n::window::photograph::{self as words, Texts};
-use crate::i18n::{messages, window};
 use crate::sanitize;
 use crate::scene::MeshNotice;
 use crate::views::View;
+use camera_lab_words::window::photograph::{self as words, Texts};
+use camera_lab_words::{messages, window};
 
 /// The rows of the photograph, in the section of the image.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut PhotographTool) {

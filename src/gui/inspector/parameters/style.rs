@@ -8,7 +8,7 @@ use crate::figure::Explanation;
 use crate::gui::inspector::{choice_row, more, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::i18n::window;
+use camera_lab_words::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {

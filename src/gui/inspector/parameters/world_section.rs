@@ -6,9 +6,9 @@ use crate::figure::{WorldPart, WorldParts};
 use crate::gui::inspector::{choice_row, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::i18n::pictures::labels;
-use crate::i18n::{Lang, window};
 use crate::numbers::significant;
+use camera_lab_words::pictures::labels;
+use camera_lab_words::{Lang, window};
 
 /// The steps of opacity on offer, in percent.
 const STEPS: [u8; 5] = [0, 25, 50, 75, 100];

@@ -9,9 +9,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor, MeshFor};
 use crate::gui::model::scene_tree::Selected;
-use crate::i18n::window::scenes::Texts;
 use crate::numbers;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
+use camera_lab_words::window::scenes::Texts;
 
 /// The menu of objects and lights to add.
 pub(super) fn menu(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {

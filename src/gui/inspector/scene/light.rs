@@ -9,8 +9,8 @@ use crate::gui::inspector::{VectorField, choice_row, complain, row};
 use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
-use crate::i18n::window::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
+use camera_lab_words::window::scenes::Texts;
 
 /// Kind, direction or position. Returns the request of the button.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {

@@ -22,16 +22,16 @@ use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
 use crate::gui::model::scene_tree::{Draft, Selected};
-use crate::i18n::Lang;
-use crate::i18n::messages::faults;
-use crate::i18n::why::notes;
-use crate::i18n::window;
-use crate::i18n::window::scenes;
-use crate::i18n::window::scenes::Texts;
 use crate::limits::{MAX_SIDE, MAX_TYPED};
 use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
+use camera_lab_words::Lang;
+use camera_lab_words::messages::faults;
+use camera_lab_words::why::notes;
+use camera_lab_words::window;
+use camera_lab_words::window::scenes;
+use camera_lab_words::window::scenes::Texts;
 pub(super) use texture::mend;
 
 /// A change requested by the tree or a button.

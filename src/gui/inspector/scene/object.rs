@@ -16,11 +16,6 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor, MeshFor};
 use crate::gui::model::scene_tree::{Selected, preset_objects};
-use crate::i18n::messages;
-use crate::i18n::messages::faults;
-use crate::i18n::why::notes;
-use crate::i18n::window::scenes;
-use crate::i18n::window::scenes::{Texts, preset_object};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED_NAME, MIN_SEGMENTS};
 use crate::numbers::without_rests;
 use crate::sanitize::escaped;
@@ -28,6 +23,11 @@ use crate::scene::edit::{self, Children, descendants, placement};
 use crate::scene::transform;
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
 use crate::views::Transforming;
+use camera_lab_words::messages;
+use camera_lab_words::messages::faults;
+use camera_lab_words::why::notes;
+use camera_lab_words::window::scenes;
+use camera_lab_words::window::scenes::{Texts, preset_object};
 
 /// The fields of the object at this place of the list. Returns the request of its buttons.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
@@ -304,7 +304,7 @@ fn data(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize
 fn point_list(
     ui: &mut egui::Ui,
     t: &Texts,
-    window: &crate::i18n::window::Texts,
+    window: &camera_lab_words::window::Texts,
     (owner, step): (&str, f64),
     title: &'static str,
     points: &mut Vec<DVec3>,

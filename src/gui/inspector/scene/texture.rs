@@ -9,9 +9,9 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor};
-use crate::i18n::{messages, window};
 use crate::limits::MAX_TEXTURE_SCALE;
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
+use camera_lab_words::{messages, window};
 
 /// The fields of the texture of the object at this place of the list.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) {

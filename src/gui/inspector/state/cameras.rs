@@ -3,7 +3,7 @@
 use crate::camera::Convergence;
 use crate::figure::NamedCamera;
 use crate::gui::model::Model;
-use crate::i18n::window::cameras;
+use camera_lab_words::window::cameras;
 
 /// The list of cameras.
 #[derive(Clone, Debug, Default)]

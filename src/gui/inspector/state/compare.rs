@@ -4,10 +4,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
-use crate::files::{FileError, Opened};
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::message::Message;
+use camera_lab_files::{FileError, Opened};
 
 /// The values of the dialog that no figure has yet.
 #[derive(Clone, Debug, PartialEq)]

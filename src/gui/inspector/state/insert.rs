@@ -6,12 +6,12 @@ use crate::camera::Camera;
 use crate::geometry::Aabb;
 use crate::gui::model::Model;
 use crate::gui::model::scene_tree::Selected;
-use crate::i18n::window::scenes;
 use crate::numbers;
 use crate::scene::edit::{free_name, placement};
 use crate::scene::palette::least_used;
 use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
 use crate::views::pick::can_be_seen_by;
+use camera_lab_words::window::scenes;
 
 impl Model {
     /// Adds a mesh file, by its path in the figure.

@@ -14,9 +14,9 @@ use crate::gui::kit::{mathematics, prose};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{is_whole, joined};
 use crate::gui::model::Model;
-use crate::i18n::learn::{exercise_window as words, exercises as said};
-use crate::i18n::{Lang, messages};
 use crate::limits::MAX_ANSWER;
+use camera_lab_words::learn::{exercise_window as words, exercises as said};
+use camera_lab_words::{Lang, messages};
 
 /// The type size of the interpretation, in points.
 const SIZE: f32 = 13.0;

@@ -7,12 +7,12 @@ use crate::exercises::{Entry, Stage};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::state::{Chosen, Exercises};
-use crate::i18n::Lang;
-use crate::i18n::learn::exercise_window::Texts;
-use crate::i18n::learn::{exercise_messages, exercise_window as words, exercises as said};
-use crate::i18n::window::search::{folded, has_words};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::exercise_window::Texts;
+use camera_lab_words::learn::{exercise_messages, exercise_window as words, exercises as said};
+use camera_lab_words::window::search::{folded, has_words};
 
 /// The search field. Enter opens the first exercise found.
 pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {

@@ -21,9 +21,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
 use crate::gui::model::Model;
-use crate::i18n::learn::exercise_messages as messages;
-use crate::i18n::learn::exercise_window as words;
-use crate::i18n::learn::exercise_window::Texts;
+use camera_lab_words::learn::exercise_messages as messages;
+use camera_lab_words::learn::exercise_window as words;
+use camera_lab_words::learn::exercise_window::Texts;
 
 /// The open exercise, and the words of the window.
 #[derive(Clone, Copy)]

@@ -2,15 +2,15 @@
 
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
-use crate::files::BadExercise;
 use crate::gui::kit::form::complaint;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor};
-use crate::i18n::learn::exercise_window::Texts;
-use crate::i18n::messages;
 use crate::sanitize;
+use camera_lab_files::BadExercise;
+use camera_lab_words::learn::exercise_window::Texts;
+use camera_lab_words::messages;
 
 /// The part below the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {

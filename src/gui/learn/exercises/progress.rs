@@ -8,9 +8,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, FileFor};
-use crate::i18n::learn::exercise_window::Texts;
-use crate::i18n::learn::exercises as said;
 use crate::sanitize;
+use camera_lab_words::learn::exercise_window::Texts;
+use camera_lab_words::learn::exercises as said;
 
 /// The foot of the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Learn) {

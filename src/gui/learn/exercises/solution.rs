@@ -18,11 +18,11 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Described, NotCamera};
 use crate::gui::model::Model;
-use crate::i18n::Lang;
-use crate::i18n::learn::{exercise_window as words, exercises as said};
-use crate::i18n::why::dialects;
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
 use crate::limits::MAX_ANSWER;
+use camera_lab_words::Lang;
+use camera_lab_words::learn::{exercise_window as words, exercises as said};
+use camera_lab_words::why::dialects;
 
 /// The button of the next help. It keeps the focus, whatever appears above it, because `id` identifies it, and not its
 /// place.

@@ -9,9 +9,9 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::{Learn, lesson_link};
 use crate::gui::model::Model;
-use crate::i18n::learn::{exercise_messages as messages, exercises as said};
 use crate::lessons::{Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
+use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
 
 /// Shows the statement.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>) {
@@ -20,7 +20,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         ui.label(RichText::new(entry.source).small().weak())
-            .explained(crate::i18n::why::sources::with_titles(entry.source));
+            .explained(camera_lab_words::why::sources::with_titles(entry.source));
         if entry.is_family {
             let seed = format!("{} {}", messages::texts(t.lang).seed, exercise.seed);
             ui.label(RichText::new(seed).small().weak()).explained(t.seed_hint);

@@ -9,8 +9,8 @@ use crate::gui::kit::theme;
 use crate::gui::learn::exercises::state::{Chosen, joined};
 use crate::gui::learn::{Learn, lesson_link};
 use crate::gui::model::Model;
-use crate::i18n::learn::{exercise_messages as messages, exercises as said};
 use crate::lessons::{Way, lesson_of};
+use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
 
 /// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {

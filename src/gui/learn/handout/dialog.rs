@@ -9,11 +9,11 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::{HandoutForm, MAX_SEED, played};
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::model::Model;
-use crate::i18n::file_names::name_of_title;
-use crate::i18n::learn::handouts::{Texts, texts};
-use crate::i18n::learn::{exercises, lessons as words};
-use crate::i18n::{Lang, told, window};
 use crate::lessons::{OpenLesson, shipped};
+use camera_lab_words::file_names::name_of_title;
+use camera_lab_words::learn::handouts::{Texts, texts};
+use camera_lab_words::learn::{exercises, lessons as words};
+use camera_lab_words::{Lang, told, window};
 
 /// The width of the settings, and that of the dialog, in points.
 const SETTINGS: f32 = 330.0;

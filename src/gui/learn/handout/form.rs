@@ -4,8 +4,8 @@ use crate::exercises::Exercise;
 use crate::gui::learn::Learn;
 use crate::gui::model::handout::{Content, Job};
 use crate::handout::HandoutOptions;
-use crate::i18n::Lang;
 use crate::lessons::{OpenLesson, shipped};
+use camera_lab_words::Lang;
 
 /// The greatest number for choosing the numbers of the exercises.
 pub(in crate::gui) const MAX_SEED: u32 = 9_999;

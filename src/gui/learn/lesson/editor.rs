@@ -12,11 +12,11 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::writing::StepChange;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
-use crate::i18n::learn::lesson_tasks;
-use crate::i18n::learn::lessons::Texts;
-use crate::i18n::{Lang, messages, told_mut};
 use crate::lessons::TaskKind;
 use crate::limits::{MAX_TITLE, MAX_TYPED};
+use camera_lab_words::learn::lesson_tasks;
+use camera_lab_words::learn::lessons::Texts;
+use camera_lab_words::{Lang, messages, told_mut};
 
 /// Seconds without a key after which the text is written to the file.
 const PAUSE: f64 = 1.0;

@@ -10,10 +10,10 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
-use crate::i18n::learn::exercises as said;
-use crate::i18n::learn::lessons::Texts;
-use crate::i18n::{Lang, told};
 use crate::lessons::{Step, Task};
+use camera_lab_words::learn::exercises as said;
+use camera_lab_words::learn::lessons::Texts;
+use camera_lab_words::{Lang, told};
 
 /// The keys of the choices.
 const KEYS: [Key; 8] = [Key::A, Key::B, Key::C, Key::D, Key::E, Key::F, Key::G, Key::H];

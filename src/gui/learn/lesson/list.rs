@@ -8,9 +8,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::action::{Action, AfterSave};
-use crate::i18n::learn::lessons as words;
-use crate::i18n::{told, window};
 use crate::lessons::{OpenLesson, shipped};
+use camera_lab_words::learn::lessons as words;
+use camera_lab_words::{told, window};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;

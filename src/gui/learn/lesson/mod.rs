@@ -27,12 +27,12 @@ use crate::gui::learn::{Learn, lesson_link};
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::model::command::Command;
-use crate::i18n::learn::exercises;
-use crate::i18n::learn::lessons as words;
-use crate::i18n::learn::lessons::Texts;
-use crate::i18n::why::notes;
-use crate::i18n::{Lang, told};
 use crate::lessons::{self, Lesson, Link, Task};
+use camera_lab_words::learn::exercises;
+use camera_lab_words::learn::lessons as words;
+use camera_lab_words::learn::lessons::Texts;
+use camera_lab_words::why::notes;
+use camera_lab_words::{Lang, told};
 pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(in crate::gui) use speaker::window as speaker_window;
 

@@ -5,10 +5,10 @@ use eframe::egui::Ui;
 use crate::camera::ParameterKey;
 use crate::figure::{Bilingual, Figure};
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::learn::lesson_tasks::Texts;
-use crate::i18n::learn::lessons::filled_from;
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
+use camera_lab_words::learn::lesson_tasks::Texts;
+use camera_lab_words::learn::lessons::filled_from;
 
 /// A button that opens the menu. Returns the path of the chosen quantity.
 pub(super) fn quantity_menu(ui: &mut Ui, t: &Texts, (figure, report): (&Figure, &Report)) -> Option<String> {

@@ -4,15 +4,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
-use crate::files::{self, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
 use crate::gui::learn::Learn;
 use crate::gui::model::Model;
 use crate::gui::model::layout::Side;
 use crate::gui::model::message::Message;
-use crate::i18n::learn::lessons as words;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::scene::Wanted;
 use crate::views::View;
+use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
+use camera_lab_words::learn::lessons as words;
 
 impl Learn {
     /// Reads the user's own lessons: those beside the one written last, the figure or the gallery's figures.

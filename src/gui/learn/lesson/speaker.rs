@@ -11,9 +11,9 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::state::Playing;
 use crate::gui::model::Model;
 use crate::gui::model::command::Command;
-use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
-use crate::i18n::told;
 use crate::lessons::{self, Task};
+use camera_lab_words::learn::{exercise_sheet, exercises, lessons as words};
+use camera_lab_words::told;
 
 /// The initial size of the window, in points.
 const SIZE: [f32; 2] = [520.0, 460.0];

@@ -9,7 +9,6 @@ use super::moving::Moving;
 use crate::camera::{Camera, Operation};
 use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
-use crate::files;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::lesson::writing::Writing;
@@ -19,7 +18,8 @@ use crate::gui::model::history::Revision;
 use crate::gui::model::layout::Panels;
 use crate::gui::model::message::Message;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
-use crate::share;
+use camera_lab_files as files;
+use camera_lab_files::share;
 
 /// Seconds of the move to the figure that answers a question.
 const SEEN: f64 = 2.0;

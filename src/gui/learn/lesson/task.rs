@@ -10,9 +10,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, exercises};
 use crate::gui::model::Model;
-use crate::i18n::learn::exercises::title;
-use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};
+use camera_lab_words::learn::exercises::title;
+use camera_lab_words::learn::lessons::Texts;
 
 /// Shows the task of a step. In a presentation a key shows the question.
 pub(super) fn show(

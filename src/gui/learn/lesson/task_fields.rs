@@ -8,12 +8,12 @@ use crate::figure::{Bilingual, Figure};
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::learn::exercises::title;
-use crate::i18n::learn::lesson_tasks::{Texts, texts};
-use crate::i18n::{Lang, told_mut};
 use crate::inspect::Report;
 use crate::lessons::{ConditionKind, ConditionText, TaskKind, TaskText};
 use crate::limits::{MAX_CONDITIONS, MAX_TITLE, MAX_TYPED};
+use camera_lab_words::learn::exercises::title;
+use camera_lab_words::learn::lesson_tasks::{Texts, texts};
+use camera_lab_words::{Lang, told_mut};
 
 /// Rows of the question. The answers need the rest of the panel.
 const ROWS: usize = 2;

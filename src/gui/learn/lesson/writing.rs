@@ -6,19 +6,19 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, FigureError};
-use crate::files::{self, FileError, Overwrite};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::recording::for_lesson;
 use crate::gui::model::Model;
 use crate::gui::model::message::Message;
 use crate::gui::model::unsaved_text::UnsavedText;
-use crate::i18n::Lang;
 use crate::lessons::{
     Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
     words_in_file,
 };
 use crate::numbers::significant;
-use crate::share;
+use camera_lab_files::share;
+use camera_lab_files::{self as files, FileError, Overwrite};
+use camera_lab_words::Lang;
 
 /// Changes that can be taken back.
 const MOST_EARLIER: usize = 100;

@@ -186,8 +186,8 @@ mod tests {
     use crate::camera::{Convention, Operation, Parameters};
     use crate::figure::Figure;
     use crate::geometry::Angle;
-    use crate::i18n::{Lang, pictures::labels};
     use crate::views::View;
+    use camera_lab_words::{Lang, pictures::labels};
     use glam::DVec3;
 
     /// A picture of a figure without a scene, and its visible content.

@@ -7,10 +7,10 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::command::Command;
 use crate::gui::model::layout::ObserverChange;
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
-use crate::i18n::window;
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
+use camera_lab_words::window;
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// The action of a title's button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

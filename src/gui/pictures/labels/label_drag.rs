@@ -10,9 +10,9 @@ use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::i18n::window::labels as words;
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
+use camera_lab_words::window::labels as words;
 
 /// A held label.
 pub(in crate::gui::pictures) struct LabelDrag {

@@ -15,12 +15,12 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::i18n::window::labels as words;
-use crate::i18n::window::labels::Texts;
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::sanitize::escaped;
 use crate::text::{Face, face};
 use crate::views::{View, unknown_labels};
+use camera_lab_words::window::labels as words;
+use camera_lab_words::window::labels::Texts;
 
 /// The factor of one press of *larger*.
 const LARGER: f64 = 1.25;

@@ -9,10 +9,10 @@ use crate::gui::model::Model;
 use crate::gui::model::photograph::Drawn;
 use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::i18n::why::photograph as steps;
-use crate::i18n::window;
-use crate::i18n::window::photograph as words;
-use crate::i18n::window::photograph::Texts;
+use camera_lab_words::why::photograph as steps;
+use camera_lab_words::window;
+use camera_lab_words::window::photograph as words;
+use camera_lab_words::window::photograph::Texts;
 
 /// The width of the card.
 const WIDTH: f32 = 286.0;

@@ -14,8 +14,8 @@ use crate::gui::model::photograph::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::i18n::window::photograph as words;
 use crate::views::{Palette, View};
+use camera_lab_words::window::photograph as words;
 
 /// The radius of a grip, and that in which the pointer catches it, in points.
 const GRIP: f32 = 5.0;

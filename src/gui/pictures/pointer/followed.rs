@@ -6,9 +6,9 @@ use glam::{DVec2, DVec3};
 use crate::gui::model::Model;
 use crate::gui::pictures::Pane;
 use crate::gui::pictures::pointer::handle_drag;
-use crate::i18n::why::explain_point;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
+use camera_lab_words::why::explain_point;
 
 /// A held point.
 pub(in crate::gui::pictures) struct PointDrag {

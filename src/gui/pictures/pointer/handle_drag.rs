@@ -4,11 +4,11 @@ use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
-use crate::i18n::window;
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers::DecimalMark;
 use crate::views::Request;
 use crate::views::{Handle, handles};
+use camera_lab_words::window;
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Distance within which the pointer catches a handle, in points.
 pub(in crate::gui) const REACH: f32 = 10.0;

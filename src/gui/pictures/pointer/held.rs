@@ -16,14 +16,14 @@ use crate::gui::pictures::pointer::handle_drag::HandleDrag;
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::i18n::messages::faults::camera_error;
-use crate::i18n::window::canvas::CanvasTexts;
-use crate::i18n::window::scenes;
 use crate::numbers::power_of_ten;
 use crate::scene::SceneSpec;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::{part_at, pull};
 use crate::views::{GizmoPart, Handle, Picture, Transforming, View};
+use camera_lab_words::messages::faults::camera_error;
+use camera_lab_words::window::canvas::CanvasTexts;
+use camera_lab_words::window::scenes;
 
 /// Distance within which the pointer catches a part of the gizmo, in points.
 pub(in crate::gui::pictures) const GIZMO_REACH: f32 = 7.0;

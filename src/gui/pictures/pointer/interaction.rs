@@ -23,10 +23,10 @@ use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
-use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
 use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
+use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;

@@ -6,9 +6,9 @@ use super::handle_drag;
 use crate::gui::model::Model;
 use crate::gui::model::action::Action;
 use crate::gui::pictures::Pane;
-use crate::i18n::window::cameras;
 use crate::sanitize::escaped;
 use crate::views::{Request, View, camera_at};
+use camera_lab_words::window::cameras;
 
 /// The place in the list of the camera at the pointer (pixels).
 pub(in crate::gui::pictures) fn hovered(request: &Request, pointer: DVec2, pane: &Pane) -> Option<usize> {

@@ -161,9 +161,9 @@ mod tests {
     use crate::camera::Camera;
     use crate::clock;
     use crate::figure::Figure;
-    use crate::i18n::{Lang, pictures};
     use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build, no_files};
     use crate::views::{SharedScene, Size};
+    use camera_lab_words::{Lang, pictures};
 
     fn pick(segments: u32, pointer: DVec2) -> PickRequest {
         let ball = ObjectSpec::new("ball", Shape::Sphere).with_segments(segments);

@@ -5,8 +5,8 @@ use glam::DVec2;
 
 use crate::gui::model::Model;
 use crate::gui::pictures::{Canvas, Pane};
-use crate::i18n::window::compare as words;
 use crate::views::{Request, Side};
+use camera_lab_words::window::compare as words;
 
 /// Half the width of the strip in which the pointer catches the wiper, and the radius of its handle, in points.
 const REACH: f32 = 6.0;

@@ -10,8 +10,8 @@ use wasm_bindgen::closure::Closure;
 use web_sys::{Event, File, HtmlInputElement};
 
 use super::{FileAnswer, FileQuestion};
-use crate::files::disk::page;
 use crate::limits::MAX_FILE_BYTES;
+use camera_lab_files::disk::page;
 
 /// Reads a file, gives it to the page, and returns its path there. A file that is unreadable, or larger than any, isn't
 /// given. Opening it reports that.

@@ -16,11 +16,11 @@ use std::time::{Duration, SystemTime};
 use eframe::egui;
 
 use crate::clock;
-use crate::files::disk::{self, Lock};
-use crate::files::{self, FileError, Overwrite};
 use crate::gui::model::document::{Document, Seen};
 use crate::gui::model::history::Revision;
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
+use camera_lab_files::disk::{self, Lock};
+use camera_lab_files::{self as files, FileError, Overwrite};
 pub use news::{Keeping, News, NewsList, NotKept};
 pub use session_file::Restored;
 use session_file::SessionFile;

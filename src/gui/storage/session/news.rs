@@ -4,8 +4,8 @@ use std::io::ErrorKind;
 use std::mem::{Discriminant, discriminant};
 use std::path::PathBuf;
 
-use crate::files::FileError;
 use crate::scene::system_kind;
+use camera_lab_files::FileError;
 
 /// A message about the storage of windows. Each is shown once.
 #[derive(Debug)]

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::figure::{Bilingual, Figure, read, update};
-use crate::files::{Carried, SourceFile, disk};
 use crate::gui::fresh;
 use crate::gui::model::document::Document;
 use crate::gui::model::unsaved_text::UnsavedText;
 use crate::lessons::{TaskKind, TaskText, text_of_step};
+use camera_lab_files::{Carried, SourceFile, disk};
 
 /// A path that comes back unchanged, as text if it's text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,8 +3,8 @@
 use std::fs;
 
 use super::*;
-use crate::files::testing::Stall;
-use crate::files::{Carried, SourceFile};
+use crate::testing::Stall;
+use camera_lab_files::{Carried, SourceFile};
 
 /// A folder that exists for one test.
 struct TempFolder(PathBuf);

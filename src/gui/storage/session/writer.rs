@@ -9,13 +9,13 @@ use eframe::egui;
 use super::session_file::SessionFile;
 use crate::clock;
 use crate::figure::Figure;
-use crate::files::disk::{self, Lock};
-use crate::files::{self, Carried, FileError, Overwrite};
 use crate::gui::background::worker::Worker;
 use crate::gui::model::document::{Document, Seen};
 use crate::gui::model::history::Revision;
 use crate::gui::model::unsaved_text::UnsavedText;
 use crate::progress::Progress;
+use camera_lab_files::disk::{self, Lock};
+use camera_lab_files::{self as files, Carried, FileError, Overwrite};
 
 /// The longest wait for a running write before the window closes.
 const MAX_WAIT: Duration = Duration::from_secs(2);

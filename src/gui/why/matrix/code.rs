@@ -9,7 +9,7 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::{code, dialects, explain};
+use camera_lab_words::why::{code, dialects, explain};
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {

@@ -7,8 +7,8 @@ use crate::gui::kit::form::{choice_row, complaint};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::conventions;
-use crate::i18n::why::conventions::{Texts, finite_instead};
+use camera_lab_words::why::conventions;
+use camera_lab_words::why::conventions::{Texts, finite_instead};
 
 /// Shows the choices. Below them come the numbers that depend on them.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {

@@ -15,9 +15,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::measures::of_symbol;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::dialects;
-use crate::i18n::{messages, window};
 use crate::numbers::{is_rest, power_of_ten};
+use camera_lab_words::why::dialects;
+use camera_lab_words::{messages, window};
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mut Explain) {

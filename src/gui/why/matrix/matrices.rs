@@ -18,11 +18,11 @@ use crate::gui::why::answer;
 use crate::gui::why::answer::Writing;
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::subject::ExplainedSetting;
-use crate::i18n::why::explain as words;
-use crate::i18n::why::explain::Texts;
-use crate::i18n::why::{conventions, entry_reasons, notes};
-use crate::i18n::window;
 use crate::numbers::without_rests;
+use camera_lab_words::why::explain as words;
+use camera_lab_words::why::explain::Texts;
+use camera_lab_words::why::{conventions, entry_reasons, notes};
+use camera_lab_words::window;
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {

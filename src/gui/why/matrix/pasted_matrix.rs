@@ -15,12 +15,12 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
-use crate::i18n::why::conventions;
-use crate::i18n::why::dialects;
-use crate::i18n::why::dialects::Texts;
-use crate::i18n::window;
 use crate::limits::{MAX_ANSWER, MAX_SIDE};
 use crate::sanitize;
+use camera_lab_words::why::conventions;
+use camera_lab_words::why::dialects;
+use camera_lab_words::why::dialects::Texts;
+use camera_lab_words::window;
 
 /// The note on a pasted matrix.
 pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'static str {

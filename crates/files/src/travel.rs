@@ -1,0 +1,211 @@
+//! A figure that travels with its files: inside a picture, or in a folder beside a figure file.
+
+use std::collections::BTreeMap;
+use std::path::{Component, Path, PathBuf};
+
+use super::carried::{Carried, packed};
+use super::file_access::FigureFiles;
+use super::named_files::{Renamed, for_folder, rename};
+use super::shipped::SHIPPED;
+use crate::export::format::PictureFormat;
+use crate::figure::Figure;
+use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES};
+use crate::progress::{Progress, at_once};
+use crate::scene::import::{import, read_texture};
+use crate::scene::{FileUse, ReadError, Wanted};
+
+/// The files of a figure that a picture doesn't carry, because they have more than [`MAX_CARRIED_BYTES`] together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut(pub Vec<String>);
+
+/// The files that a figure names, if they have room in a picture.
+fn carried(figure: &Figure, files: &mut FigureFiles) -> Result<Carried, LeftOut> {
+    let (mut carried, mut left) = (BTreeMap::new(), MAX_CARRIED_BYTES);
+    let mut put = |name: &str, bytes: &[u8]| {
+        // Two meshes may share a library or a texture.
+        if carried.contains_key(name) {
+            return Some(());
+        }
+        let packed = packed(bytes, left)?;
+        left -= packed.len();
+        carried.insert(name.to_owned(), packed);
+        Some(())
+    };
+    for (name, of) in own_files(figure) {
+        let Ok(bytes) = files.read(Wanted { path: name, named_by: None }) else { continue };
+        // Large files aren't even parsed.
+        let Some(()) = packed(&bytes, MAX_CARRIED_BYTES).map(drop) else { return Err(LeftOut::of(figure)) };
+        let Some(beside) = companions((name, of), &bytes, files) else { continue };
+        for (name, bytes) in std::iter::once((name.to_owned(), bytes)).chain(beside) {
+            put(&name, &bytes).ok_or_else(|| LeftOut::of(figure))?;
+        }
+    }
+    Ok(Carried(carried.into()))
+}
+
+impl LeftOut {
+    fn of(figure: &Figure) -> Self {
+        Self(own_files(figure).into_keys().map(str::to_owned).collect())
+    }
+}
+
+/// The names of the user's own files in a figure, each once.
+pub fn own_files(figure: &Figure) -> BTreeMap<&str, FileUse> {
+    figure.files().filter(|(name, _)| !(name.is_empty() || name.starts_with(SHIPPED))).collect()
+}
+
+/// The files that a file of a figure names, as it names them. `None` if the file itself can't be used: the picture
+/// doesn't show it then, and it may be a secret to which a stranger's figure leads.
+fn companions((name, of): (&str, FileUse), bytes: &[u8], files: &mut FigureFiles) -> Option<Vec<(String, Vec<u8>)>> {
+    let mut beside = Vec::new();
+    match of {
+        FileUse::Image => drop(read_texture(name, &mut |_| Ok(bytes.to_owned())).ok()?),
+        FileUse::Mesh => {
+            let mut read = |wanted: Wanted<'_>| {
+                let bytes = files.read(wanted)?;
+                beside.push((wanted.path.to_owned(), bytes.clone()));
+                Ok::<_, ReadError>(bytes)
+            };
+            at_once(import(name, bytes, &mut read, &Progress::default())).ok()?;
+            beside.retain(|(name, _)| may_travel(name));
+        }
+    }
+    Some(beside)
+}
+
+/// True for names of materials, buffers and textures, for the same reason.
+fn may_travel(name: &str) -> bool {
+    let ending = Path::new(name).extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    ["mtl", "bin", "png", "jpg", "jpeg", "webp"].contains(&&*ending)
+}
+
+/// The text of a figure for a picture at `path`, with the files of the figure, which `files` reads. If they have no
+/// room, the text names them from the folder of the picture, and they are returned. `text` writes a figure.
+pub fn text_in_picture(
+    text: impl Fn(&Figure) -> String,
+    figure: &Figure,
+    mut files: FigureFiles,
+    path: &Path,
+) -> (String, Option<LeftOut>) {
+    // A file of LaTeX has a PDF beside it, which carries the figure.
+    let holds_figure =
+        PictureFormat::of(path).is_some_and(|format| format.carries_figure() || format == PictureFormat::Tex);
+    if !holds_figure || own_files(figure).is_empty() {
+        return (text(figure), None);
+    }
+    let (moved, mut renamed) = for_folder(figure, Some(files.folder()), path.parent());
+    let joined = carried(figure, &mut files).map(|carried| {
+        // A file that isn't carried, because it can't be read now, is looked for again from the picture's folder.
+        renamed.retain(|name, _| !carried.0.contains_key(name));
+        let mut figure = figure.clone();
+        rename(figure.files_mut(), &renamed);
+        carried.join(&text(&figure))
+    });
+    match joined.map(|joined| Some(joined).filter(|joined| joined.len() <= MAX_FIGURE_BYTES)) {
+        Ok(Some(joined)) => (joined, None),
+        left_out => (text(&moved), Some(left_out.err().unwrap_or_else(|| LeftOut::of(figure)))),
+    }
+}
+
+/// A figure as it's written to `path` with its files, in a new folder beside it: the figure, its new names, and the
+/// files. Those that can't be read are left out and keep their names.
+pub fn beside_figure(
+    figure: &Figure,
+    mut files: FigureFiles,
+    path: &Path,
+) -> (Figure, Renamed, Vec<(PathBuf, Vec<u8>)>) {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let folders = std::iter::once(format!("{stem}-files")).chain((2..1000).map(|k| format!("{stem}-files-{k}")));
+    let is_free = |name: &String| !super::disk::may_exist(&path.with_file_name(name));
+    let folder = folders.into_iter().find(is_free).unwrap_or_else(|| format!("{stem}-files"));
+    let (mut renamed, mut written) = (Renamed::new(), Vec::new());
+    for (k, (name, of)) in own_files(figure).into_iter().enumerate() {
+        let Ok(bytes) = files.read(Wanted { path: name, named_by: None }) else { continue };
+        let Some(beside) = companions((name, of), &bytes, &mut files) else { continue };
+        let (above, own) = name.rsplit_once(['/', '\\']).map_or(("", name), |(above, own)| (above, own));
+        // Files of one name from different folders, and what they name, must not meet.
+        let new = |own: &str| format!("{folder}/{}/{own}", k + 1);
+        renamed.insert(name.to_owned(), new(own));
+        written.push((path.with_file_name(new(own)), bytes));
+        for (name, bytes) in beside {
+            // A file outside the folder of the mesh keeps its place.
+            if let Some(inside) = name.strip_prefix(above).map(|rest| rest.trim_start_matches(['/', '\\']))
+                && !Path::new(inside).components().any(|part| part == Component::ParentDir)
+            {
+                written.push((path.with_file_name(new(inside)), bytes));
+            }
+        }
+    }
+    let mut figure = figure.clone();
+    rename(figure.files_mut(), &renamed);
+    (figure, renamed, written)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::FileAccess;
+    use crate::carried::MARK;
+    use crate::figure::read::parse;
+    use crate::testing::Directory;
+
+    #[test]
+    fn only_what_the_figure_shows_travels() {
+        let directory = Directory::new("travel");
+        let file = |name: &str, bytes: &[u8]| std::fs::write(directory.path().join(name), bytes).unwrap();
+        file("m.obj", b"mtllib m.mtl\nmtllib secret.txt\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+        file("m.mtl", b"newmtl red\nKd 1 0 0\n");
+        file("secret.txt", b"newmtl secret\n");
+        file("secret.png", b"my password");
+        let figure = parse(
+            "[image]\nphotograph = \"secret.png\"\n[[scene.objects]]\nname = \"m\"\nshape = \"mesh\"\npath = \"m.obj\"\n\
+             [[scene.objects]]\nname = \"t\"\nshape = \"mesh\"\npath = \"camera-lab:teapot.obj\"\n",
+        )
+        .unwrap();
+        let files = || FigureFiles::new(directory.path(), FileAccess::Figure);
+        let names: Vec<String> = carried(&figure, &mut files()).unwrap().0.keys().cloned().collect();
+        assert_eq!(names, ["m.mtl", "m.obj"]);
+        // In a picture elsewhere, only what it doesn't carry is looked for in the old folder.
+        let picture = directory.path().join("sub").join("p.png");
+        let (text, left_out) = text_in_picture(crate::figure::write::to_toml, &figure, files(), &picture);
+        let secret = directory.path().join("secret.png").display().to_string();
+        assert!(text.contains("\"m.obj\"") && text.contains(&format!("\"{secret}\"")) && left_out.is_none(), "{text}");
+        // With its files, it's written to a folder of its own, which is new each time.
+        let target = directory.path().join("new.toml");
+        std::fs::create_dir(directory.path().join("new-files")).unwrap();
+        let (moved, renamed, written) = beside_figure(&figure, files(), &target);
+        let new = &renamed["m.obj"];
+        assert!(new.starts_with("new-files-2/") && new.ends_with("/m.obj"), "{new}");
+        assert_eq!(moved.scene.objects[0].shape.as_ref().unwrap().mesh_file(), Some(new.as_str()));
+        assert_eq!(moved.photograph, figure.photograph, "it isn't there");
+        let beside = directory.path().join(new).with_file_name("m.mtl");
+        assert!(written.iter().any(|(path, bytes)| *path == beside && bytes == b"newmtl red\nKd 1 0 0\n"));
+        assert_eq!(written.len(), 2);
+    }
+
+    #[test]
+    fn too_many_bytes_are_left_out_and_named_from_the_folder_of_the_picture() {
+        let directory = Directory::new("too-large");
+        let mut mesh = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        let mut state = 1_u64;
+        for _ in 0..120_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            mesh.push_str(&format!("v {} {} {}\n", state >> 20, state >> 30, state >> 40));
+        }
+        std::fs::write(directory.path().join("large.obj"), mesh).unwrap();
+        let figure = parse("[[scene.objects]]\nname = \"m\"\nshape = \"mesh\"\npath = \"large.obj\"\n").unwrap();
+        let files = FigureFiles::new(directory.path(), FileAccess::Figure);
+        let to = |name: &str| {
+            let path = directory.path().join(name);
+            text_in_picture(crate::figure::write::to_toml, &figure, files.clone(), &path)
+        };
+        let (text, left_out) = to("sub/p.png");
+        assert_eq!(left_out, Some(LeftOut(vec!["large.obj".to_owned()])));
+        let whole = directory.path().join("large.obj").display().to_string();
+        assert!(text.contains(&whole) && !text.contains(MARK), "{text}");
+        assert!(to("p.svg").0.contains("\"large.obj\""));
+        assert_eq!(to("p.webp").1, None, "it holds no figure");
+    }
+}

@@ -1,0 +1,230 @@
+//! The words of the command line, in both languages.
+
+use std::ops::RangeInclusive;
+
+use super::Lang;
+use crate::camera::{Decomposition, ImageSize};
+use crate::export::format::PictureFormat;
+use crate::expression::ExpressionError;
+use crate::limits::MAX_SIDE;
+use crate::messages::expressions::in_expression;
+use crate::sanitize::escaped;
+
+texts!("command_line");
+
+/// An option of a command before its name.
+pub const fn before_the_command(lang: Lang) -> &'static str {
+    text!(lang, before_the_command)
+}
+
+/// The end of a message about faulty arguments.
+pub const fn see_help(lang: Lang) -> &'static str {
+    text!(lang, see_help)
+}
+
+texts_with_values! {
+    /// A command that doesn't exist.
+    unknown_command(lang, name: &str, commands: &[String]): (name = escaped(name), commands = commands.join(", "));
+
+    /// A text that isn't a point. If it has three parts, the one that isn't a number, with the reason.
+    point(lang, text: &str, fault: Option<(&str, &ExpressionError)>): (text = escaped(text), why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error))));
+
+    /// A text that isn't a pixel.
+    pixel(lang, text: &str): (text = escaped(text));
+
+    /// The name of a file whose extension is neither that of an animation nor that of a picture.
+    animation_ending(lang, name: &str);
+
+    /// A text that isn't a pixel with a depth.
+    depth_pixel(lang, text: &str): (text = escaped(text));
+
+    /// A text that isn't a size.
+    size(lang, text: &str): (text = escaped(text), MAX_SIDE);
+
+    /// A text that isn't a number, or a number that an option doesn't take.
+    number(lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64): (option, text = escaped(text), least = range.start(), most = range.end(), example);
+
+    /// A text that isn't a number of frames.
+    frames(lang, text: &str): (text = escaped(text));
+
+    /// A text that isn't a seed.
+    seed(lang, text: &str): (text = escaped(text));
+
+    /// A file of charts whose extension isn't that of a format.
+    plot_ending(lang, path: &str): (path, endings = picture_endings());
+
+    /// A picture larger than pictures can be.
+    too_large(lang, width: u64, height: u64): (width, height, MAX_SIDE);
+
+    /// An ending that isn't a picture's.
+    ending(lang, name: &str): (name = escaped(name), endings = picture_endings());
+
+    /// A program without a window.
+    not_built_in(lang);
+}
+
+/// A fault in a file, with the line if it's known.
+pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
+    match line {
+        Some(line) => text!(lang, in_file, name, line, what),
+        None => format!("{name}: {what}"),
+    }
+}
+
+/// An argument of `--show` without a value.
+pub const fn show_without_value(lang: Lang) -> &'static str {
+    text!(lang, show_without_value)
+}
+
+/// A key, `[show] triangle.object`, names an object that the scene doesn't have. Lists those that it has.
+pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> String {
+    const MOST: usize = 12;
+    let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", escaped(name))).collect();
+    if objects.len() > MOST {
+        names.push("…".to_owned());
+    }
+    let (object, names) = (escaped(object), names.join(", "));
+    text!(lang, no_such_object, key, object, names)
+}
+
+/// The triangle to follow is beyond the last one of its object.
+pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
+    let object = escaped(object);
+    match count.checked_sub(1) {
+        Some(last) => text!(lang, no_such_triangle_some, index, object, last),
+        None => text!(lang, no_such_triangle_none, object),
+    }
+}
+
+/// Several views for a strip of stills.
+pub const fn one_view_in_a_strip(lang: Lang) -> &'static str {
+    text!(lang, one_view_in_a_strip)
+}
+
+/// A source that has no steps for a camera.
+pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
+    let source = decomposition.source();
+    match decomposition {
+        Decomposition::Scale => text!(lang, no_steps_scale, source),
+        _ => text!(lang, no_steps_window, source),
+    }
+}
+
+/// A pixel that the image doesn't have. It has a ray all the same.
+pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
+    let ImageSize { width, height } = image;
+    let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
+    text!(lang, pixel_outside, i, j, right, bottom)
+}
+
+/// The words around the table of stages.
+#[derive(Debug)]
+pub struct ExplainTexts {
+    /// Heads of its columns.
+    pub columns: [&'static str; 6],
+    /// The time of all.
+    pub total: &'static str,
+    /// The meaning of the mark for "timed with another stage".
+    pub together: &'static str,
+    /// Heads of the columns of cost.
+    pub cost: [&'static str; 3],
+    /// The sums of cost: of the stages that work on vertices and faces, of those that work on pixels, and of all.
+    pub blocks: [&'static str; 3],
+    /// The meaning of the columns of cost.
+    pub counted: &'static str,
+}
+
+/// The words around the table of stages.
+pub const fn explain(lang: Lang) -> &'static ExplainTexts {
+    const EN: ExplainTexts = ExplainTexts {
+        columns: ["stage", "in", "out", "of", "µs", "why"],
+        total: "from the scene to the last pixel",
+        together: "(″: in the time of the stage that it runs with)",
+        cost: ["float", "integer", "memory"],
+        blocks: ["geometry", "rasterization", "both"],
+        counted: "Operations on floating-point and on whole numbers, and numbers read from memory or written to it: those of the \
+                  textbook's algorithms.\nNot counted (·): work on whole objects, lines, marks and texts.",
+    };
+    const PT_BR: ExplainTexts = ExplainTexts {
+        columns: ["etapa", "entra", "sai", "de", "µs", "por quê"],
+        total: "da cena ao último pixel",
+        together: "(″: no tempo da etapa com que é executada)",
+        cost: ["flutuante", "inteira", "memória"],
+        blocks: ["geometria", "rasterização", "as duas"],
+        counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: os dos \
+                  algoritmos dos livros.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
+    };
+    pick!(lang; &EN, &PT_BR)
+}
+
+/// A measurement: the picture, the number of triangles and frames, and median, least and 95 % of the times in ms.
+pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, min, p95]: [f64; 3]) -> String {
+    let times = |p95_name: &str, least: &str, middle: &str| {
+        format!("{middle} {median:.3} ms, {least} {min:.3} ms, {p95_name} {p95:.3} ms\n")
+    };
+    match lang {
+        Lang::En => {
+            let frames = if frames == 1 { "1 frame".to_owned() } else { format!("{frames} frames") };
+            format!("{what}: {triangles} triangles, {frames}\n{}", times("95 % within", "least", "median"))
+        }
+        Lang::PtBr => {
+            let frames = if frames == 1 { "1 quadro".to_owned() } else { format!("{frames} quadros") };
+            format!("{what}: {triangles} triângulos, {frames}\n{}", times("95 % em até", "mínimo", "mediana"))
+        }
+    }
+}
+
+/// A sheet on which this many pictures have no room beside the gaps between them.
+pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
+    text!(lang, no_room, count, gap, width, height)
+}
+
+/// A size on paper of less than a pixel.
+pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
+    let centimetres = escaped(centimetres);
+    text!(lang, no_pixel, option, centimetres, dpi)
+}
+
+fn picture_endings() -> String {
+    PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ")
+}
+
+/// A picture without ground in a format that has none.
+pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
+    let able = PictureFormat::ALL.into_iter().filter(|format| format.has_transparency());
+    let endings = able.map(|format| format!(".{}", format.ending())).collect::<Vec<_>>().join(", ");
+    let name = format.name();
+    text!(lang, no_transparency, name, endings)
+}
+
+/// The place where numbers are printed.
+pub const fn standard_output(lang: Lang) -> &'static str {
+    text!(lang, standard_output)
+}
+
+/// No display, or no OpenGL.
+pub fn no_window(lang: Lang, why: &str) -> String {
+    // The window's library names the line of its source before the reason.
+    let reason =
+        why.rsplit_once(".rs:").map_or(why, |(_, rest)| rest.trim_start_matches(|c: char| c.is_numeric() || c == ':'));
+    let reason: Vec<_> = reason.split_whitespace().collect();
+    let reason = reason.join(" ");
+    let why = reason.trim_end_matches('.');
+    text!(lang, no_window, why)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reason_for_no_window_is_one_sentence_without_paths() {
+        let why = "winit EventLoopError: os error at /home/x/linux/mod.rs:765: neither A\nnor B is set.";
+        let text = no_window(Lang::En, why);
+        assert!(
+            text.starts_with("no window can be opened here (neither A nor B is set); `camera-lab render"),
+            "{text}"
+        );
+        assert!(no_window(Lang::PtBr, "sem OpenGL").contains("(sem OpenGL)"));
+    }
+}

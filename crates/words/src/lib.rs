@@ -1,0 +1,180 @@
+//! Every text in every language, as typed Rust values.
+//!
+//! Texts are lines of `assets/words/LANG/PLACE.toml`. The module of a place has a struct [`Texts`](window::Texts) of them,
+//! and functions for those with values or grammar.
+
+/// The texts of a file of `assets/words`, which `build.rs` writes as Rust: the struct `Texts`, and a macro `text!` for its
+/// `[lines]`: `text!(lang, key)` is a `&'static str` or an array of them, `text!(lang, key, name, count = n + 1)` a
+/// `String` with values.
+macro_rules! texts {
+    ($file:literal) => {
+        include!(concat!(env!("OUT_DIR"), "/words/", $file, ".rs"));
+    };
+}
+
+/// A value that's inserted into a text: that of the variable with this name, or the one given.
+macro_rules! value {
+    ($name:ident) => {
+        $name
+    };
+    ($name:ident $value:expr) => {
+        $value
+    };
+}
+
+/// One of two values of any type, by the language: `pick!(lang; english, portuguese)`.
+macro_rules! pick {
+    ($lang:expr; $en:expr, $pt:expr) => {
+        match $lang {
+            crate::Lang::En => $en,
+            crate::Lang::PtBr => $pt,
+        }
+    };
+}
+
+/// Functions that give texts with values: `name(lang, count: usize);`. If its values aren't the parameters unchanged,
+/// all of them follow in parentheses: `name(lang, file: &str): (file = escaped(file));`.
+macro_rules! texts_with_values {
+    (@text $lang:ident $name:ident ($($value:ident),+)) => { text!($lang, $name, $($value),+) };
+    (@text $lang:ident $name:ident ()) => { text!($lang, $name).to_owned() };
+    (@text $lang:ident $name:ident ($($value:ident),*) ($($written:tt)+)) => { text!($lang, $name, $($written)+) };
+    ($($(#[$doc:meta])* $name:ident($lang:ident $(, $value:ident: $type:ty)*) $(: ($($written:tt)*))?;)*) => {
+        $(
+            $(#[$doc])*
+            pub fn $name($lang: crate::Lang $(, $value: $type)*) -> String {
+                texts_with_values!(@text $lang $name ($($value),*) $(($($written)*))?)
+            }
+        )*
+    };
+}
+
+/// An error in one language: its own words in English, and a row for each of its variants in Portuguese, whose values
+/// follow in parentheses: `translated! { lang, error; Fault::Name(name) => "“{}” é longo" (escaped(name)); }`.
+macro_rules! translated {
+    ($lang:expr, $error:expr; $($pattern:pat $(if $guard:expr)? => $pt:literal $(($($value:tt)*))?;)*) => {
+        match ($lang, $error) {
+            (crate::Lang::En, error) => error.to_string(),
+            $((crate::Lang::PtBr, $pattern) $(if $guard)? => format!($pt $(, $($value)*)?),)*
+        }
+    };
+}
+
+/// The pages of `assets` in a language, or in English if it has none.
+mod pages {
+    include!(concat!(env!("OUT_DIR"), "/pages.rs"));
+}
+
+pub mod command_line;
+pub mod families;
+pub mod file_names;
+pub mod learn;
+pub mod messages;
+pub mod pictures;
+pub mod why;
+pub mod window;
+
+use camera_lab_engine::{appearance, camera, expression, limits, numbers, pipeline, progress, sanitize, scene, stage};
+use camera_lab_figures::{explain, export, figure, formula, inspect, picture, views};
+use camera_lab_teaching::{exercises, lessons, numerics};
+
+use crate::figure::Bilingual;
+use crate::numbers::DecimalMark;
+
+/// A text of a file, in a language.
+pub fn told(lang: Lang, text: &Bilingual) -> &str {
+    pick!(lang; &text.en, &text.pt_br)
+}
+
+/// A text of a file, to change it in a language.
+pub fn told_mut(lang: Lang, text: &mut Bilingual) -> &mut String {
+    pick!(lang; &mut text.en, &mut text.pt_br)
+}
+
+/// A language of the interface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// Brazilian Portuguese.
+    PtBr,
+}
+
+impl Lang {
+    /// Every language.
+    pub const ALL: [Self; 2] = [Self::En, Self::PtBr];
+
+    /// Its decimal mark.
+    pub const fn mark(self) -> DecimalMark {
+        match self {
+            Self::En => DecimalMark::Point,
+            Self::PtBr => DecimalMark::Comma,
+        }
+    }
+
+    /// The other one.
+    pub const fn other(self) -> Self {
+        pick!(self; Self::PtBr, Self::En)
+    }
+
+    /// Its tag in files for others: `en`, `pt-BR`.
+    pub const fn tag(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::PtBr => "pt-BR",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lang, families, pictures};
+    use crate::learn::{exercise_window, lessons};
+    use crate::why::{conventions, order, reasons};
+    use crate::window::{canvas, coach, scenes, sharing};
+
+    /// The words of the window itself have a test of their own, in the window.
+    #[test]
+    fn both_languages_are_complete_and_differ() {
+        let mut same = Vec::new();
+        let mut check = |en: Vec<(&'static str, &'static str)>, pt: Vec<(&'static str, &'static str)>| {
+            for ((name, en), (_, pt)) in en.into_iter().zip(pt) {
+                assert!(!en.trim().is_empty() && !pt.trim().is_empty(), "{name}");
+                if en == pt {
+                    same.push(name);
+                }
+            }
+        };
+        check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
+        check(families::texts(Lang::En).entries(), families::texts(Lang::PtBr).entries());
+        check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
+        check(exercise_window::texts(Lang::En).entries(), exercise_window::texts(Lang::PtBr).entries());
+        check(lessons::texts(Lang::En).entries(), lessons::texts(Lang::PtBr).entries());
+        check(order::texts(Lang::En).entries(), order::texts(Lang::PtBr).entries());
+        check(conventions::texts(Lang::En).entries(), conventions::texts(Lang::PtBr).entries());
+        check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());
+        check(reasons::texts(Lang::En).entries(), reasons::texts(Lang::PtBr).entries());
+        check(sharing::texts(Lang::En).entries(), sharing::texts(Lang::PtBr).entries());
+        check(scenes::texts(Lang::En).entries(), scenes::texts(Lang::PtBr).entries());
+        assert_eq!(
+            same,
+            [
+                "space_ndc",
+                "space_pixel",
+                "space_viewport",
+                "outcode",
+                "parts",
+                "slide",
+                "infinite",
+                "pan",
+                "address_hint",
+                "link",
+                "filter_bilinear",
+                "filter_trilinear",
+                "texture_texels",
+                "shadow_bias",
+                "shape_cone",
+            ]
+        );
+    }
+}

@@ -1,0 +1,5 @@
+//! The explanation of w.
+
+use crate::Lang;
+
+texts!("why/homogeneous");

@@ -1,0 +1,95 @@
+//! The camera of a photograph: its arithmetic, its errors, and the numbers that it can't give.
+
+use crate::Lang;
+use crate::camera::{AxisVanishing, PhotographCamera, PhotographError, Untold};
+use crate::messages::camera as camera_error;
+use crate::sanitize::escaped;
+
+texts!("why/photograph");
+
+/// Digits of the numbers in sentences.
+const DIGITS: usize = 6;
+
+/// An argument that can't be read, with an example.
+pub fn unreadable(lang: Lang, text: &str, example: &str) -> String {
+    let text = escaped(text);
+    text!(lang, unreadable, text, example)
+}
+
+/// The reason why there is no camera.
+pub fn error(lang: Lang, error: &PhotographError) -> String {
+    match error {
+        PhotographError::TooFewLines => text!(lang, error_too_few_lines).to_owned(),
+        PhotographError::NoDirection(line) => text!(lang, error_no_direction, line),
+        PhotographError::OneLine(axis) => {
+            let axis = axis.name();
+            text!(lang, error_one_line, axis)
+        }
+        PhotographError::NotAtRightAngles(a, b) => {
+            let (a, b) = (a.name(), b.name());
+            text!(lang, error_not_at_right_angles, a, b)
+        }
+        PhotographError::SameDirection(a, b) => {
+            let (a, b) = (a.name(), b.name());
+            text!(lang, error_same_direction, a, b)
+        }
+        PhotographError::Impossible(error) => camera_error(lang, error),
+        PhotographError::LeftHanded => text!(lang, error_left_handed).to_owned(),
+        PhotographError::Length => text!(lang, error_length).to_owned(),
+    }
+}
+
+/// A number that the photograph can't give, and the one that stands for it.
+pub fn untold(lang: Lang, untold: Untold) -> &'static str {
+    match untold {
+        Untold::ViewAngle => text!(lang, untold_view_angle),
+        Untold::Position => text!(lang, untold_position),
+        Untold::Distance => text!(lang, untold_distance),
+    }
+}
+
+/// The steps from the lines to the camera, one sentence each.
+pub fn steps(lang: Lang, found: &PhotographCamera) -> Vec<String> {
+    let number = |x: f64| lang.mark().number(x, DIGITS);
+    let mut steps: Vec<String> = found.vanishing.iter().map(|point| vanishing(lang, point)).collect();
+    if let (Some(f), Some(cost)) = (found.focal_length, found.view_angle_per_pixel) {
+        let (f, theta, cost) = (number(f), number(found.parameters.view_angle), lang.mark().number(cost, 2));
+        steps.push(text!(lang, steps_ome, f));
+        steps.push(text!(lang, steps_angle, theta, cost));
+    }
+    steps.push(horizon(lang, found));
+    let cost = lang.mark().number(found.direction_per_pixel, 2);
+    steps.push(text!(lang, steps, cost));
+    let [u, v, n] = found.axes().map(|axis| lang.mark().tuple(&axis.to_array(), 4));
+    steps.push(format!("u = {u}, v = {v}, n = {n}"));
+    let c = lang.mark().tuple(&found.parameters.position.to_array(), DIGITS);
+    if found.untold.contains(&Untold::Position) {
+        return steps;
+    }
+    steps.push(if found.untold.contains(&Untold::Distance) {
+        text!(lang, steps_found, c)
+    } else {
+        text!(lang, steps_origin, c)
+    });
+    steps
+}
+
+/// The horizon, and the roll of the camera that it shows.
+fn horizon(lang: Lang, found: &PhotographCamera) -> String {
+    let roll = lang.mark().number(found.roll(), 3);
+    match found.horizon {
+        Some(_) => text!(lang, horizon_level, roll),
+        None => text!(lang, horizon_infinity).to_owned(),
+    }
+}
+
+fn vanishing(lang: Lang, point: &AxisVanishing) -> String {
+    let (axis, spread) = (point.axis.name(), lang.mark().number(point.spread, 3));
+    match point.pixel {
+        Some(pixel) => {
+            let pixel = lang.mark().tuple(&pixel.to_array(), DIGITS);
+            text!(lang, vanishing_at, axis, pixel, spread)
+        }
+        None => text!(lang, vanishing_infinity, axis, spread),
+    }
+}

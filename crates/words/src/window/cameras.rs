@@ -1,0 +1,5 @@
+//! The words of the list of cameras, in both languages.
+
+use crate::Lang;
+
+texts!("window/cameras");
